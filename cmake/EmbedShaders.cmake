@@ -1,0 +1,17 @@
+# Turns every GLSL file of shaders_es2/ into a string of one generated header, with
+# `#include "file"` lines replaced by that file. The shaders have no other preprocessing here;
+# the runtime puts the #define lines of a variant in front.
+set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
+set(EDGESHADE_GENERATED_DIR ${PROJECT_BINARY_DIR}/generated)
+file(GLOB EDGESHADE_SHADER_FILES CONFIGURE_DEPENDS
+  ${EDGESHADE_SHADER_DIR}/*.vert ${EDGESHADE_SHADER_DIR}/*.frag ${EDGESHADE_SHADER_DIR}/*.glsl)
+
+add_custom_command(
+  OUTPUT ${EDGESHADE_GENERATED_DIR}/shaders_es2.hpp
+  COMMAND ${CMAKE_COMMAND} -DSHADER_DIR=${EDGESHADE_SHADER_DIR}
+    -DOUTPUT=${EDGESHADE_GENERATED_DIR}/shaders_es2.hpp
+    -P ${PROJECT_SOURCE_DIR}/cmake/embed_shaders_script.cmake
+  DEPENDS ${EDGESHADE_SHADER_FILES} ${PROJECT_SOURCE_DIR}/cmake/embed_shaders_script.cmake
+  COMMENT "Embedding shaders"
+  VERBATIM)
+add_custom_target(edgeshade_shader_header DEPENDS ${EDGESHADE_GENERATED_DIR}/shaders_es2.hpp)

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "preprocess/gltf_document.hpp"
+
+#include <string>
+#include <vector>
+
+namespace edgeshade {
+
+/// An accessor's elements as floats, `components` a element, one after the other.
+struct FloatArray {
+    std::vector<float> values;
+    int components = 0;
+
+    std::size_t count() const { return components == 0 ? 0 : values.size() / components; }
+};
+
+/// Reads an accessor of any component type as floats: strides, sparse values and normalisation
+/// (glTF 2.0, 3.6.2.2) applied. `field` names the use in messages, e.g.
+/// "meshes[0].primitives[1].attributes.POSITION". Safe on untrusted input. Throws InputError.
+FloatArray readFloats(const GltfDocument& document, int accessor, const std::string& field);
+
+/// Reads a SCALAR accessor of an unsigned component type. Throws InputError.
+std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessor,
+                                       const std::string& field);
+
+/// The accessor with that index. Throws InputError naming `field` if there is none.
+const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
+                                     const std::string& field);
+
+} // namespace edgeshade

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace edgeshade {
+
+/// The exit statuses of the program (contract of the command line).
+enum class ExitStatus {
+    done = 0,
+    usage = 1,       ///< wrong usage
+    input = 2,       ///< input unreadable or invalid
+    unavailable = 3, ///< not possible here: no such GL feature, not built in
+    output = 4,      ///< output can't be written
+};
+
+/// The one exception type that crosses the library's public surface.
+///
+/// what() is a full sentence that names the file, the field and the value.
+class Error : public std::runtime_error {
+  public:
+    Error(ExitStatus status, const std::string& sentence)
+        : std::runtime_error(sentence), status_(status) {}
+
+    ExitStatus status() const { return status_; }
+
+  private:
+    ExitStatus status_;
+};
+
+/// An Error about what a user handed in.
+class InputError : public Error {
+  public:
+    explicit InputError(const std::string& sentence) : Error(ExitStatus::input, sentence) {}
+};
+
+} // namespace edgeshade

@@ -1,0 +1,97 @@
+#include "preprocess/file_io.hpp"
+
+#include "preprocess/error.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+namespace edgeshade {
+namespace {
+
+/// Holds SIGINT and SIGTERM back for its lifetime.
+class SignalsHeld {
+  public:
+    SignalsHeld() {
+        sigset_t held;
+        sigemptyset(&held);
+        sigaddset(&held, SIGINT);
+        sigaddset(&held, SIGTERM);
+        sigprocmask(SIG_BLOCK, &held, &before_);
+    }
+    ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+  private:
+    sigset_t before_;
+};
+
+[[noreturn]] void failWrite(const std::filesystem::path& path, int error) {
+    throw Error(ExitStatus::output,
+                "'" + path.string() + "' can't be written: " + std::strerror(error) + ".");
+}
+
+/// Writes all of `bytes` to `descriptor`; returns 0 or the errno of what failed.
+int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+} // namespace
+
+Bytes readFile(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        throw InputError("'" + path.string() + "' does not exist.");
+    if (std::filesystem::is_directory(path, error))
+        throw InputError("'" + path.string() + "' is a folder, not a file.");
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        throw InputError("'" + path.string() + "' can't be opened: " + std::strerror(errno) + ".");
+
+    Bytes bytes;
+    const auto size = std::filesystem::file_size(path, error);
+    if (!error) bytes.reserve(size);
+    char block[1 << 16];
+    while (file.read(block, sizeof block) || file.gcount() > 0)
+        bytes.insert(bytes.end(), block, block + file.gcount());
+    if (file.bad())
+        throw InputError("'" + path.string() + "' can't be read: " + std::strerror(errno) + ".");
+    return bytes;
+}
+
+void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+    if (std::filesystem::is_directory(path))
+        throw Error(ExitStatus::output, "'" + path.string() + "' is a folder, not a file.");
+    const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
+
+    const SignalsHeld held;
+    const int descriptor =
+        ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR |
+                                                                             S_IRGRP | S_IROTH);
+    if (descriptor < 0) failWrite(path, errno);
+    int failure = writeAll(descriptor, bytes);
+    if (::close(descriptor) != 0 && failure == 0) failure = errno;
+    if (failure == 0 && ::rename(beside.c_str(), path.c_str()) != 0) failure = errno;
+    if (failure != 0) {
+        ::unlink(beside.c_str());
+        failWrite(path, failure);
+    }
+}
+
+void writeFile(const std::filesystem::path& path, std::string_view text) {
+    writeFile(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+} // namespace edgeshade

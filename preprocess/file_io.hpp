@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace edgeshade {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Reads a whole regular file. Throws InputError naming the path if it can't.
+Bytes readFile(const std::filesystem::path& path);
+
+/// Writes `bytes` beside `path` and renames the result over it, so that a reader sees the old
+/// file or the new one and nothing in between. SIGINT and SIGTERM wait until that is done. Throws
+/// Error(output) naming the path, and leaves nothing behind, if it can't.
+void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// The same for text.
+void writeFile(const std::filesystem::path& path, std::string_view text);
+
+} // namespace edgeshade

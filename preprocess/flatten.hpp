@@ -1,0 +1,16 @@
+#pragma once
+
+#include "preprocess/gltf_document.hpp"
+#include "preprocess/scene.hpp"
+
+namespace edgeshade {
+
+/// Walks the default scene's nodes and gathers their triangles into batches: node transforms in
+/// double, rounded to float once, relative to the batch's local origin. Mirrored nodes keep their
+/// outside outside. Skins and morphs are taken at rest.
+///
+/// `weldTolerance` (scene units, >= 0) moves vertices closer than that onto each other; 0 changes
+/// nothing. Safe on untrusted input. Throws InputError.
+Scene flattenScene(const GltfDocument& document, double weldTolerance);
+
+} // namespace edgeshade

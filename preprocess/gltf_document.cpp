@@ -1,0 +1,211 @@
+#include "preprocess/gltf_document.hpp"
+
+#include "preprocess/error.hpp"
+#include "preprocess/glb.hpp"
+#include "preprocess/meshopt_view.hpp"
+
+#include <charconv>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Undoes %XX (RFC 3986, 2.1); other characters stay.
+std::string percentDecoded(const std::string& uri) {
+    std::string decoded;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned value = 0;
+        if (uri[i] == '%' && i + 2 < uri.size()) {
+            const char* digits = uri.data() + i + 1;
+            if (std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2) {
+                decoded.push_back(static_cast<char>(value));
+                i += 2;
+                continue;
+            }
+        }
+        decoded.push_back(uri[i]);
+    }
+    return decoded;
+}
+
+/// Where `uri` lies, if that is inside the asset's folder.
+std::filesystem::path pathOfUri(const GltfDocument& document, const std::string& field,
+                                const std::string& uri) {
+    const std::filesystem::path relative = percentDecoded(uri);
+    bool inside = !uri.empty() && relative.is_relative() && uri.find(':') == std::string::npos &&
+                  uri.find('\\') == std::string::npos &&
+                  relative.string().find('\0') == std::string::npos;
+    for (const auto& part : relative)
+        if (part == "..") inside = false;
+    if (!inside)
+        throw InputError(document.where(field) + " is '" + uri.substr(0, 80) +
+                         "', but only files in the asset's own folder and data URIs are read.");
+    return document.path.parent_path() / relative;
+}
+
+/// The bytes behind a data URI or a file name.
+Bytes resolveUri(const GltfDocument& document, const std::string& field, const std::string& uri) {
+    if (!uri.starts_with("data:")) return readFile(pathOfUri(document, field, uri));
+    Bytes bytes;
+    std::string mimeType;
+    if (!tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))
+        throw InputError(document.where(field) + " is a data URI that can't be decoded: '" +
+                         uri.substr(0, 40) + "...'.");
+    return bytes;
+}
+
+/// tinygltf 2.7 wants bytes behind every buffer and a view behind every index accessor, which
+/// neither EXT_meshopt_compression nor KHR_draco_mesh_compression has. It gets a copy with
+/// stand-ins; `standIns` are the accessors that got a view.
+Json withStandIns(const Json& source, std::vector<std::size_t>& standIns) {
+    Json json = source;
+    json.erase("images");
+    if (json.contains("buffers"))
+        for (Json& buffer : json["buffers"])
+            if (buffer.is_object()) {
+                buffer["uri"] = "data:application/octet-stream;base64,AA==";
+                buffer["byteLength"] = 1;
+            }
+    if (!json.contains("accessors") || !json["accessors"].is_array()) return json;
+    for (std::size_t i = 0; i < json["accessors"].size(); ++i) {
+        Json& accessor = json["accessors"][i];
+        if (!accessor.is_object() || accessor.contains("bufferView")) continue;
+        if (!json.contains("bufferViews") || json["bufferViews"].empty())
+            json["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
+        accessor["bufferView"] = 0;
+        standIns.push_back(i);
+    }
+    return json;
+}
+
+void parseModel(GltfDocument& document) {
+    std::vector<std::size_t> standIns;
+    const std::string text = withStandIns(document.json, standIns).dump();
+    tinygltf::TinyGLTF loader;
+    std::string errors, warnings;
+    const bool parsed =
+        loader.LoadASCIIFromString(&document.model, &errors, &warnings, text.data(),
+                                   static_cast<unsigned>(text.size()), std::string());
+    if (!parsed || !errors.empty()) {
+        while (!errors.empty() && errors.back() == '\n') errors.pop_back();
+        throw InputError("'" + document.path.string() + "' is no valid glTF 2.0: " +
+                         (errors.empty() ? "it could not be parsed" : errors) + ".");
+    }
+    for (std::size_t i : standIns) document.model.accessors.at(i).bufferView = -1;
+}
+
+void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
+    if (!document.json.contains("buffers")) return;
+    const Json& buffers = document.json["buffers"];
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const std::string field = "buffers[" + std::to_string(i) + "]";
+        const Json& buffer = buffers[i];
+        const auto length = buffer.value("byteLength", std::uint64_t{0});
+        Bytes bytes;
+        if (buffer.contains("uri"))
+            bytes = resolveUri(document, field + ".uri", buffer["uri"].get<std::string>());
+        else if (i == 0 && binaryChunk)
+            bytes = std::move(*binaryChunk);
+        else if (!isMeshoptFallback(buffer))
+            throw InputError(document.where(field) + ".uri is missing.");
+        else {
+            document.buffers.emplace_back();
+            continue;
+        }
+        if (bytes.size() < length)
+            throw InputError(document.where(field) + ".byteLength is " + std::to_string(length) +
+                             ", but there are " + std::to_string(bytes.size()) + " bytes.");
+        bytes.resize(length);
+        document.buffers.push_back(std::move(bytes));
+    }
+}
+
+/// The sections that our own code walks as JSON must have the shape that it expects.
+void requireArraysOfObjects(const GltfDocument& document) {
+    if (!document.json.is_object())
+        throw InputError("'" + document.path.string() + "' holds no JSON object.");
+    for (const char* section : {"buffers", "bufferViews", "accessors", "images", "materials",
+                                "meshes", "nodes", "scenes", "textures", "animations", "skins"}) {
+        if (!document.json.contains(section)) continue;
+        const Json& array = document.json[section];
+        bool valid = array.is_array();
+        if (valid)
+            for (const Json& item : array) valid = valid && item.is_object();
+        if (!valid) throw InputError(document.where(section) + " is not an array of objects.");
+    }
+}
+
+GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+    GltfDocument document;
+    document.path = path;
+    if (bytes.empty()) throw InputError("'" + path.string() + "' is empty.");
+    std::optional<Bytes> binaryChunk;
+    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (isGlb(bytes)) {
+        GlbChunks chunks = splitGlb(bytes, path);
+        text = chunks.json;
+        binaryChunk = std::move(chunks.binary);
+    }
+    try {
+        document.json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw InputError("'" + path.string() + "' is neither GLB nor JSON: byte " +
+                         std::to_string(error.byte) + " is not what JSON allows there.");
+    }
+    requireArraysOfObjects(document);
+    parseModel(document);
+    resolveBuffers(document, std::move(binaryChunk));
+    document.decodedViews.resize(document.model.bufferViews.size());
+    decodeMeshoptViews(document);
+    return document;
+}
+
+} // namespace
+
+GltfDocument readGltf(const std::filesystem::path& path) { return parseGltf(readFile(path), path); }
+
+GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+    try {
+        return parseChecked(bytes, path);
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError("'" + path.string() + "' is no valid glTF 2.0: " + error.what() + ".");
+    }
+}
+
+std::span<const std::uint8_t> bufferViewBytes(const GltfDocument& document, int view) {
+    const auto& views = document.model.bufferViews;
+    if (view < 0 || static_cast<std::size_t>(view) >= views.size())
+        throw InputError(document.where("bufferView ") + std::to_string(view) +
+                         " does not exist; there are " + std::to_string(views.size()) + ".");
+    if (document.decodedViews[view]) return *document.decodedViews[view];
+    const tinygltf::BufferView& range = views[view];
+    if (range.buffer < 0 || static_cast<std::size_t>(range.buffer) >= document.buffers.size())
+        throw InputError(document.where("bufferViews[") + std::to_string(view) + "].buffer is " +
+                         std::to_string(range.buffer) + ", which does not exist.");
+    const Bytes& bytes = document.buffers[range.buffer];
+    if (range.byteOffset > bytes.size() || range.byteLength > bytes.size() - range.byteOffset)
+        throw InputError(document.where("bufferViews[") + std::to_string(view) + "] ends at byte " +
+                         std::to_string(range.byteOffset + range.byteLength) + ", but buffer " +
+                         std::to_string(range.buffer) + " has " + std::to_string(bytes.size()) +
+                         ".");
+    return std::span(bytes).subspan(range.byteOffset, range.byteLength);
+}
+
+Bytes encodedImageBytes(const GltfDocument& document, int image) {
+    const std::string field = "images[" + std::to_string(image) + "]";
+    const Json none = Json::array();
+    const Json& images = document.json.contains("images") ? document.json["images"] : none;
+    if (image < 0 || static_cast<std::size_t>(image) >= images.size())
+        throw InputError(document.where(field) + " does not exist.");
+    const Json& source = images[image];
+    if (source.contains("bufferView") && source["bufferView"].is_number_integer()) {
+        const auto bytes = bufferViewBytes(document, source["bufferView"].get<int>());
+        return Bytes(bytes.begin(), bytes.end());
+    }
+    if (source.contains("uri") && source["uri"].is_string())
+        return resolveUri(document, field + ".uri", source["uri"].get<std::string>());
+    throw InputError(document.where(field) + " has neither a bufferView nor a uri.");
+}
+
+} // namespace edgeshade

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "preprocess/gltf_document.hpp"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace edgeshade {
+
+enum class AlphaMode { opaque, mask, blend };
+
+/// What of a glTF material this program draws: its base colour and whether light gets through.
+struct Material {
+    AlphaMode alphaMode = AlphaMode::opaque;
+    float alphaCutoff = 0.5f;
+    glm::vec4 baseColorFactor{1.0f}; ///< linear; pbrSpecularGlossiness' diffuse where used
+    int image = -1;                  ///< of the base colour texture; -1: none
+    int wrapS = 10497;               ///< GL enum, REPEAT by default
+    int wrapT = 10497;
+    int texcoordSet = 0;
+    glm::mat3 uvTransform{1.0f}; ///< KHR_texture_transform: uv' = uvTransform * (u, v, 1)
+};
+
+/// All materials of the document; the default material stands at the end, and a primitive without
+/// a material uses it. Throws InputError.
+std::vector<Material> readMaterials(const GltfDocument& document);
+
+} // namespace edgeshade

@@ -1,0 +1,119 @@
+#include "preprocess/node_walk.hpp"
+
+#include "preprocess/error.hpp"
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <set>
+
+namespace edgeshade {
+namespace {
+
+/// A node's own transform (glTF 2.0, 3.5.3).
+glm::dmat4 localTransform(const tinygltf::Node& node) {
+    glm::dmat4 matrix(1.0);
+    if (node.matrix.size() == 16) {
+        for (glm::length_t i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[i];
+        return matrix;
+    }
+    if (node.rotation.size() == 4)
+        matrix = glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1],
+                                           node.rotation[2]));
+    if (node.scale.size() == 3)
+        for (glm::length_t c = 0; c < 3; ++c) matrix[c] *= node.scale[c];
+    if (node.translation.size() == 3)
+        matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
+    return matrix;
+}
+
+bool isFinite(const glm::dmat4& matrix) {
+    for (glm::length_t c = 0; c < 4; ++c)
+        for (glm::length_t r = 0; r < 4; ++r)
+            if (!std::isfinite(matrix[c][r])) return false;
+    return true;
+}
+
+std::set<int> animatedNodes(const GltfDocument& document) {
+    std::set<int> nodes;
+    for (const auto& animation : document.model.animations)
+        for (const auto& channel : animation.channels)
+            if (channel.target_path != "weights") nodes.insert(channel.target_node);
+    return nodes;
+}
+
+std::vector<int> rootNodes(const GltfDocument& document) {
+    const tinygltf::Model& model = document.model;
+    if (!model.scenes.empty()) {
+        const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
+        if (static_cast<std::size_t>(scene) >= model.scenes.size())
+            throw InputError(document.where("scene") + " is " + std::to_string(scene) +
+                             ", but there are " + std::to_string(model.scenes.size()) +
+                             " scenes.");
+        return model.scenes[scene].nodes;
+    }
+    std::set<int> children;
+    for (const auto& node : model.nodes) children.insert(node.children.begin(), node.children.end());
+    std::vector<int> roots;
+    for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i)
+        if (!children.contains(i)) roots.push_back(i);
+    return roots;
+}
+
+struct Visit {
+    int node;
+    int mover;
+    glm::dmat4 moverFromParent;
+    glm::dmat4 worldFromParent;
+};
+
+} // namespace
+
+NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
+    const auto& nodes = document.model.nodes;
+    const std::set<int> animated = animatedNodes(document);
+    NodeWalk walk;
+    walk.worldFromNode.assign(nodes.size(), glm::dmat4(1.0));
+    std::vector<bool> reached(nodes.size(), false);
+    std::vector<Visit> open;
+    const auto openAll = [&open](const std::vector<int>& children, int mover,
+                                 const glm::dmat4& moverFrom, const glm::dmat4& worldFrom) {
+        for (auto child = children.rbegin(); child != children.rend(); ++child)
+            open.push_back({*child, mover, moverFrom, worldFrom});
+    };
+    openAll(rootNodes(document), -1, glm::dmat4(1.0), glm::dmat4(1.0));
+    while (!open.empty()) {
+        const Visit visit = open.back();
+        open.pop_back();
+        const std::string field = "nodes[" + std::to_string(visit.node) + "]";
+        if (visit.node < 0 || static_cast<std::size_t>(visit.node) >= nodes.size())
+            throw InputError(document.where(field) + " is referred to, but there are " +
+                             std::to_string(nodes.size()) + " nodes.");
+        if (reached[visit.node])
+            throw InputError(document.where(field) +
+                             " is reached twice; the nodes must be a tree.");
+        reached[visit.node] = true;
+
+        const tinygltf::Node& node = nodes[visit.node];
+        const glm::dmat4 local = localTransform(node);
+        const glm::dmat4 worldFromNode = visit.worldFromParent * local;
+        if (!isFinite(worldFromNode))
+            throw InputError(document.where(field) + " has a transform that is not finite.");
+        walk.worldFromNode[visit.node] = worldFromNode;
+
+        int mover = visit.mover;
+        glm::dmat4 moverFromNode = visit.moverFromParent * local;
+        if (animated.contains(visit.node)) {
+            if (glm::determinant(glm::dmat3(worldFromNode)) != 0.0) {
+                mover = visit.node;
+                moverFromNode = glm::dmat4(1.0);
+            } else {
+                warnings.add("An animated node that is scaled to nothing at rest stays static.");
+            }
+        }
+        if (node.mesh >= 0) walk.meshNodes.push_back({visit.node, mover, moverFromNode});
+        openAll(node.children, mover, moverFromNode, worldFromNode);
+    }
+    return walk;
+}
+
+} // namespace edgeshade

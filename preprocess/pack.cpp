@@ -1,0 +1,83 @@
+#include "preprocess/pack.hpp"
+
+#include "preprocess/flatten.hpp"
+#include "preprocess/packed_file.hpp"
+#include "preprocess/stopwatch.hpp"
+#include "shaders_es2/record_layout.glsl"
+
+namespace edgeshade {
+
+nlohmann::ordered_json toJson(const PackReport& report) {
+    using Json = nlohmann::ordered_json;
+    const MeshStatistics& casters = report.casters;
+    const std::size_t largest = casters.largestOppositeCount();
+    const auto multiplicity = static_cast<std::size_t>(report.maxMultiplicity);
+    Json byCount = Json::object();
+    for (const auto& [n, count] : casters.edgesByOppositeCount) byCount[std::to_string(n)] = count;
+    const std::size_t capRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
+    return {
+        {"triangles", report.triangles},
+        {"degenerate_triangles", casters.degenerateTriangles},
+        {"casting_triangles", casters.triangles},
+        {"edges", casters.edges},
+        {"edges_by_opposite_count", byCount},
+        {"largest_opposite_count", largest},
+        {"components", casters.components},
+        {"closed_oriented_triangles", casters.closedOrientedTriangles},
+        {"flat_edges_dropped", 0},
+        {"records", report.records},
+        {"record_multiplicity", multiplicity},
+        // Sides and caps as the GPU holds them, instanced; beside them Equations 6.8 and 6.9.
+        {"bytes",
+         {{"sides", report.records * (2 + multiplicity) * sizeof(glm::vec4)},
+          {"caps", casters.triangles * CapsData::vectorsPerRecord * sizeof(glm::vec4)},
+          {"published_equation",
+           16 * (2 + largest) * casters.edges + 48 * casters.triangles},
+          {"stored", report.storedBytes},
+          {"file", report.fileBytes}}},
+        {"vertex_runs",
+         {{"sides", report.records * multiplicity * VERTICES_PER_SIDE},
+          {"caps", capRuns},
+          {"published", casters.edges * largest * VERTICES_PER_SIDE + capRuns}}},
+        {"seconds",
+         {{"read", report.readSeconds},
+          {"weld", report.build.weld},
+          {"edges", report.build.edges},
+          {"pack", report.build.pack}}},
+        {"warnings", report.warnings},
+    };
+}
+
+PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings) {
+    Stopwatch watch;
+    PackInput input;
+    input.document = readGltf(path);
+    input.scene = flattenScene(input.document, settings.weldTolerance);
+    PackReport& report = input.report;
+    report.readSeconds = watch.lap();
+    input.topology = buildTopology(input.scene, settings.castMasked, report.build);
+
+    report.triangles = input.scene.triangleCount();
+    report.maxMultiplicity = sceneMultiplicity(input.topology);
+    for (const BatchTopology& batch : input.topology) {
+        report.casters += meshStatistics(batch.mesh.welded, batch.edges);
+        report.records += recordCountFor(batch.edges, report.maxMultiplicity);
+    }
+    report.storedBytes = storedShadowBytes(input.document);
+    std::error_code error;
+    report.fileBytes = std::filesystem::file_size(path, error);
+    report.warnings = input.scene.warnings.sentences();
+    return input;
+}
+
+Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings) {
+    Stopwatch watch;
+    Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding, settings);
+    const GltfDocument packed = parseGltf(bytes, input.document.path);
+    input.report.storedBytes = storedShadowBytes(packed);
+    input.report.fileBytes = bytes.size();
+    input.report.build.pack = watch.lap();
+    return bytes;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "preprocess/shadow_extension.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace edgeshade {
+
+/// Figures about a scene's shadow data: the contract's keys of `pack` and `info`.
+struct PackReport {
+    std::size_t triangles = 0; ///< of all surfaces, degenerate ones included
+    MeshStatistics casters;
+    std::size_t records = 0;
+    int maxMultiplicity = 1;
+    std::size_t storedBytes = 0; ///< of shadow data in the file
+    std::size_t fileBytes = 0;
+    double readSeconds = 0.0;
+    BuildSeconds build;
+    std::vector<std::string> warnings;
+};
+
+nlohmann::ordered_json toJson(const PackReport& report);
+
+/// A scene read from a file, with the topology of its casters.
+struct PackInput {
+    GltfDocument document;
+    Scene scene;
+    std::vector<BatchTopology> topology;
+    PackReport report;
+};
+
+/// read -> flatten -> weld -> edges -> count. Throws InputError.
+PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings);
+
+/// ... -> pack. The packed file's bytes; completes `input.report`.
+Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings);
+
+} // namespace edgeshade

@@ -1,0 +1,96 @@
+#include "preprocess/packed_file.hpp"
+
+#include "preprocess/error.hpp"
+#include "preprocess/glb.hpp"
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where a source buffer ended up.
+struct BufferPlace {
+    std::size_t buffer;
+    std::size_t offset;
+};
+
+void alignTo4(Bytes& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4, 0); }
+
+void moveReference(Json& reference, const std::vector<BufferPlace>& places) {
+    const BufferPlace& place = places.at(reference.at("buffer").get<std::size_t>());
+    reference["buffer"] = place.buffer;
+    const auto offset = reference.value("byteOffset", std::size_t{0}) + place.offset;
+    if (offset != 0 || reference.contains("byteOffset")) reference["byteOffset"] = offset;
+}
+
+/// Joins all buffers that have bytes into one; buffers without (meshopt fallbacks) follow it.
+Bytes joinBuffers(const GltfDocument& document, Json& json) {
+    Bytes binary;
+    if (!json.contains("buffers")) return binary;
+    Json buffers = Json::array({Json::object()});
+    std::vector<BufferPlace> places;
+    for (std::size_t i = 0; i < document.buffers.size(); ++i) {
+        const bool hasBytes =
+            !document.buffers[i].empty() || !json["buffers"][i].contains("extensions");
+        if (hasBytes) {
+            alignTo4(binary);
+            places.push_back({0, binary.size()});
+            binary.insert(binary.end(), document.buffers[i].begin(), document.buffers[i].end());
+        } else {
+            places.push_back({buffers.size(), 0});
+            buffers.push_back(json["buffers"][i]);
+        }
+    }
+    json["buffers"] = std::move(buffers);
+    if (json.contains("bufferViews"))
+        for (Json& view : json["bufferViews"]) {
+            moveReference(view, places);
+            if (view.contains("extensions"))
+                for (auto& [name, extension] : view["extensions"].items())
+                    if (extension.contains("buffer")) moveReference(extension, places);
+        }
+    return binary;
+}
+
+const char* mimeTypeOf(const Bytes& image) {
+    if (image.size() > 3 && image[0] == 0x89 && image[1] == 'P') return "image/png";
+    if (image.size() > 3 && image[0] == 0xFF && image[1] == 0xD8) return "image/jpeg";
+    return nullptr;
+}
+
+void embedImages(const GltfDocument& document, Json& json, Bytes& binary) {
+    if (!json.contains("images")) return;
+    for (std::size_t i = 0; i < json["images"].size(); ++i) {
+        Json& image = json["images"][i];
+        if (!image.contains("uri")) continue;
+        const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
+        alignTo4(binary);
+        json["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
+        binary.insert(binary.end(), bytes.begin(), bytes.end());
+        image.erase("uri");
+        image["bufferView"] = json["bufferViews"].size() - 1;
+        if (!image.contains("mimeType") && mimeTypeOf(bytes)) image["mimeType"] = mimeTypeOf(bytes);
+    }
+}
+
+} // namespace
+
+Bytes packedGlb(const GltfDocument& document, const Scene& scene,
+                const std::vector<BatchTopology>& topology, Encoding encoding,
+                const CasterSettings& settings) {
+    Json json = document.json;
+    Bytes binary = joinBuffers(document, json);
+    removeShadowExtension(json, binary, document.path);
+    embedImages(document, json, binary);
+    appendShadowExtension(json, binary, scene, topology, encoding, settings);
+    if (!binary.empty()) {
+        if (!json.contains("buffers")) json["buffers"] = Json::array({Json::object()});
+        json["buffers"][0] = {{"byteLength", binary.size()}};
+    } else {
+        json.erase("buffers");
+    }
+    return joinGlb(json.dump(), std::move(binary));
+}
+
+} // namespace edgeshade

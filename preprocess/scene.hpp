@@ -1,0 +1,64 @@
+#pragma once
+
+#include "preprocess/material.hpp"
+#include "preprocess/warnings.hpp"
+
+#include <glm/glm.hpp>
+#include <limits>
+#include <vector>
+
+namespace edgeshade {
+
+/// An axis-aligned box; empty until something is added.
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    bool empty() const { return low.x > high.x; }
+    void add(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    glm::dvec3 center() const { return empty() ? glm::dvec3(0.0) : 0.5 * (low + high); }
+    double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
+};
+
+/// Triangles of one material within a batch.
+struct SurfaceGroup {
+    std::size_t material = 0;
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0; ///< three a triangle
+};
+
+/// Triangles that move together: all static nodes are one batch, every animated node another.
+///
+/// Positions are floats relative to a local origin, so that survey coordinates keep their detail
+/// (method, section 5); what places them in the world is double.
+struct Batch {
+    int node = -1;                    ///< the glTF node that moves it; -1: none, it is static
+    glm::dmat4 worldFromBatch{1.0};   ///< at rest
+    std::vector<glm::vec3> positions; ///< no NaN, no infinity, no -0
+    std::vector<glm::vec3> normals;   ///< unit length, or 0 for a triangle without area
+    std::vector<glm::vec2> texcoords;
+    std::vector<glm::vec4> colors;    ///< linear
+    std::vector<std::uint32_t> indices; ///< counter-clockwise is the outside
+    std::vector<SurfaceGroup> groups; ///< opaque first, then mask, then blend
+};
+
+/// A glTF scene at rest, ready for drawing and for finding its edges.
+struct Scene {
+    std::vector<Batch> batches;
+    std::vector<Material> materials;
+    Warnings warnings;
+
+    std::size_t triangleCount() const {
+        std::size_t count = 0;
+        for (const Batch& batch : batches) count += batch.indices.size() / 3;
+        return count;
+    }
+};
+
+/// The box of all vertices in the world.
+Box worldBounds(const Scene& scene);
+
+} // namespace edgeshade

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "preprocess/gltf_document.hpp"
+#include "preprocess/shadow_data.hpp"
+
+#include <optional>
+#include <string>
+
+namespace edgeshade {
+
+/// The glTF extension that carries shadow data, on the asset's root, used and not required.
+///
+/// {
+///   "version": 1,
+///   "encoding": "expanded" | "indexed" | "none",
+///   "maxMultiplicity": 1..5,        opposite vertices a record
+///   "weldTolerance": number >= 0, "castMasked": boolean,
+///   "batches": [{                   in the order of flattenScene()
+///     "node": index,                absent: the static nodes
+///     "positionsHash": "16 hex digits",
+///     "sides", "caps": accessors of VEC4 floats, SidesData and CapsData      (expanded)
+///     "edgeVertices", "oppositeCounts", "oppositeVertices": accessors of
+///         unsigned integers, EdgeList over the sorted welded positions       (indexed)
+///   }]                              accessors are absent where a batch has no casters
+/// }
+inline constexpr const char* shadowExtensionName = "EDGESHADE_shadow_volume";
+inline constexpr int shadowExtensionVersion = 1;
+
+enum class Encoding {
+    expanded, ///< GPU-ready sides-data and caps-data
+    indexed,  ///< edges as indices into the welded positions
+    none,     ///< nothing but the settings; topology is found at load
+};
+
+/// "expanded", "indexed", "none".
+const char* nameOf(Encoding encoding);
+
+/// How the shadow data of a packed document were made. Throws InputError for a version or a value
+/// that is not known.
+struct ShadowHeader {
+    Encoding encoding = Encoding::none;
+    int maxMultiplicity = 1;
+    CasterSettings settings;
+};
+std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document);
+
+/// The shadow data that the document holds, made ready for drawing. `scene` must be the document's,
+/// flattened with the header's settings. Checks every offset, count and index. Throws InputError,
+/// also when a batch's hash doesn't match its positions.
+std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
+                                     const Scene& scene);
+
+/// Bytes of shadow data that a packed document stores; 0 if it isn't packed.
+std::size_t storedShadowBytes(const GltfDocument& document);
+
+/// Appends buffer views, accessors and the extension to `json`, and the bytes to `binary`, which is
+/// buffer 0.
+void appendShadowExtension(nlohmann::ordered_json& json, Bytes& binary, const Scene& scene,
+                           const std::vector<BatchTopology>& topology, Encoding encoding,
+                           const CasterSettings& settings);
+
+/// Takes an earlier extension out again: what appendShadowExtension() added. `path` is for
+/// messages. Throws InputError if the file was rearranged since.
+void removeShadowExtension(nlohmann::ordered_json& json, Bytes& binary,
+                           const std::filesystem::path& path);
+
+} // namespace edgeshade

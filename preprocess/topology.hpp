@@ -1,0 +1,39 @@
+#pragma once
+
+#include "preprocess/edges.hpp"
+#include "preprocess/scene.hpp"
+#include "preprocess/weld.hpp"
+
+namespace edgeshade {
+
+/// Caps [firstCap, firstCap + capCount) of casters of one material.
+struct CasterGroup {
+    std::size_t material = 0;
+    std::uint32_t firstCap = 0;
+    std::uint32_t capCount = 0;
+};
+
+/// The triangles of a batch that cast: which groups, and their corner indices.
+struct Casters {
+    std::vector<std::uint32_t> indices; ///< three a triangle, into Batch::positions
+    std::vector<SurfaceGroup> groups;   ///< ranges of `indices`
+};
+
+/// Picks the casters of a batch: opaque triangles, with `castMasked` MASK and BLEND ones too
+/// (method, section 5).
+Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bool castMasked);
+
+/// Casters, welded.
+struct CasterMesh {
+    WeldedMesh welded;
+    std::vector<CasterGroup> groups; ///< ranges of welded.triangles, and so of caps
+};
+
+/// Welds the casters; triangles keep their order.
+CasterMesh weldCasters(const Batch& batch, const Casters& casters);
+
+/// FNV-1a, 64 bit, over the bytes of every corner's position in order, little-endian. Tells
+/// whether shadow data belong to these casters; no defence against forgery.
+std::uint64_t positionsHash(const Batch& batch, const Casters& casters);
+
+} // namespace edgeshade

@@ -1,0 +1,38 @@
+// Caps write the stencil alone. Fragments go where the caster itself has none.
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+
+#ifdef NEAR_DISCARD
+varying vec2 v_clipZW;
+#endif
+#ifdef ALPHA_TEST
+uniform sampler2D u_texture;
+uniform float u_alphaScale;
+uniform float u_alphaCutoff; // above any alpha: nothing of the caster is in the depth buffer
+uniform float u_frontCapAtInfinity;
+varying vec2 v_texcoord;
+varying float v_isBack;
+#endif
+#ifdef PROBE
+varying vec4 v_color;
+#endif
+
+void main() {
+#ifdef NEAR_DISCARD
+    // The caster was clipped here (method, section 5): moved to infinity its cap would count.
+    if (v_clipZW.x < -v_clipZW.y) discard;
+#endif
+#ifdef ALPHA_TEST
+    // Where the caster is solid its front cap counts at infinity, in its holes where it is.
+    bool solid = texture2D(u_texture, v_texcoord).a * u_alphaScale >= u_alphaCutoff;
+    if (v_isBack < 0.5 && solid != (u_frontCapAtInfinity > 0.5)) discard;
+#endif
+#ifdef PROBE
+    gl_FragColor = v_color;
+#else
+    gl_FragColor = vec4(1.0);
+#endif
+}

@@ -1,0 +1,159 @@
+#include "src/gl/headless_context.hpp"
+
+#include "preprocess/error.hpp"
+#include "src/gl/objects.hpp"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GLES2/gl2.h>
+#include <algorithm>
+#include <string>
+
+namespace edgeshade::gl {
+namespace {
+
+[[noreturn]] void unavailable(const std::string& sentence) {
+    throw Error(ExitStatus::unavailable, sentence);
+}
+
+bool lists(const char* extensions, const std::string& name) {
+    return extensions && (" " + std::string(extensions) + " ").find(" " + name + " ") !=
+                             std::string::npos;
+}
+
+template <class Function>
+Function entryPoint(const char* name) {
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+void* lookUp(const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
+
+/// Displays worth trying, best first.
+std::vector<EGLDisplay> candidateDisplays() {
+    std::vector<EGLDisplay> displays;
+    const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const auto platformDisplay =
+        entryPoint<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    const auto queryDevices = entryPoint<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    const auto queryDevice = entryPoint<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    if (platformDisplay && queryDevices && queryDevice &&
+        lists(client, "EGL_EXT_platform_device")) {
+        EGLDeviceEXT devices[16];
+        EGLint count = 0;
+        if (queryDevices(16, devices, &count))
+            for (EGLint i = 0; i < count; ++i)
+                if (!lists(queryDevice(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software"))
+                    displays.push_back(
+                        platformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
+    }
+    if (platformDisplay && lists(client, "EGL_MESA_platform_surfaceless"))
+        displays.push_back(
+            platformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
+    return displays;
+}
+
+EGLConfig chooseConfig(EGLDisplay display, int samples, int depthBits) {
+    const EGLint attributes[] = {EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_ES2_BIT,
+                                 EGL_RED_SIZE,
+                                 8,
+                                 EGL_GREEN_SIZE,
+                                 8,
+                                 EGL_BLUE_SIZE,
+                                 8,
+                                 EGL_ALPHA_SIZE,
+                                 8,
+                                 EGL_DEPTH_SIZE,
+                                 depthBits,
+                                 EGL_STENCIL_SIZE,
+                                 8,
+                                 EGL_SAMPLE_BUFFERS,
+                                 samples > 0 ? 1 : 0,
+                                 EGL_SAMPLES,
+                                 samples,
+                                 EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!eglChooseConfig(display, attributes, &config, 1, &count) || count == 0) return nullptr;
+    return config;
+}
+
+int configValue(EGLDisplay display, EGLConfig config, EGLint name) {
+    EGLint value = 0;
+    eglGetConfigAttrib(display, config, name, &value);
+    return value;
+}
+
+} // namespace
+
+HeadlessContext::HeadlessContext(const Request& request)
+    : width_(request.width), height_(request.height) {
+    EGLConfig config = nullptr;
+    bool anyDisplay = false;
+    for (EGLDisplay candidate : candidateDisplays()) {
+        if (candidate == EGL_NO_DISPLAY || !eglInitialize(candidate, nullptr, nullptr)) continue;
+        anyDisplay = true;
+        config = chooseConfig(candidate, request.samples, request.depthBits);
+        if (!config) config = chooseConfig(candidate, request.samples, 16);
+        if (config) {
+            display_ = candidate;
+            break;
+        }
+        eglTerminate(candidate);
+    }
+    if (!anyDisplay) unavailable("No EGL display can be opened here, so nothing can be drawn.");
+    if (!config)
+        unavailable("EGL has no picture with 8-bit colour, an 8-bit stencil and " +
+                    std::to_string(request.samples) + " samples here.");
+    const int widest = configValue(display_, config, EGL_MAX_PBUFFER_WIDTH);
+    const int highest = configValue(display_, config, EGL_MAX_PBUFFER_HEIGHT);
+    if (width_ > widest || height_ > highest) {
+        eglTerminate(display_);
+        unavailable("A picture of " + std::to_string(width_) + "x" + std::to_string(height_) +
+                    " is too large here; the largest is " + std::to_string(widest) + "x" +
+                    std::to_string(highest) + ".");
+    }
+
+    eglBindAPI(EGL_OPENGL_ES_API);
+    const EGLint contextAttributes[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
+    const EGLint surfaceAttributes[] = {EGL_WIDTH, width_, EGL_HEIGHT, height_, EGL_NONE};
+    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, contextAttributes);
+    surface_ = eglCreatePbufferSurface(display_, config, surfaceAttributes);
+    if (!context_ || !surface_ || !eglMakeCurrent(display_, surface_, surface_, context_)) {
+        release();
+        unavailable("EGL can't make an OpenGL ES 2 context with a picture of " +
+                    std::to_string(width_) + "x" + std::to_string(height_) + " here.");
+    }
+    capabilities_ = queryCapabilities(lookUp);
+    if (capabilities_.stencilBits < 8) {
+        release();
+        unavailable("This GL has no 8-bit stencil, which shadow volumes need.");
+    }
+}
+
+HeadlessContext::~HeadlessContext() { release(); }
+
+void HeadlessContext::release() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (surface_) eglDestroySurface(display_, surface_);
+    if (context_) eglDestroyContext(display_, context_);
+    eglTerminate(display_);
+}
+
+std::vector<std::uint8_t> HeadlessContext::readPixels() const {
+    const std::size_t stride = std::size_t{4} * static_cast<std::size_t>(width_);
+    std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(height_));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    requireNoError("reading the picture");
+    for (std::size_t top = 0, bottom = static_cast<std::size_t>(height_) - 1; top < bottom;
+         ++top, --bottom)
+        std::swap_ranges(pixels.begin() + top * stride, pixels.begin() + (top + 1) * stride,
+                         pixels.begin() + bottom * stride);
+    return pixels;
+}
+
+} // namespace edgeshade::gl

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "src/gl/capabilities.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace edgeshade::gl {
+
+/// An OpenGL ES 2 context with a picture of its own and no display, by EGL.
+///
+/// Takes the first of: a hardware device (EGL_EXT_platform_device), Mesa without a surface, the
+/// default display. The picture is a pbuffer with 8-bit RGBA, depth and stencil; its size and
+/// samples are fixed. Current on the thread that made it until it is destroyed.
+class HeadlessContext {
+  public:
+    struct Request {
+        int width = 1;
+        int height = 1;
+        int samples = 0;    ///< 0: no antialiasing
+        int depthBits = 24; ///< at least; 16 if there is no more
+    };
+
+    /// Throws Error(unavailable) that says what is missing.
+    explicit HeadlessContext(const Request& request);
+    ~HeadlessContext();
+    HeadlessContext(const HeadlessContext&) = delete;
+    HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+    const Capabilities& capabilities() const { return capabilities_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    /// The picture, RGBA, rows top to bottom.
+    std::vector<std::uint8_t> readPixels() const;
+
+  private:
+    void release();
+
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+    void* surface_ = nullptr;
+    int width_ = 0;
+    int height_ = 0;
+    Capabilities capabilities_;
+};
+
+} // namespace edgeshade::gl

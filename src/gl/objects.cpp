@@ -1,0 +1,57 @@
+#include "src/gl/objects.hpp"
+
+#include "preprocess/error.hpp"
+
+#include <GLES2/gl2.h>
+#include <bit>
+
+namespace edgeshade::gl {
+
+void deleteBuffer(Name name) { glDeleteBuffers(1, &name); }
+void deleteTexture(Name name) { glDeleteTextures(1, &name); }
+void deleteShader(Name name) { glDeleteShader(name); }
+void deleteProgram(Name name) { glDeleteProgram(name); }
+
+Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()) {
+    const GLenum target = kind == Kind::vertices ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER;
+    Name name = 0;
+    glGenBuffers(1, &name);
+    object_ = Owned<deleteBuffer>(name);
+    glBindBuffer(target, name);
+    glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
+    glBindBuffer(target, 0);
+    requireNoError("uploading a buffer");
+}
+
+Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, int wrapS,
+                    int wrapT) {
+    Name name = 0;
+    glGenTextures(1, &name);
+    Texture texture(name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 rgba.data());
+    const bool mipmapped = std::has_single_bit(static_cast<unsigned>(width)) &&
+                           std::has_single_bit(static_cast<unsigned>(height));
+    if (mipmapped) glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    mipmapped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapS);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapT);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    requireNoError("uploading a texture");
+    return texture;
+}
+
+void requireNoError(const char* doing) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return;
+    const char* what = error == GL_OUT_OF_MEMORY ? "the GL is out of memory"
+                                                 : "the GL reports an error";
+    throw Error(ExitStatus::unavailable, std::string("While ") + doing + ": " + what +
+                                             " (code " + std::to_string(error) + ").");
+}
+
+} // namespace edgeshade::gl

@@ -1,0 +1,78 @@
+#pragma once
+
+// Thin owners of GL objects: one C++ object owns one GL object and deletes it. They need a current
+// context for their whole life and know nothing of shadows.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+namespace edgeshade::gl {
+
+using Name = unsigned int; ///< a GL object's name; 0: none
+
+/// A name that is deleted once; `Deleter` is called with it.
+template <void (*Deleter)(Name)>
+class Owned {
+  public:
+    Owned() = default;
+    explicit Owned(Name name) : name_(name) {}
+    ~Owned() { reset(); }
+    Owned(Owned&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    Owned& operator=(Owned&& other) noexcept {
+        if (this != &other) {
+            reset();
+            name_ = std::exchange(other.name_, 0);
+        }
+        return *this;
+    }
+    Name name() const { return name_; }
+
+  private:
+    void reset() {
+        if (name_ != 0) Deleter(name_);
+    }
+    Name name_ = 0;
+};
+
+void deleteBuffer(Name);
+void deleteTexture(Name);
+void deleteShader(Name);
+void deleteProgram(Name);
+
+using Texture = Owned<deleteTexture>;
+using ShaderObject = Owned<deleteShader>;
+using ProgramObject = Owned<deleteProgram>;
+
+/// An immutable vertex or index buffer.
+class Buffer {
+  public:
+    enum class Kind { vertices, indices };
+
+    Buffer() = default;
+    /// Uploads `bytes`. Throws Error(unavailable) if the GL is out of memory.
+    Buffer(Kind kind, std::span<const std::byte> bytes);
+
+    Name name() const { return object_.name(); }
+    std::size_t size() const { return size_; } ///< bytes
+
+  private:
+    Owned<deleteBuffer> object_;
+    std::size_t size_ = 0;
+};
+
+template <class T>
+Buffer vertexBuffer(std::span<const T> values) {
+    return Buffer(Buffer::Kind::vertices, std::as_bytes(values));
+}
+
+/// A texture of 8-bit RGBA texels, rows top to bottom, with mipmaps. `wrapS`, `wrapT`: GL enums.
+/// Width and height must be powers of two unless both wraps are CLAMP_TO_EDGE.
+Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, int wrapS,
+                    int wrapT);
+
+/// Throws Error(unavailable) if the GL has recorded an error; `doing` says at what.
+void requireNoError(const char* doing);
+
+} // namespace edgeshade::gl

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "src/gl/objects.hpp"
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace edgeshade::gl {
+
+/// A linked program of one vertex and one fragment stage, GLSL ES 1.00.
+class Program {
+  public:
+    /// Compiles and links. `defines` are put in front of both stages, "NAME" or "NAME VALUE".
+    /// Attributes get the locations of their order in `attributes`; those that a variant doesn't
+    /// declare are skipped. Throws Error(unavailable) with the GL's log.
+    Program(const char* vertexSource, const char* fragmentSource,
+            const std::vector<std::string>& defines, const std::vector<std::string>& attributes);
+
+    void use() const;
+
+    // Setting a uniform that the variant doesn't have does nothing. The program must be in use.
+    void set(const char* uniform, float value);
+    void set(const char* uniform, const glm::vec4& value);
+    void set(const char* uniform, const glm::mat3& value);
+    void set(const char* uniform, const glm::mat4& value);
+    void setSampler(const char* uniform, int unit);
+
+  private:
+    int location(const char* uniform);
+
+    ProgramObject object_;
+    std::map<std::string, int> locations_; ///< asked for once, then remembered
+};
+
+} // namespace edgeshade::gl

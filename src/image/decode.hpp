@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace edgeshade {
+
+/// 8-bit RGBA, rows top to bottom.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+/// Decodes PNG or JPEG of at most 16384 x 16384. Safe on untrusted input. `name` is for messages.
+/// Throws InputError.
+Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// The image scaled up to powers of two, for devices whose textures need that.
+Image toPowersOfTwo(const Image& image);
+
+} // namespace edgeshade

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "preprocess/file_io.hpp"
+
+#include <span>
+
+namespace edgeshade {
+
+/// A PNG of 8-bit RGBA pixels, rows top to bottom. Same pixels, same bytes.
+Bytes encodePng(std::span<const std::uint8_t> rgba, int width, int height);
+
+} // namespace edgeshade
