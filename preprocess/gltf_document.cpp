@@ -140,22 +140,20 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
     GltfDocument document;
     document.path = path;
     if (bytes.empty()) throw InputError("'" + path.string() + "' is empty.");
-    std::optional<Bytes> binaryChunk;
-    std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (isGlb(bytes)) {
-        GlbChunks chunks = splitGlb(bytes, path);
-        text = chunks.json;
-        binaryChunk = std::move(chunks.binary);
-    }
+    GlbChunks chunks;
+    if (isGlb(bytes))
+        chunks = splitGlb(bytes, path);
+    else
+        chunks.json.assign(bytes.begin(), bytes.end());
     try {
-        document.json = Json::parse(text);
+        document.json = Json::parse(chunks.json);
     } catch (const Json::parse_error& error) {
         throw InputError("'" + path.string() + "' is neither GLB nor JSON: byte " +
                          std::to_string(error.byte) + " is not what JSON allows there.");
     }
     requireArraysOfObjects(document);
     parseModel(document);
-    resolveBuffers(document, std::move(binaryChunk));
+    resolveBuffers(document, std::move(chunks.binary));
     document.decodedViews.resize(document.model.bufferViews.size());
     decodeMeshoptViews(document);
     return document;

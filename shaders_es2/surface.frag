@@ -1,5 +1,5 @@
 // Base colour times ambient plus Lambert light, in the display's own (sRGB) values. The lit pass
-// adds one light at a time. Variant: ALPHA_TEST, materials with holes.
+// adds one light at a time. Variants: ALPHA_TEST, materials with holes; BLENDED, see-through ones.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -33,5 +33,10 @@ void main() {
     vec3 normal = v_normal * (gl_FrontFacing ? u_mirrored : -u_mirrored);
     float lambert = max(dot(normalize(normal), normalize(light)), 0.0);
     vec3 shaded = base.rgb * (u_ambient + u_diffuse * lambert);
-    gl_FragColor = vec4(mix(shaded, vec3(u_maskValue), u_mask), mix(base.a, 1.0, u_mask));
+#ifdef BLENDED
+    float alpha = base.a;
+#else
+    float alpha = 1.0;
+#endif
+    gl_FragColor = vec4(mix(shaded, vec3(u_maskValue), u_mask), alpha);
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace edgeshade::cli {
+
+// Each adds a verb with its options; parsing the command line runs it. They throw Error.
+void addPackCommand(CLI::App& program);
+void addInfoCommand(CLI::App& program);
+void addRenderCommand(CLI::App& program);
+
+} // namespace edgeshade::cli

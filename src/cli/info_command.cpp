@@ -1,0 +1,44 @@
+#include "preprocess/pack.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
+#include "src/cli/report.hpp"
+#include "src/cli/summary.hpp"
+
+#include <memory>
+
+namespace edgeshade::cli {
+namespace {
+
+struct InfoOptions {
+    std::string input;
+    std::string report;
+    CasterOptions casters;
+};
+
+void info(const InfoOptions& options) {
+    const auto header = readShadowHeader(readGltf(options.input));
+    const CasterSettings settings =
+        options.casters.wanted().value_or(header ? header->settings : CasterSettings());
+    const PackInput input = readForPacking(options.input, settings);
+    printWarnings(input.report.warnings);
+    std::string text = summaryOf(input.report);
+    text += std::string("\npacked                    ") +
+            (header ? std::string("yes, ") + nameOf(header->encoding) : "no");
+    printResult(text, options.report);
+    auto report = toJson(input.report);
+    report["encoding"] = header ? nlohmann::ordered_json(nameOf(header->encoding)) : nullptr;
+    writeReport(report, options.report);
+}
+
+} // namespace
+
+void addInfoCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand("info", "Say what is inside a scene, packed or not");
+    const auto options = std::make_shared<InfoOptions>();
+    verb->add_option("FILE", options->input, "The scene, .gltf or .glb")->required();
+    addCasterOptions(*verb, options->casters);
+    addReportOption(*verb, options->report);
+    verb->callback([options] { info(*options); });
+}
+
+} // namespace edgeshade::cli

@@ -1,0 +1,152 @@
+#include "src/cli/options.hpp"
+
+#include "preprocess/error.hpp"
+#include "src/render/near_plane.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace edgeshade::cli {
+namespace {
+
+/// A finite number that is the whole text.
+double numberFrom(std::string_view text, const std::string& option) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0.0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
+        !std::isfinite(value))
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is no finite number");
+    return value;
+}
+
+/// "x,y,z".
+glm::dvec3 vectorFrom(const std::string& text, const std::string& option) {
+    glm::dvec3 vector(0.0);
+    std::size_t start = 0;
+    for (glm::length_t c = 0; c < 3; ++c) {
+        const std::size_t comma = text.find(',', start);
+        if ((comma == std::string::npos) != (c == 2))
+            throw CLI::ValidationError(option, "'" + text + "' is not of the form x,y,z");
+        vector[c] = numberFrom(std::string_view(text).substr(start, comma - start), option);
+        start = comma + 1;
+    }
+    return vector;
+}
+
+/// "WxH", both 1 to 65536.
+void sizeFrom(const std::string& text, ViewOptions& options) {
+    int values[2] = {};
+    const char* at = text.data();
+    const char* end = text.data() + text.size();
+    for (int i = 0; i < 2; ++i) {
+        const auto result = std::from_chars(at, end, values[i]);
+        const bool separated = i == 1 ? result.ptr == end : result.ptr != end && *result.ptr == 'x';
+        if (result.ec != std::errc() || !separated || values[i] < 1 || values[i] > 65536)
+            throw CLI::ValidationError("--size", "'" + text +
+                                                     "' is not of the form WIDTHxHEIGHT with "
+                                                     "numbers from 1 to 65536");
+        at = result.ptr + 1;
+    }
+    options.width = values[0];
+    options.height = values[1];
+}
+
+template <class Use>
+void addTextOption(CLI::App& verb, const std::string& name, const std::string& type,
+                   const std::string& help, Use use) {
+    verb.add_option_function<std::string>(name, use, help)->type_name(type);
+}
+
+} // namespace
+
+void addViewOptions(CLI::App& verb, ViewOptions& options) {
+    addTextOption(verb, "--size", "WxH", "Picture size in pixels (1920x1080)",
+                  [&](const std::string& text) { sizeFrom(text, options); });
+    addTextOption(verb, "--camera-from", "X,Y,Z", "Where the eye is (frames the scene)",
+                  [&](const std::string& text) { options.from = vectorFrom(text, "--camera-from"); });
+    addTextOption(verb, "--camera-to", "X,Y,Z", "What the eye looks at (middle of the scene)",
+                  [&](const std::string& text) { options.to = vectorFrom(text, "--camera-to"); });
+    addTextOption(verb, "--fov", "DEG", "Vertical field of view in degrees (45)",
+                  [&](const std::string& text) {
+                      options.fovDegrees = numberFrom(text, "--fov");
+                      if (options.fovDegrees <= 0.0 || options.fovDegrees >= 180.0)
+                          throw CLI::ValidationError("--fov", "'" + text +
+                                                                  "' is not between 0 and 180");
+                  });
+    addTextOption(verb, "--near", "D|auto",
+                  "Distance of the near plane; auto: as far out as what is visible allows (auto)",
+                  [&](const std::string& text) {
+                      if (text == "auto") return options.near.reset();
+                      options.near = numberFrom(text, "--near");
+                      if (*options.near <= 0.0)
+                          throw CLI::ValidationError("--near", "'" + text + "' is not above 0");
+                  });
+    // One callback an occurrence keeps points and suns in the order in which they were typed.
+    const auto addLights = [&](const std::string& name, double w, const std::string& help) {
+        verb.add_option_function<std::vector<std::string>>(
+                name,
+                [&options, name, w](const std::vector<std::string>& texts) {
+                    for (const std::string& text : texts) {
+                        const glm::dvec3 position = vectorFrom(text, name);
+                        if (w == 0.0 && position == glm::dvec3(0.0))
+                            throw CLI::ValidationError(name, "'" + text + "' is no direction");
+                        options.lights.push_back({glm::dvec4(position, w)});
+                    }
+                },
+                help)
+            ->type_name("X,Y,Z")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+            ->trigger_on_parse();
+    };
+    addLights("--light", 1.0, "A point light; may be repeated (a sun from above)");
+    addLights("--sun", 0.0, "A directional light, the direction towards it; may be repeated");
+}
+
+void addCasterOptions(CLI::App& verb, CasterOptions& options) {
+    addTextOption(verb, "--weld-tolerance", "D",
+                  "Vertices closer than this, in scene units, become one (0: only equal ones)",
+                  [&](const std::string& text) {
+                      options.settings.weldTolerance = numberFrom(text, "--weld-tolerance");
+                      options.given = true;
+                      if (options.settings.weldTolerance < 0.0)
+                          throw CLI::ValidationError("--weld-tolerance",
+                                                     "'" + text + "' is below 0");
+                  });
+    verb.add_flag_callback(
+        "--cast-masked",
+        [&] {
+            options.settings.castMasked = true;
+            options.given = true;
+        },
+        "MASK and BLEND surfaces cast shadows too, of their whole triangles");
+}
+
+void addReportOption(CLI::App& verb, std::string& path) {
+    verb.add_option("--report", path, "Write a JSON report to this file; - is standard output")
+        ->type_name("FILE");
+}
+
+FrameView viewFor(const ViewOptions& options, const Scene& scene) {
+    FrameView view;
+    view.width = options.width;
+    view.height = options.height;
+    const double aspect = static_cast<double>(options.width) / options.height;
+    const Box bounds = worldBounds(scene);
+    const Camera framing = framingCamera(bounds, options.fovDegrees, aspect);
+    view.camera = {options.from.value_or(framing.from), options.to.value_or(framing.to),
+                   options.fovDegrees};
+    if (view.camera.from == view.camera.to)
+        throw Error(ExitStatus::usage,
+                    "--camera-from and --camera-to are the same point, so the camera has no "
+                    "direction.");
+    view.lights = options.lights;
+    if (view.lights.empty()) view.lights.push_back(defaultLight());
+    for (const Batch& batch : scene.batches)
+        view.nearestDepths.push_back(nearestVisibleDepth(batch, view.camera, aspect));
+    view.near = options.near.value_or(fittedNear(view.nearestDepths, bounds.diagonal()));
+    return view;
+}
+
+} // namespace edgeshade::cli

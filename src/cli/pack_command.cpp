@@ -1,0 +1,51 @@
+#include "preprocess/pack.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
+#include "src/cli/report.hpp"
+#include "src/cli/summary.hpp"
+
+#include <map>
+#include <memory>
+
+namespace edgeshade::cli {
+namespace {
+
+struct PackOptions {
+    std::string input;
+    std::string output;
+    std::string report;
+    Encoding encoding = Encoding::indexed;
+    CasterOptions casters;
+};
+
+void pack(const PackOptions& options) {
+    PackInput input = readForPacking(options.input, options.casters.settings);
+    printWarnings(input.report.warnings);
+    writeFile(options.output, packBytes(input, options.encoding, options.casters.settings));
+    printResult(summaryOf(input.report), options.report);
+    writeReport(toJson(input.report), options.report);
+}
+
+} // namespace
+
+void addPackCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand(
+        "pack", "Add shadow data to a glTF scene and write it as one GLB that any viewer opens");
+    const auto options = std::make_shared<PackOptions>();
+    verb->add_option("IN", options->input, "The scene, .gltf or .glb")->required();
+    verb->add_option("OUT", options->output, "The packed scene, .glb")->required();
+    verb->add_option("--encoding", options->encoding,
+                     "expanded: GPU-ready; indexed: edges as indices; none: found at load "
+                     "(indexed)")
+        ->type_name("expanded|indexed|none")
+        ->transform(CLI::CheckedTransformer(
+                        std::map<std::string, Encoding>{{"expanded", Encoding::expanded},
+                                                        {"indexed", Encoding::indexed},
+                                                        {"none", Encoding::none}})
+                        .description(""));
+    addCasterOptions(*verb, options->casters);
+    addReportOption(*verb, options->report);
+    verb->callback([options] { pack(*options); });
+}
+
+} // namespace edgeshade::cli

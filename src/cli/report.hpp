@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace edgeshade::cli {
+
+/// Writes the report to `path`, "-" for standard output; an empty path writes none. Throws
+/// Error(output).
+void writeReport(const nlohmann::ordered_json& report, const std::string& path);
+
+/// A line for people, on standard output unless the report goes there.
+void printResult(const std::string& text, const std::string& reportPath);
+
+/// Warnings, a line each, on standard error.
+void printWarnings(const std::vector<std::string>& warnings);
+
+/// A line about progress, on standard error.
+void printProgress(const std::string& text);
+
+} // namespace edgeshade::cli

@@ -1,0 +1,49 @@
+#include "src/cli/summary.hpp"
+
+#include <iomanip>
+#include <sstream>
+
+namespace edgeshade::cli {
+namespace {
+
+/// A count with thousands apart: 1,234,567.
+std::string grouped(std::size_t value) {
+    std::string digits = std::to_string(value);
+    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+    return digits;
+}
+
+} // namespace
+
+std::string summaryOf(const PackReport& report) {
+    const MeshStatistics& casters = report.casters;
+    const auto json = toJson(report);
+    std::ostringstream text;
+    const auto row = [&](const std::string& name) -> std::ostream& {
+        return text << std::left << std::setw(26) << name;
+    };
+    row("triangles") << grouped(report.triangles) << ", casting " << grouped(casters.triangles)
+                     << ", degenerate " << grouped(casters.degenerateTriangles) << "\n";
+    row("edges") << grouped(casters.edges) << "\n";
+    for (const auto& [n, count] : casters.edgesByOppositeCount)
+        row("  with " + std::to_string(n) + (n == 1 ? " triangle" : " triangles"))
+            << grouped(count) << "\n";
+    row("components") << grouped(casters.components) << ", closed and oriented triangles "
+                      << grouped(casters.closedOrientedTriangles) << "\n";
+    row("records") << grouped(report.records) << " of " << report.maxMultiplicity
+                   << " opposite vertices\n";
+    row("vertex runs a light") << grouped(json["vertex_runs"]["sides"].get<std::size_t>())
+                               << " sides, "
+                               << grouped(json["vertex_runs"]["caps"].get<std::size_t>())
+                               << " caps\n";
+    row("bytes on the GPU") << grouped(json["bytes"]["sides"].get<std::size_t>()) << " sides, "
+                            << grouped(json["bytes"]["caps"].get<std::size_t>()) << " caps\n";
+    row("bytes in the file") << grouped(report.storedBytes) << " shadow data of "
+                             << grouped(report.fileBytes) << "\n";
+    row("seconds") << std::fixed << std::setprecision(3) << report.readSeconds << " read, "
+                   << report.build.weld << " weld, " << report.build.edges << " edges, "
+                   << report.build.pack << " pack";
+    return text.str();
+}
+
+} // namespace edgeshade::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "preprocess/pack.hpp"
+
+#include <string>
+
+namespace edgeshade::cli {
+
+/// The report's figures in a few lines for people.
+std::string summaryOf(const PackReport& report);
+
+} // namespace edgeshade::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "src/gl/program.hpp"
+#include "src/scene/gpu_scene.hpp"
+#include "src/scene/light.hpp"
+
+#include <map>
+
+namespace edgeshade {
+
+/// What the surfaces write: base colour times (ambient + diffuse * Lambert of `light`), or, for the
+/// lit mask, `maskValue`.
+struct SurfaceShading {
+    float ambient = 0.0f;
+    float diffuse = 0.0f;
+    Light light;
+    bool mask = false;
+    float maskValue = 0.0f;
+};
+
+/// Where a camera sees a batch from, in the forms that shaders need; doubles rounded once.
+struct BatchView {
+    glm::mat4 clipFromObject{1.0f};
+    glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
+    glm::mat3 normalFromObject{1.0f};
+    bool mirrored = false;
+};
+
+/// Draws visible surfaces from both sides; depth, stencil and blending are the caller's state.
+class SurfacePass {
+  public:
+    SurfacePass();
+
+    /// Draws the batch's surfaces of the given kind, in the order of its chunks.
+    void draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
+              const glm::dvec3& eye, const SurfaceShading& shading, AlphaMode kind);
+
+    /// Draws one chunk.
+    void drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
+                   const glm::dvec3& eye, const SurfaceShading& shading);
+
+  private:
+    std::map<AlphaMode, gl::Program> programs_;
+};
+
+} // namespace edgeshade

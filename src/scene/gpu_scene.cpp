@@ -1,0 +1,28 @@
+#include "src/scene/gpu_scene.hpp"
+
+namespace edgeshade {
+
+std::size_t GpuScene::shadowBytes() const {
+    std::size_t total = 0;
+    for (const GpuBatch& batch : batches) total += batch.shadow.bytes();
+    return total;
+}
+
+GpuScene uploadScene(const LoadedScene& loaded, SidesLayout layout,
+                     const gl::Capabilities& capabilities) {
+    const Scene& scene = loaded.scene;
+    GpuScene gpu{{}, scene.materials, Textures(loaded.document, scene.materials, capabilities)};
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        std::vector<glm::vec4> texcoords;
+        if (loaded.settings.castMasked) {
+            const Casters casters = castersOf(batch, scene.materials, true);
+            texcoords = capTexcoords(batch, casters, weldCasters(batch, casters));
+        }
+        gpu.batches.push_back({batch.worldFromBatch, uploadSurfaces(batch),
+                               uploadShadow(loaded.shadows[i], texcoords, layout)});
+    }
+    return gpu;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,46 @@
+#include "src/scene/load.hpp"
+
+#include "preprocess/flatten.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+
+LoadedScene loadScene(const std::filesystem::path& path,
+                      const std::optional<CasterSettings>& wanted) {
+    LoadedScene loaded;
+    loaded.document = readGltf(path);
+    const auto header = readShadowHeader(loaded.document);
+    const bool usePacked = header && (!wanted || *wanted == header->settings);
+    loaded.settings = usePacked ? header->settings : wanted.value_or(CasterSettings());
+    loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance);
+    if (usePacked) {
+        loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
+    } else {
+        if (header)
+            loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
+                                      "data are made anew.");
+        loaded.shadows = buildShadows(loaded.scene, loaded.settings.castMasked);
+    }
+    return loaded;
+}
+
+std::vector<glm::vec4> capTexcoords(const Batch& batch, const Casters& casters,
+                                    const CasterMesh& mesh) {
+    std::vector<glm::vec4> texcoords;
+    texcoords.reserve(2 * mesh.welded.triangles.size());
+    for (std::size_t t = 0; t < mesh.welded.triangles.size(); ++t) {
+        const Triangle& triangle = mesh.welded.triangles[t];
+        std::array<std::size_t, 3> corners = {0, 1, 2};
+        std::sort(corners.begin(), corners.end(),
+                  [&](std::size_t a, std::size_t b) { return triangle[a] < triangle[b]; });
+        glm::vec2 uv[3];
+        for (std::size_t c = 0; c < 3; ++c)
+            uv[c] = batch.texcoords[casters.indices[3 * mesh.welded.source[t] + corners[c]]];
+        texcoords.emplace_back(uv[0], uv[1]);
+        texcoords.emplace_back(uv[2], 0.0f, 0.0f);
+    }
+    return texcoords;
+}
+
+} // namespace edgeshade

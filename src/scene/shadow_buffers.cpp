@@ -1,0 +1,81 @@
+#include "src/scene/shadow_buffers.hpp"
+
+#include "shaders_es2/record_layout.glsl"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+constexpr std::size_t largestBuffer = std::size_t{32} << 20; // bytes, of copied records
+
+/// Records a chunk may hold when every one is copied for each of its vertices.
+std::size_t recordsPerChunk(std::size_t vectorsPerRecord, std::size_t verticesPerRecord) {
+    return std::max<std::size_t>(
+        1, largestBuffer / (vectorsPerRecord * verticesPerRecord * sizeof(glm::vec4)));
+}
+
+void uploadSides(const SidesData& sides, SidesLayout layout, std::vector<RecordChunk>& chunks) {
+    if (sides.records.empty()) return;
+    if (layout != SidesLayout::notInstanced) {
+        chunks.push_back({gl::vertexBuffer<glm::vec4>(sides.records), 0, sides.recordCount()});
+        return;
+    }
+    const std::size_t limit = recordsPerChunk(
+        sides.vectorsPerRecord(), static_cast<std::size_t>(sides.maxMultiplicity) *
+                                      VERTICES_PER_SIDE);
+    for (std::size_t first = 0; first < sides.recordCount(); first += limit) {
+        const std::size_t count = std::min(limit, sides.recordCount() - first);
+        chunks.push_back(
+            {gl::vertexBuffer<glm::vec4>(expandSides(sides, first, count)), first, count});
+    }
+}
+
+void uploadCaps(const CapsData& caps, SidesLayout layout, std::vector<RecordChunk>& chunks) {
+    if (caps.records.empty()) return;
+    if (layout != SidesLayout::notInstanced) {
+        chunks.push_back({gl::vertexBuffer<glm::vec4>(caps.records), 0, caps.recordCount()});
+        return;
+    }
+    const std::size_t limit =
+        recordsPerChunk(CapsData::vectorsPerRecord, VERTICES_PER_CAP_PAIR);
+    for (std::size_t first = 0; first < caps.recordCount(); first += limit) {
+        const std::size_t count = std::min(limit, caps.recordCount() - first);
+        chunks.push_back(
+            {gl::vertexBuffer<glm::vec4>(expandCaps(caps, first, count)), first, count});
+    }
+}
+
+std::vector<glm::vec4> copiedForEveryVertex(const std::vector<glm::vec4>& texcoords) {
+    std::vector<glm::vec4> copies;
+    copies.reserve(texcoords.size() * VERTICES_PER_CAP_PAIR);
+    for (std::size_t i = 0; i < texcoords.size(); i += 2)
+        for (int vertex = 0; vertex < VERTICES_PER_CAP_PAIR; ++vertex)
+            copies.insert(copies.end(), {texcoords[i], texcoords[i + 1]});
+    return copies;
+}
+
+} // namespace
+
+std::size_t ShadowBuffers::bytes() const {
+    std::size_t total = capTexcoords.size();
+    for (const auto* chunks : {&sides, &caps})
+        for (const RecordChunk& chunk : *chunks) total += chunk.buffer.size();
+    return total;
+}
+
+ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capTexcoords,
+                           SidesLayout layout) {
+    ShadowBuffers buffers;
+    buffers.maxMultiplicity = shadow.sides.maxMultiplicity;
+    buffers.groups = shadow.groups;
+    uploadSides(shadow.sides, layout, buffers.sides);
+    uploadCaps(shadow.caps, layout, buffers.caps);
+    if (!capTexcoords.empty())
+        buffers.capTexcoords = gl::vertexBuffer<glm::vec4>(
+            layout == SidesLayout::notInstanced ? copiedForEveryVertex(capTexcoords)
+                                                : capTexcoords);
+    return buffers;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "preprocess/shadow_data.hpp"
+#include "src/gl/objects.hpp"
+
+#include <vector>
+
+namespace edgeshade {
+
+/// How records reach the vertex shader (thesis, 6.2.6).
+enum class SidesLayout {
+    instanced,    ///< a record an instance, all its sides in one draw
+    multiDraw,    ///< a record an instance, one draw a side, the side's index a uniform
+    notInstanced, ///< a copy of the record for every vertex; needs no extension
+};
+
+/// Records [first, first + count) in one buffer.
+struct RecordChunk {
+    gl::Buffer buffer;
+    std::size_t firstRecord = 0;
+    std::size_t recordCount = 0;
+};
+
+/// One batch's shadow data on the GPU.
+struct ShadowBuffers {
+    int maxMultiplicity = 1;
+    std::vector<RecordChunk> sides; ///< one when instanced; else as many as keep buffers small
+    std::vector<RecordChunk> caps;  ///< likewise
+    std::vector<CasterGroup> groups;
+    gl::Buffer capTexcoords; ///< two vec4s a cap, copied six times when not instanced; or empty
+
+    std::size_t bytes() const;
+};
+
+/// Uploads sides and caps; `capTexcoords` (see scene/load.hpp) may be empty.
+ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capTexcoords,
+                           SidesLayout layout);
+
+} // namespace edgeshade

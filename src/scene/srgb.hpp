@@ -1,0 +1,12 @@
+#pragma once
+
+#include <glm/gtc/color_space.hpp>
+
+namespace edgeshade {
+
+/// A linear colour in the display's values (IEC 61966-2-1); alpha stays.
+inline glm::vec4 srgbFromLinear(const glm::vec4& linear) {
+    return {glm::convertLinearToSRGB(glm::clamp(glm::vec3(linear), 0.0f, 1.0f)), linear.a};
+}
+
+} // namespace edgeshade

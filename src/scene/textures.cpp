@@ -1,0 +1,33 @@
+#include "src/scene/textures.hpp"
+
+#include "src/image/decode.hpp"
+
+#include <GLES2/gl2.h>
+#include <array>
+
+namespace edgeshade {
+
+Textures::Textures(const GltfDocument& document, const std::vector<Material>& materials,
+                   const gl::Capabilities& capabilities) {
+    constexpr std::array<std::uint8_t, 4> whiteTexel = {255, 255, 255, 255};
+    white_ = gl::makeTexture(whiteTexel, 1, 1, GL_REPEAT, GL_REPEAT);
+    for (const Material& material : materials) {
+        const Key key{material.image, material.wrapS, material.wrapT};
+        if (material.image < 0 || textures_.contains(key)) continue;
+        const std::string name =
+            document.where("images[") + std::to_string(material.image) + "]";
+        Image image = toPowersOfTwo(
+            decodeImage(encodedImageBytes(document, material.image), name));
+        if (image.width > capabilities.largestTexture || image.height > capabilities.largestTexture)
+            continue; // drawn white rather than not at all
+        textures_.emplace(key, gl::makeTexture(image.rgba, image.width, image.height,
+                                               material.wrapS, material.wrapT));
+    }
+}
+
+gl::Name Textures::of(const Material& material) const {
+    const auto found = textures_.find({material.image, material.wrapS, material.wrapT});
+    return found == textures_.end() ? white_.name() : found->second.name();
+}
+
+} // namespace edgeshade

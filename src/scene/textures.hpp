@@ -1,0 +1,29 @@
+#pragma once
+
+#include "preprocess/gltf_document.hpp"
+#include "preprocess/material.hpp"
+#include "src/gl/capabilities.hpp"
+#include "src/gl/objects.hpp"
+
+#include <map>
+#include <vector>
+
+namespace edgeshade {
+
+/// The base colour textures of a document's materials, on the GPU.
+class Textures {
+  public:
+    /// Decodes and uploads what the materials use. Throws InputError, Error(unavailable).
+    Textures(const GltfDocument& document, const std::vector<Material>& materials,
+             const gl::Capabilities& capabilities);
+
+    /// The material's texture; a white one where it has none.
+    gl::Name of(const Material& material) const;
+
+  private:
+    using Key = std::tuple<int, int, int>; ///< image, wrapS, wrapT
+    gl::Texture white_;
+    std::map<Key, gl::Texture> textures_;
+};
+
+} // namespace edgeshade
