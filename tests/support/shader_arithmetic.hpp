@@ -1,0 +1,38 @@
+#pragma once
+
+// The shaders' own source for signs and multiplicities, compiled as C++: one struct a method.
+// Floats throughout, evaluated in the order in which GLSL spells it.
+
+#include <glm/glm.hpp>
+
+#include "shaders_es2/record_layout.glsl"
+
+namespace edgeshade::shader_arithmetic {
+
+using glm::sign;
+using glm::vec3;
+using glm::vec4;
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion" // GLSL's literals are floats, C++'s doubles
+#pragma GCC diagnostic ignored "-Wfloat-conversion"
+
+struct ReferenceEdge {
+#include "shaders_es2/multiplicity.glsl"
+};
+
+#define MULTIPLICITY_THREE_EDGE
+struct ThreeEdge {
+#include "shaders_es2/multiplicity.glsl"
+};
+#undef MULTIPLICITY_THREE_EDGE
+
+#define MULTIPLICITY_SINGLE_EDGE
+struct SingleEdge {
+#include "shaders_es2/multiplicity.glsl"
+};
+#undef MULTIPLICITY_SINGLE_EDGE
+
+#pragma GCC diagnostic pop
+
+} // namespace edgeshade::shader_arithmetic
