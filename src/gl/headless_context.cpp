@@ -53,7 +53,7 @@ std::vector<EGLDisplay> candidateDisplays() {
     return displays;
 }
 
-EGLConfig chooseConfig(EGLDisplay display, int samples, int depthBits) {
+EGLConfig chooseConfig(EGLDisplay display, int depthBits) {
     const EGLint attributes[] = {EGL_SURFACE_TYPE,
                                  EGL_PBUFFER_BIT,
                                  EGL_RENDERABLE_TYPE,
@@ -70,10 +70,6 @@ EGLConfig chooseConfig(EGLDisplay display, int samples, int depthBits) {
                                  depthBits,
                                  EGL_STENCIL_SIZE,
                                  8,
-                                 EGL_SAMPLE_BUFFERS,
-                                 samples > 0 ? 1 : 0,
-                                 EGL_SAMPLES,
-                                 samples,
                                  EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
@@ -96,8 +92,8 @@ HeadlessContext::HeadlessContext(const Request& request)
     for (EGLDisplay candidate : candidateDisplays()) {
         if (candidate == EGL_NO_DISPLAY || !eglInitialize(candidate, nullptr, nullptr)) continue;
         anyDisplay = true;
-        config = chooseConfig(candidate, request.samples, request.depthBits);
-        if (!config) config = chooseConfig(candidate, request.samples, 16);
+        config = chooseConfig(candidate, request.depthBits);
+        if (!config) config = chooseConfig(candidate, 16);
         if (config) {
             display_ = candidate;
             break;
@@ -106,8 +102,7 @@ HeadlessContext::HeadlessContext(const Request& request)
     }
     if (!anyDisplay) unavailable("No EGL display can be opened here, so nothing can be drawn.");
     if (!config)
-        unavailable("EGL has no picture with 8-bit colour, an 8-bit stencil and " +
-                    std::to_string(request.samples) + " samples here.");
+        unavailable("EGL has no picture with 8-bit colour, depth and an 8-bit stencil here.");
     const int widest = configValue(display_, config, EGL_MAX_PBUFFER_WIDTH);
     const int highest = configValue(display_, config, EGL_MAX_PBUFFER_HEIGHT);
     if (width_ > widest || height_ > highest) {
@@ -132,11 +127,21 @@ HeadlessContext::HeadlessContext(const Request& request)
         release();
         unavailable("This GL has no 8-bit stencil, which shadow volumes need.");
     }
+    if (request.samples == 0) return;
+    try {
+        multisampled_.emplace(width_, height_, request.samples, capabilities_.version,
+                              capabilities_.extensions, lookUp);
+        capabilities_.samples = multisampled_->samples();
+    } catch (...) {
+        release();
+        throw;
+    }
 }
 
 HeadlessContext::~HeadlessContext() { release(); }
 
 void HeadlessContext::release() {
+    multisampled_.reset();
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (surface_) eglDestroySurface(display_, surface_);
     if (context_) eglDestroyContext(display_, context_);
@@ -146,8 +151,10 @@ void HeadlessContext::release() {
 std::vector<std::uint8_t> HeadlessContext::readPixels() const {
     const std::size_t stride = std::size_t{4} * static_cast<std::size_t>(width_);
     std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(height_));
+    if (multisampled_) multisampled_->resolve();
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    if (multisampled_) multisampled_->bind();
     requireNoError("reading the picture");
     for (std::size_t top = 0, bottom = static_cast<std::size_t>(height_) - 1; top < bottom;
          ++top, --bottom)

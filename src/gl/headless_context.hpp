@@ -1,8 +1,10 @@
 #pragma once
 
 #include "src/gl/capabilities.hpp"
+#include "src/gl/multisampling.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace edgeshade::gl {
@@ -10,8 +12,9 @@ namespace edgeshade::gl {
 /// An OpenGL ES 2 context with a picture of its own and no display, by EGL.
 ///
 /// Takes the first of: a hardware device (EGL_EXT_platform_device), Mesa without a surface, the
-/// default display. The picture is a pbuffer with 8-bit RGBA, depth and stencil; its size and
-/// samples are fixed. Current on the thread that made it until it is destroyed.
+/// default display. The picture is a pbuffer with 8-bit RGBA, depth and stencil, drawn through a
+/// multisampled framebuffer where samples are asked for (Mesa ignores them in pbuffers). Current
+/// on the thread that made it until it is destroyed.
 class HeadlessContext {
   public:
     struct Request {
@@ -43,6 +46,7 @@ class HeadlessContext {
     int width_ = 0;
     int height_ = 0;
     Capabilities capabilities_;
+    std::optional<MultisampledFramebuffer> multisampled_;
 };
 
 } // namespace edgeshade::gl

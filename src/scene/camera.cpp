@@ -35,11 +35,25 @@ glm::dmat4 clipFromView(const Camera& camera, double aspect, double near) {
 }
 
 Camera framingCamera(const Box& box, double fovDegrees, double aspect) {
-    const double t = tangentOfHalfFov(fovDegrees) * std::min(1.0, aspect);
-    const double radius = std::max(0.5 * box.diagonal(), 1e-9);
-    const double distance = 0.95 * radius / std::sin(std::atan(t));
+    constexpr double margin = 1.06;
+    const double tangentY = tangentOfHalfFov(fovDegrees) / margin;
+    const double tangentX = tangentY * aspect;
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.55, 0.45, 1.0));
-    return {box.center() + distance * direction, box.center(), fovDegrees};
+    Camera camera{box.center() + direction, box.center(), fovDegrees};
+    const glm::dmat4 view = viewFromWorld(camera);
+
+    // As near as every corner of the box allows.
+    double distance = std::max(1e-6 * box.diagonal(), 1e-9);
+    for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
+        const glm::dvec3 point(corner & 1 ? box.high.x : box.low.x,
+                               corner & 2 ? box.high.y : box.low.y,
+                               corner & 4 ? box.high.z : box.low.z);
+        const glm::dvec3 offset = glm::dmat3(view) * (point - box.center());
+        distance = std::max({distance, offset.z + std::abs(offset.x) / tangentX,
+                             offset.z + std::abs(offset.y) / tangentY});
+    }
+    camera.from = box.center() + distance * direction;
+    return camera;
 }
 
 } // namespace edgeshade

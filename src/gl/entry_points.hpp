@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace edgeshade::gl {
+
+/// The suffix of the entry points of a feature that ES 3.0 made core: "" from there on, "EXT",
+/// "ANGLE" or "NV" where GL_<suffix>_<feature> is among the space-separated extensions, nothing
+/// where there is no such feature. `version` is GL_VERSION.
+std::optional<std::string> entryPointSuffix(const std::string& version,
+                                            const std::string& extensions,
+                                            const std::string& feature);
+
+} // namespace edgeshade::gl

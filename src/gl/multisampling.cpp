@@ -1,0 +1,77 @@
+#include "src/gl/multisampling.hpp"
+
+#include "preprocess/error.hpp"
+#include "src/gl/entry_points.hpp"
+
+#include <GLES2/gl2.h>
+#include <GLES2/gl2ext.h>
+
+namespace edgeshade::gl {
+namespace {
+
+// The same values in ES 3.0 and in both extensions.
+constexpr GLenum readFramebuffer = 0x8CA8;
+constexpr GLenum drawFramebuffer = 0x8CA9;
+constexpr GLenum largestSamples = 0x8D57;
+
+[[noreturn]] void unavailable(int samples) {
+    throw Error(ExitStatus::unavailable,
+                "This GL can't draw with " + std::to_string(samples) + " samples a pixel.");
+}
+
+} // namespace
+
+void deleteFramebuffer(Name name) { glDeleteFramebuffers(1, &name); }
+void deleteRenderbuffer(Name name) { glDeleteRenderbuffers(1, &name); }
+
+MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samples,
+                                                 const std::string& version,
+                                                 const std::string& extensions,
+                                                 void* (*lookUp)(const char*))
+    : width_(width), height_(height) {
+    const auto suffix = entryPointSuffix(version, extensions, "framebuffer_multisample");
+    if (!suffix) unavailable(samples);
+    const auto storage = reinterpret_cast<Storage>(
+        lookUp(("glRenderbufferStorageMultisample" + *suffix).c_str()));
+    blit_ = reinterpret_cast<Blit>(lookUp(("glBlitFramebuffer" + *suffix).c_str()));
+    GLint most = 0;
+    glGetIntegerv(largestSamples, &most);
+    if (!storage || !blit_ || samples > most) unavailable(samples);
+
+    Name names[2] = {};
+    glGenRenderbuffers(2, names);
+    color_ = Owned<deleteRenderbuffer>(names[0]);
+    depthStencil_ = Owned<deleteRenderbuffer>(names[1]);
+    glBindRenderbuffer(GL_RENDERBUFFER, color_.name());
+    storage(GL_RENDERBUFFER, samples, GL_RGBA8_OES, width, height);
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, 0x8CAB /* RENDERBUFFER_SAMPLES */, &samples_);
+    glBindRenderbuffer(GL_RENDERBUFFER, depthStencil_.name());
+    storage(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8_OES, width, height);
+
+    Name framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    framebuffer_ = Owned<deleteFramebuffer>(framebuffer);
+    bind();
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              color_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              depthStencil_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                              depthStencil_.name());
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (glGetError() != GL_NO_ERROR || status != GL_FRAMEBUFFER_COMPLETE) unavailable(samples);
+}
+
+void MultisampledFramebuffer::resolve() const {
+    glBindFramebuffer(readFramebuffer, framebuffer_.name());
+    glBindFramebuffer(drawFramebuffer, 0);
+    blit_(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    requireNoError("averaging samples");
+}
+
+void MultisampledFramebuffer::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+}
+
+} // namespace edgeshade::gl

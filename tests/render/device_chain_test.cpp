@@ -1,0 +1,83 @@
+// The closed chain on the numbers that the GL implementation really computes (method, section 4).
+
+#include "preprocess/flatten.hpp"
+#include "tests/support/chain.hpp"
+#include "tests/support/lights.hpp"
+#include "tests/support/probe.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace edgeshade {
+namespace {
+
+constexpr std::size_t lightsPerScene = 100;
+
+/// Every scene that is at hand: the one that ships and those of ../shared.
+std::vector<std::filesystem::path> scenePaths() {
+    std::vector<std::filesystem::path> paths = {std::filesystem::path(EDGESHADE_ASSETS) /
+                                                "pavilion.glb"};
+    if (!std::filesystem::is_directory(EDGESHADE_SHARED_SCENES)) {
+        std::cout << "[ closed chain ] no shared scenes here: the shipped one alone\n";
+        return paths;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(EDGESHADE_SHARED_SCENES))
+        if (entry.path().extension() == ".glb") paths.push_back(entry.path());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+struct Count {
+    std::size_t edges = 0; ///< edge-light pairs
+    std::size_t open = 0;
+};
+
+Count countOpen(test::Probe& probe, const std::filesystem::path& path, std::size_t lights) {
+    const Scene scene = flattenScene(readGltf(path), 0.0);
+    BuildSeconds seconds;
+    const auto topology = buildTopology(scene, true, seconds);
+    const int maxMultiplicity = sceneMultiplicity(topology);
+    Count count;
+    for (const BatchTopology& batch : topology) {
+        if (batch.edges.edges.empty()) continue;
+        probe.upload(buildShadow(batch, maxMultiplicity));
+        for (const glm::vec4& light : test::hardLights(batch.mesh.welded, lights, 3)) {
+            count.edges += batch.edges.edges.size();
+            count.open += test::openEdges(batch, maxMultiplicity, probe.multiplicities(light),
+                                          probe.signs(light));
+        }
+    }
+    return count;
+}
+
+Count countOpenInAll(MultiplicityMethod method, const char* name, std::size_t lights) {
+    test::Probe probe(method);
+    Count total;
+    for (const auto& path : scenePaths()) {
+        const Count count = countOpen(probe, path, lights);
+        std::cout << "[ closed chain ] device, " << name << ", " << path.filename().string() << ": "
+                  << count.open << " open of " << count.edges << " edge-light pairs\n";
+        total.edges += count.edges;
+        total.open += count.open;
+    }
+    return total;
+}
+
+TEST(ClosedChainOnTheDevice, ReferenceEdgeNeverOpens) {
+    EXPECT_EQ(countOpenInAll(MultiplicityMethod::referenceEdge, "reference-edge", lightsPerScene)
+                  .open,
+              0u);
+}
+
+TEST(ClosedChainOnTheDevice, ThreeEdgeNeverOpens) {
+    EXPECT_EQ(countOpenInAll(MultiplicityMethod::threeEdge, "three-edge", lightsPerScene).open, 0u);
+}
+
+TEST(ClosedChainOnTheDevice, SingleEdgeOpensSoTheTestCanFail) {
+    EXPECT_GT(countOpenInAll(MultiplicityMethod::singleEdge, "single-edge", 12).open, 0u);
+}
+
+} // namespace
+} // namespace edgeshade

@@ -1,0 +1,224 @@
+// Masks against ray casting in double, where every pixel away from a boundary must agree.
+
+#include "tests/support/brute_force.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace edgeshade {
+namespace {
+
+using test::Answer;
+using test::pointLight;
+using test::SceneBuilder;
+using test::sun;
+
+constexpr int width = 240, height = 180;
+
+struct Case {
+    Scene scene;
+    Camera camera;
+    Light light;
+    double near = 0.0; ///< 0: fitted
+    bool castMasked = false;
+};
+
+struct Outcome {
+    int wrongBeyondOnePixel = 0;
+    int wrong = 0;
+    int lit = 0;
+    int shadow = 0;
+};
+
+Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>& answers) {
+    Outcome outcome;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * width + x;
+            const Answer drawn = mask[4 * i + 3] == 0 ? Answer::nothing
+                                 : mask[4 * i] == 0   ? Answer::shadow
+                                                      : Answer::lit;
+            outcome.lit += answers[i] == Answer::lit;
+            outcome.shadow += answers[i] == Answer::shadow;
+            if (drawn == answers[i]) continue;
+            ++outcome.wrong;
+            outcome.wrongBeyondOnePixel += test::isFlat(answers, width, height, x, y);
+        }
+    return outcome;
+}
+
+Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true) {
+    settings.mask = true;
+    FrameView view = test::viewOf(test.camera, test.light, width, height);
+    view.near = test.near;
+    if (!nearDiscard) view.nearestDepths.assign(test.scene.batches.size(), INFINITY);
+    return compare(test::drawScene(test.scene, view, settings, test.castMasked),
+                   test::castMask(test.scene, test.camera, test.light, width, height, test.near,
+                                  test.castMasked));
+}
+
+void expectRight(const Case& test) {
+    for (const auto method : {MultiplicityMethod::referenceEdge, MultiplicityMethod::threeEdge})
+        for (const auto layout :
+             {SidesLayout::instanced, SidesLayout::multiDraw, SidesLayout::notInstanced}) {
+            RenderSettings settings;
+            settings.multiplicity = method;
+            settings.layout = layout;
+            const Outcome outcome = run(test, settings);
+            EXPECT_EQ(outcome.wrongBeyondOnePixel, 0);
+            EXPECT_LE(outcome.wrong, width * height / 500);
+            EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
+        }
+}
+
+/// Boxes on a floor, something from everywhere.
+SceneBuilder yard() {
+    return SceneBuilder()
+        .floor(5)
+        .box({-2, 0.5f, -1}, {-1, 2, 0})
+        .box({0.5f, 0.25f, 0.5f}, {1.5f, 1, 2})
+        .quad({-0.5f, 1, 0}, {0.5f, 1.2f, 0}, {0.4f, 2, 0.3f}, {-0.5f, 2, 0.1f})
+        .triangle({2, 0.1f, -2}, {3, 0.1f, -2}, {2.5f, 2.5f, -1.5f});
+}
+
+const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
+
+TEST(MaskAgainstRays, PointLightAboveTheYard) {
+    expectRight({yard().scene(), corner, pointLight({0.3, 4, 0.7})});
+}
+
+TEST(MaskAgainstRays, SunOverTheYard) {
+    expectRight({yard().scene(), corner, sun({0.5, 1, -0.3})});
+}
+
+TEST(MaskAgainstRays, LightBetweenTheObjects) {
+    expectRight({yard().scene(), corner, pointLight({-0.4, 1.1, 0.9})});
+}
+
+TEST(MaskAgainstRays, EyeInsideAShadow) {
+    // Under the box at (-2..-1, 0.5..2, -1..0), looking along the floor.
+    expectRight({yard().scene(), {{-1.5, 0.2, -0.5}, {1, 0.3, 1}, 70.0}, pointLight({-1.4, 5, -0.4})});
+}
+
+TEST(MaskAgainstRays, LookingIntoTheLight) {
+    expectRight({yard().scene(), {{0, 0.3, 4}, {0.3, 2, 0}, 60.0}, pointLight({0.3, 2.5, -1})});
+}
+
+TEST(MaskAgainstRays, LightBelowTheFloorLightsNothingAbove) {
+    const Outcome outcome = run({yard().scene(), corner, pointLight({0.3, -2, 0.7})});
+    EXPECT_EQ(outcome.wrongBeyondOnePixel, 0);
+    EXPECT_EQ(outcome.lit, 0);
+}
+
+// Method, section 5: a caster crosses the near plane; its front cap, moved to infinity, must not
+// count where the caster was clipped away.
+Case casterThroughTheNearPlane() {
+    const auto scene = SceneBuilder()
+                           .floor(8)
+                           .triangle({-1, 1.5f, 4.5f}, {1.2f, 1.4f, 4.4f}, {0.1f, 1.1f, -1});
+    return {scene.scene(), {{0, 2, 6}, {0, 0.8, 0}, 60.0}, pointLight({0.4, 3, 0.5}), 3.0};
+}
+
+TEST(MaskAgainstRays, CasterThroughTheNearPlane) { expectRight(casterThroughTheNearPlane()); }
+
+TEST(MaskAgainstRays, CasterThroughTheNearPlaneNeedsTheDiscard) {
+    EXPECT_GT(run(casterThroughTheNearPlane(), {}, false).wrongBeyondOnePixel, 100);
+}
+
+TEST(MaskAgainstRays, ClosedCasterThroughTheNearPlane) {
+    const auto scene = SceneBuilder().floor(8).box({-1, 1, 1}, {1, 1.6f, 5});
+    expectRight({scene.scene(), {{0.2, 2.4, 6.5}, {0, 0.6, 0}, 60.0}, pointLight({0.4, 4, 0.5}), 3.0});
+}
+
+TEST(MaskAgainstRays, MirroredNode) {
+    expectRight({yard().placedBy(glm::scale(glm::dmat4(1.0), {-1.0, 1.0, 1.0})).scene(), corner,
+                 pointLight({0.3, 4, 0.7})});
+}
+
+TEST(MaskAgainstRays, StretchedAndShearedNode) {
+    glm::dmat4 shear(1.0);
+    shear[1][0] = 0.5;
+    expectRight({yard().placedBy(glm::scale(shear, {1.3, 0.6, 0.9})).scene(), corner,
+                 pointLight({0.3, 4, 0.7})});
+}
+
+TEST(MaskAgainstRays, FarFromTheOrigin) {
+    const glm::dvec3 far(4e6, 123.0, -5e6);
+    Case test{yard().placedBy(glm::translate(glm::dmat4(1.0), far)).scene(), corner,
+              pointLight(glm::dvec3(0.3, 4, 0.7) + far)};
+    test.camera.from += far;
+    test.camera.to += far;
+    expectRight(test);
+}
+
+TEST(MaskAgainstRays, FanOfTwelveTrianglesAroundOneEdge) {
+    // More opposite vertices than a record holds, so the edge is split.
+    SceneBuilder builder = SceneBuilder().floor(6);
+    for (int i = 0; i < 12; ++i) {
+        const float angle = 0.5f * static_cast<float>(i) + 0.1f;
+        builder.triangle({0, 0.5f, 0}, {0, 2, 0}, {2 * std::cos(angle), 1, 2 * std::sin(angle)});
+    }
+    expectRight({builder.scene(), corner, pointLight({1.3, 4, 0.4})});
+}
+
+TEST(MaskAgainstRays, TriangleSoup) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> uniform(-2.0f, 2.0f);
+    const auto point = [&] {
+        const float x = uniform(random), y = uniform(random), z = uniform(random);
+        return glm::vec3(x, 2.5f + y, z);
+    };
+    SceneBuilder builder = SceneBuilder().floor(6);
+    for (int i = 0; i < 30; ++i) {
+        const glm::vec3 a = point(), b = point(), c = point();
+        builder.triangle(a, b, c);
+    }
+    // Lines where triangles pierce each other are no boundary of the answer alone: a few pixels
+    // there see the other triangle.
+    const Case test{builder.scene(), corner, pointLight({0.5, 6, 0.2})};
+    const Outcome outcome = run(test);
+    EXPECT_LE(outcome.wrongBeyondOnePixel, 3);
+    EXPECT_LE(outcome.wrong, width * height / 200);
+}
+
+/// A floor and a sheet above it that is not opaque.
+Case sheetOf(AlphaMode mode, float alpha, bool castMasked) {
+    Material material;
+    material.alphaMode = mode;
+    material.baseColorFactor.a = alpha;
+    SceneBuilder builder = SceneBuilder().floor(5).box({1, 0, 1}, {2, 1, 2}).material(material);
+    builder.quad({-1.5f, 1.5f, 1}, {1.5f, 1.5f, 1}, {1.5f, 1.7f, -1}, {-1.5f, 1.7f, -1});
+    return {builder.scene(), corner, pointLight({0.3, 4, 0.7}), 0.0, castMasked};
+}
+
+TEST(MaskAgainstRays, WhatIsNotOpaqueDoesNotCast) {
+    for (const bool visible : {true, false}) {
+        const Outcome outcome = run(sheetOf(AlphaMode::mask, visible ? 1.0f : 0.0f, false));
+        EXPECT_EQ(outcome.wrongBeyondOnePixel, 0);
+    }
+    EXPECT_EQ(run(sheetOf(AlphaMode::blend, 0.5f, false)).wrongBeyondOnePixel, 0);
+}
+
+TEST(MaskAgainstRays, MaskedCasterIsRightInFrontOfAndBehindItsHoles) {
+    expectRight(sheetOf(AlphaMode::mask, 1.0f, true));
+    expectRight(sheetOf(AlphaMode::mask, 0.0f, true)); // all hole: the floor shows through
+}
+
+TEST(MaskAgainstRays, BlendedCasterCastsThoughItIsNotInTheDepthBuffer) {
+    expectRight(sheetOf(AlphaMode::blend, 0.5f, true));
+}
+
+TEST(MaskAgainstRays, SeveralBatches) {
+    Scene scene = yard().scene();
+    Scene turned = SceneBuilder().box({-0.5f, 1.5f, -0.5f}, {0.5f, 2, 0.5f}).scene();
+    turned.batches[0].worldFromBatch =
+        glm::rotate(glm::translate(glm::dmat4(1.0), {1.5, 0.5, 0}), 0.7, {1.0, 2.0, 0.5});
+    scene.batches.push_back(turned.batches[0]);
+    expectRight({scene, corner, pointLight({0.3, 5, 0.7})});
+}
+
+} // namespace
+} // namespace edgeshade

@@ -1,0 +1,65 @@
+// Colours worked out by hand: sRGB base colour * (ambient + sum of lights / count * Lambert).
+
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::pointLight;
+using test::SceneBuilder;
+using test::sun;
+
+constexpr int size = 64;
+const Camera down{{0, 10, 0}, {0, 0, 0}, 45.0};
+
+/// The red value in the middle of a floor seen from above.
+int middle(const std::vector<Light>& lights, float ambient, float linearRed,
+           ShadowMethod shadows = ShadowMethod::volumes, bool roof = false) {
+    Material material;
+    material.baseColorFactor = {linearRed, 0.0f, 0.0f, 1.0f};
+    SceneBuilder builder;
+    builder.material(material).floor(8);
+    if (roof) builder.quad({2, 3, 1}, {4, 3, 1}, {4, 3, -1}, {2, 3, -1});
+    RenderSettings settings;
+    settings.ambient = ambient;
+    settings.shadows = shadows;
+    FrameView view = test::viewOf(down, lights.front(), size, size);
+    view.lights = lights;
+    const auto pixels = test::drawScene(builder.scene(), view, settings);
+    return pixels[4 * (size / 2 * size + size / 2)];
+}
+
+TEST(Shading, LinearFactorsBecomeDisplayValues) {
+    EXPECT_NEAR(middle({sun({0, 1, 0})}, 1.0f, 1.0f), 255, 1);
+    EXPECT_NEAR(middle({sun({0, 1, 0})}, 1.0f, 0.2140411f), 128, 1); // sRGB 0.5
+}
+
+TEST(Shading, LambertIsTheCosine) {
+    // A sun 60 degrees off: 0.2 + 0.8 * 0.5 = 0.6.
+    EXPECT_NEAR(middle({sun({std::sqrt(3.0), 1, 0})}, 0.2f, 1.0f), 153, 2);
+}
+
+TEST(Shading, LightsShareWhatAmbientLeaves) {
+    // 0.2 + 0.4 * 1 + 0.4 * 0.5 = 0.8.
+    EXPECT_NEAR(middle({sun({0, 1, 0}), sun({std::sqrt(3.0), 1, 0})}, 0.2f, 1.0f), 204, 2);
+}
+
+TEST(Shading, OneOfTwoLightsShaded) {
+    // The roof over x in 2..4 at height 3 shades the middle from (6, 6, 0), not from above:
+    // 0.2 + 0.4 * 1.
+    const std::vector<Light> lights = {pointLight({0, 6, 0}), pointLight({6, 6, 0})};
+    EXPECT_NEAR(middle(lights, 0.2f, 1.0f, ShadowMethod::volumes, true), 153, 2);
+}
+
+TEST(Shading, WithoutShadowsEverythingIsLit) {
+    const std::vector<Light> lights = {pointLight({6, 6, 0})};
+    // 0.2 + 0.8 * cos 45 degrees = 0.766.
+    EXPECT_NEAR(middle(lights, 0.2f, 1.0f, ShadowMethod::none, true), 195, 2);
+    EXPECT_NEAR(middle(lights, 0.2f, 1.0f, ShadowMethod::volumes, true), 51, 1);
+}
+
+} // namespace
+} // namespace edgeshade

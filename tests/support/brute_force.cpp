@@ -1,0 +1,113 @@
+#include "tests/support/brute_force.hpp"
+
+#include <cmath>
+
+namespace edgeshade::test {
+namespace {
+
+struct WorldTriangle {
+    glm::dvec3 a, b, c;
+    bool casts;
+    bool visible;
+};
+
+std::vector<WorldTriangle> worldTriangles(const Scene& scene, bool castMasked) {
+    std::vector<WorldTriangle> triangles;
+    for (const Batch& batch : scene.batches)
+        for (const SurfaceGroup& group : batch.groups) {
+            const Material& material = scene.materials[group.material];
+            const bool opaque = material.alphaMode == AlphaMode::opaque;
+            const bool solid = material.alphaMode == AlphaMode::mask &&
+                               material.baseColorFactor.a >= material.alphaCutoff;
+            for (std::uint32_t i = 0; i < group.indexCount; i += 3) {
+                glm::dvec3 p[3];
+                for (std::uint32_t c = 0; c < 3; ++c)
+                    p[c] = glm::dvec3(
+                        batch.worldFromBatch *
+                        glm::dvec4(batch.positions[batch.indices[group.firstIndex + i + c]], 1.0));
+                triangles.push_back({p[0], p[1], p[2], opaque || castMasked, opaque || solid});
+            }
+        }
+    return triangles;
+}
+
+/// Parameter t of the hit on origin + t * direction, or a negative number (Moeller, Trumbore).
+double hit(const WorldTriangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const glm::dvec3 e1 = triangle.b - triangle.a, e2 = triangle.c - triangle.a;
+    const glm::dvec3 p = glm::cross(direction, e2);
+    const double determinant = glm::dot(e1, p);
+    if (determinant == 0.0) return -1.0;
+    const glm::dvec3 s = origin - triangle.a;
+    const double u = glm::dot(s, p) / determinant;
+    const glm::dvec3 q = glm::cross(s, e1);
+    const double v = glm::dot(direction, q) / determinant;
+    if (u < 0.0 || v < 0.0 || u + v > 1.0) return -1.0;
+    return glm::dot(e2, q) / determinant;
+}
+
+double planeSide(const WorldTriangle& triangle, const glm::dvec4& point) {
+    const glm::dvec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    return glm::dot(normal, glm::dvec3(point) - triangle.a * point.w);
+}
+
+bool isLit(const std::vector<WorldTriangle>& triangles, std::size_t own, const glm::dvec3& point,
+           const glm::dvec3& eye, const glm::dvec4& light) {
+    const WorldTriangle& surface = triangles[own];
+    if (surface.casts &&
+        planeSide(surface, glm::dvec4(eye, 1.0)) * planeSide(surface, light) <= 0.0)
+        return false;
+    const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i == own || !triangles[i].casts) continue;
+        const double t = hit(triangles[i], point, towards);
+        if (t > 1e-12 && (light.w == 0.0 || t < 1.0)) return false;
+    }
+    return true;
+}
+
+} // namespace
+
+std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Light& light,
+                             int width, int height, double near, bool castMasked) {
+    const auto triangles = worldTriangles(scene, castMasked);
+    const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(viewFromWorld(camera)));
+    const double tangent = std::tan(glm::radians(0.5 * camera.fovDegrees));
+    std::vector<Answer> answers;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double right = (2.0 * (x + 0.5) / width - 1.0) * tangent * width / height;
+            const double up = (1.0 - 2.0 * (y + 0.5) / height) * tangent;
+            const glm::dvec3 direction = worldFromView * glm::dvec3(right, up, -1.0);
+            double nearest = INFINITY;
+            std::size_t own = 0;
+            for (std::size_t i = 0; i < triangles.size(); ++i) {
+                const double t =
+                    triangles[i].visible ? hit(triangles[i], camera.from, direction) : -1.0;
+                if (t >= near && t < nearest) {
+                    nearest = t;
+                    own = i;
+                }
+            }
+            if (!std::isfinite(nearest)) {
+                answers.push_back(Answer::nothing);
+                continue;
+            }
+            const glm::dvec3 point = camera.from + nearest * direction;
+            answers.push_back(isLit(triangles, own, point, camera.from, light.position)
+                                  ? Answer::lit
+                                  : Answer::shadow);
+        }
+    return answers;
+}
+
+bool isFlat(const std::vector<Answer>& answers, int width, int height, int x, int y) {
+    const auto at = [&](int px, int py) {
+        return answers[static_cast<std::size_t>(py) * width + px];
+    };
+    for (int py = std::max(0, y - 1); py <= std::min(height - 1, y + 1); ++py)
+        for (int px = std::max(0, x - 1); px <= std::min(width - 1, x + 1); ++px)
+            if (at(px, py) != at(x, y)) return false;
+    return true;
+}
+
+} // namespace edgeshade::test

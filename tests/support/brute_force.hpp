@@ -1,0 +1,23 @@
+#pragma once
+
+#include "src/scene/camera.hpp"
+#include "src/scene/light.hpp"
+
+#include <vector>
+
+namespace edgeshade::test {
+
+/// What a pixel shows by ray casting.
+enum class Answer : std::uint8_t { nothing, shadow, lit };
+
+/// The lit mask of a small scene by casting rays at every triangle in double: lit as in the
+/// method, section 7. `castMasked`: MASK and BLEND triangles block light; MASK surfaces are visible
+/// where their factor's alpha reaches the cutoff, BLEND ones never. Surfaces nearer than `near`
+/// along the viewing direction are not visible, but cast. Rows top to bottom.
+std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Light& light,
+                             int width, int height, double near, bool castMasked = false);
+
+/// Whether all of a pixel's 3x3 neighbours have its answer.
+bool isFlat(const std::vector<Answer>& answers, int width, int height, int x, int y);
+
+} // namespace edgeshade::test

@@ -1,0 +1,95 @@
+#include "tests/support/child_process.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace edgeshade::test {
+namespace {
+
+/// A file without a name, closed in other children.
+int unnamedFile() {
+    std::FILE* file = std::tmpfile();
+    if (!file) throw std::runtime_error("no temporary file can be made");
+    const int descriptor = ::fcntl(::fileno(file), F_DUPFD_CLOEXEC, 3);
+    std::fclose(file);
+    return descriptor;
+}
+
+std::string contentOf(int descriptor) {
+    std::string content;
+    char block[4096];
+    ::lseek(descriptor, 0, SEEK_SET);
+    for (ssize_t size; (size = ::read(descriptor, block, sizeof block)) > 0;)
+        content.append(block, static_cast<std::size_t>(size));
+    return content;
+}
+
+} // namespace
+
+ChildProcess::ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
+                           const Environment& environment)
+    : out_(unnamedFile()), err_(unnamedFile()) {
+    std::vector<char*> argv = {const_cast<char*>(program.c_str())};
+    for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    process_ = ::fork();
+    if (process_ < 0) throw std::runtime_error("no process can be started");
+    if (process_ > 0) return;
+    for (const auto& [name, value] : environment)
+        ::setenv(name.c_str(), value.c_str(), 1);
+    ::dup2(out_, STDOUT_FILENO);
+    ::dup2(err_, STDERR_FILENO);
+    ::execv(program.c_str(), argv.data());
+    ::_exit(127);
+}
+
+ChildProcess::~ChildProcess() {
+    if (process_ > 0) {
+        ::kill(process_, SIGKILL);
+        ::waitpid(process_, nullptr, 0);
+    }
+    ::close(out_);
+    ::close(err_);
+}
+
+void ChildProcess::send(int signal) const {
+    if (process_ > 0) ::kill(process_, signal);
+}
+
+ProcessResult ChildProcess::wait(double timeoutSeconds) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    ProcessResult result;
+    int ended = 0;
+    while (::waitpid(process_, &ended, WNOHANG) == 0) {
+        result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        if (result.seconds > timeoutSeconds) {
+            result.timedOut = true;
+            ::kill(process_, SIGKILL);
+            ::waitpid(process_, &ended, 0);
+            break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    process_ = -1;
+    if (WIFEXITED(ended)) result.status = WEXITSTATUS(ended);
+    if (WIFSIGNALED(ended)) result.signal = WTERMSIG(ended);
+    result.out = contentOf(out_);
+    result.err = contentOf(err_);
+    return result;
+}
+
+ProcessResult runEdgeshade(const std::vector<std::string>& arguments,
+                           const ChildProcess::Environment& environment) {
+    return ChildProcess(EDGESHADE_PROGRAM, arguments, environment).wait();
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <sys/types.h>
+#include <utility>
+#include <vector>
+
+namespace edgeshade::test {
+
+/// How a child process ended, and what it said.
+struct ProcessResult {
+    int status = -1; ///< exit status; -1 if it did not exit by itself
+    int signal = 0;  ///< the signal that ended it; 0: none
+    bool timedOut = false;
+    double seconds = 0.0;
+    std::string out;
+    std::string err;
+};
+
+/// A running child process. Its output goes to unnamed files, so it never waits for a reader.
+class ChildProcess {
+  public:
+    using Environment = std::vector<std::pair<std::string, std::string>>; ///< added to ours
+
+    ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
+                 const Environment& environment = {});
+    ~ChildProcess();
+    ChildProcess(const ChildProcess&) = delete;
+    ChildProcess& operator=(const ChildProcess&) = delete;
+
+    void send(int signal) const;
+    /// Waits; after `timeoutSeconds` the process is killed.
+    ProcessResult wait(double timeoutSeconds = 10.0);
+
+  private:
+    pid_t process_ = -1;
+    int out_ = -1;
+    int err_ = -1;
+};
+
+/// Runs this project's program to its end.
+ProcessResult runEdgeshade(const std::vector<std::string>& arguments,
+                           const ChildProcess::Environment& environment = {});
+
+} // namespace edgeshade::test

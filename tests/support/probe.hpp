@@ -1,0 +1,42 @@
+#pragma once
+
+#include "preprocess/shadow_data.hpp"
+#include "src/gl/headless_context.hpp"
+#include "src/render/volume_program.hpp"
+
+#include <map>
+
+namespace edgeshade::test {
+
+/// Reads back the numbers that the GL implementation computes: one point a record, coloured with
+/// its multiplicity or its sign, by the programs that draw the volumes.
+class Probe {
+  public:
+    explicit Probe(MultiplicityMethod method);
+
+    /// Uploads a batch; later calls of multiplicities() and signs() are about it.
+    void upload(const BatchShadow& shadow);
+
+    /// One a record, in -5..5.
+    std::vector<int> multiplicities(const glm::vec4& light);
+
+    /// One a triangle, -1, 0 or 1.
+    std::vector<int> signs(const glm::vec4& light);
+
+  private:
+    static constexpr int side = 1024; ///< pixels of the square that points are drawn into
+
+    std::vector<int> draw(gl::Program& program, const gl::Buffer& records, std::size_t vectors,
+                          std::size_t count, const glm::vec4& light);
+
+    MultiplicityMethod method_;
+    gl::HeadlessContext context_;
+    gl::Buffer pixels_; ///< centres of the square's pixels, row by row
+    std::map<int, gl::Program> sidesPrograms_;
+    gl::Program capsProgram_;
+    gl::Buffer sides_, caps_;
+    int maxMultiplicity_ = 1;
+    std::size_t sideCount_ = 0, capCount_ = 0;
+};
+
+} // namespace edgeshade::test
