@@ -12,24 +12,34 @@ constexpr std::size_t largestCount = std::size_t{1} << 30;
 
 int componentsOf(int type) {
     switch (type) {
-    case TINYGLTF_TYPE_SCALAR: return 1;
-    case TINYGLTF_TYPE_VEC2: return 2;
-    case TINYGLTF_TYPE_VEC3: return 3;
-    case TINYGLTF_TYPE_VEC4: return 4;
-    case TINYGLTF_TYPE_MAT4: return 16;
-    default: return 0; // the small matrices have padding and no use here
+    case TINYGLTF_TYPE_SCALAR:
+        return 1;
+    case TINYGLTF_TYPE_VEC2:
+        return 2;
+    case TINYGLTF_TYPE_VEC3:
+        return 3;
+    case TINYGLTF_TYPE_VEC4:
+        return 4;
+    case TINYGLTF_TYPE_MAT4:
+        return 16;
+    default:
+        return 0; // the small matrices have padding and no use here
     }
 }
 
 std::size_t bytesOf(int componentType) {
     switch (componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 2;
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    default: return 0;
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return 4;
+    default:
+        return 0;
     }
 }
 
@@ -60,15 +70,19 @@ float loadFloat(const std::uint8_t* at, int componentType, bool normalized) {
     }
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
         return static_cast<float>(load<std::uint32_t>(at));
-    default: return load<float>(at);
+    default:
+        return load<float>(at);
     }
 }
 
 std::uint32_t loadIndex(const std::uint8_t* at, int componentType) {
     switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<std::uint8_t>(at);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(at);
-    default: return load<std::uint32_t>(at);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return load<std::uint8_t>(at);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return load<std::uint16_t>(at);
+    default:
+        return load<std::uint32_t>(at);
     }
 }
 
@@ -85,21 +99,20 @@ struct ElementRange {
 };
 
 /// Where the elements lie. `view` and `offset` as in glTF; throws if any element is outside.
-ElementRange elements(const GltfDocument& document, int view, std::size_t offset,
-                      std::size_t count, std::size_t elementSize, bool strided,
-                      const std::string& field) {
+ElementRange elements(const GltfDocument& document, int view, std::size_t offset, std::size_t count,
+                      std::size_t elementSize, bool strided, const std::string& field) {
     const auto bytes = bufferViewBytes(document, view);
     const std::size_t viewStride = document.model.bufferViews[view].byteStride;
     const std::size_t stride = strided && viewStride != 0 ? viewStride : elementSize;
-    const bool fits = stride >= elementSize &&
-                      (count == 0 || (offset <= bytes.size() && elementSize <= bytes.size() - offset &&
-                                      (count - 1) <= (bytes.size() - offset - elementSize) / stride));
+    const bool fits =
+        stride >= elementSize &&
+        (count == 0 || (offset <= bytes.size() && elementSize <= bytes.size() - offset &&
+                        (count - 1) <= (bytes.size() - offset - elementSize) / stride));
     if (!fits)
         throw InputError(document.where(field) + ": " + std::to_string(count) + " elements of " +
                          std::to_string(elementSize) + " bytes at offset " +
                          std::to_string(offset) + " do not fit into bufferViews[" +
-                         std::to_string(view) + "] of " + std::to_string(bytes.size()) +
-                         " bytes.");
+                         std::to_string(view) + "] of " + std::to_string(bytes.size()) + " bytes.");
     return {bytes.data() + offset, stride};
 }
 
@@ -127,9 +140,9 @@ void forEachElement(const GltfDocument& document, const tinygltf::Accessor& acce
     const ElementRange indices =
         elements(document, sparse.indices.bufferView, sparse.indices.byteOffset, count,
                  bytesOf(indexType), false, field + ".sparse.indices");
-    const ElementRange values = elements(document, sparse.values.bufferView,
-                                         sparse.values.byteOffset, count, elementSize, false,
-                                         field + ".sparse.values");
+    const ElementRange values =
+        elements(document, sparse.values.bufferView, sparse.values.byteOffset, count, elementSize,
+                 false, field + ".sparse.values");
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t element = loadIndex(indices.first + i * indices.stride, indexType);
         if (element >= accessor.count)
@@ -176,9 +189,8 @@ FloatArray readFloats(const GltfDocument& document, int index, const std::string
     forEachElement(document, accessor, componentSize * array.components, name,
                    [&](std::size_t element, const std::uint8_t* at) {
                        for (int c = 0; c < array.components; ++c)
-                           array.values[element * array.components + c] =
-                               loadFloat(at + c * componentSize, accessor.componentType,
-                                         accessor.normalized);
+                           array.values[element * array.components + c] = loadFloat(
+                               at + c * componentSize, accessor.componentType, accessor.normalized);
                    });
     return array;
 }

@@ -27,8 +27,7 @@ std::vector<glm::vec4> expandCaps(const CapsData& caps, std::size_t first, std::
         const auto* source = caps.records.data() + record * CapsData::vectorsPerRecord;
         for (int vertex = 0; vertex < VERTICES_PER_CAP_PAIR; ++vertex) {
             expanded.insert(expanded.end(), source, source + CapsData::vectorsPerRecord);
-            expanded[expanded.size() - CapsData::vectorsPerRecord].w =
-                static_cast<float>(vertex);
+            expanded[expanded.size() - CapsData::vectorsPerRecord].w = static_cast<float>(vertex);
         }
     }
     return expanded;

@@ -23,11 +23,16 @@ std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::uint8_t> bytes,
 /// The normalised flag stands with the glTF accessor, not in the Draco stream.
 float normalizedValue(float value, int componentType) {
     switch (componentType) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return std::max(value / 127.0f, -1.0f);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return value / 255.0f;
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return std::max(value / 32767.0f, -1.0f);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return value / 65535.0f;
-    default: return value;
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return std::max(value / 127.0f, -1.0f);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return value / 255.0f;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return std::max(value / 32767.0f, -1.0f);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return value / 65535.0f;
+    default:
+        return value;
     }
 }
 
@@ -47,7 +52,8 @@ FloatArray readAttribute(const draco::Mesh& mesh, const draco::PointAttribute& a
             std::int64_t whole[4] = {};
             converted = attribute.ConvertValue<std::int64_t>(
                 index, static_cast<std::int8_t>(array.components), whole);
-            for (int c = 0; c < array.components; ++c) value[c] = static_cast<float>(whole[c]);
+            for (int c = 0; c < array.components; ++c)
+                value[c] = static_cast<float>(whole[c]);
         } else {
             converted = attribute.ConvertValue<float>(
                 index, static_cast<std::int8_t>(array.components), value);
@@ -73,13 +79,12 @@ std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
     if (!extension.Has("bufferView") || !extension.Get("bufferView").IsInt() ||
         !extension.Has("attributes") || !extension.Get("attributes").IsObject())
         throw InputError(where + " lacks its bufferView or its attributes.");
-    if (primitive.mode != TINYGLTF_MODE_TRIANGLES &&
-        primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP)
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP)
         throw InputError(where + " is used with mode " + std::to_string(primitive.mode) +
                          "; only triangles and triangle strips can be compressed.");
 
-    const auto mesh = decodeMesh(
-        bufferViewBytes(document, extension.Get("bufferView").GetNumberAsInt()), where);
+    const auto mesh =
+        decodeMesh(bufferViewBytes(document, extension.Get("bufferView").GetNumberAsInt()), where);
 
     DracoPrimitive decoded;
     const tinygltf::Value& ids = extension.Get("attributes");

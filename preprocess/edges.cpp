@@ -36,7 +36,8 @@ std::vector<HalfEdge> sortedHalfEdges(const WeldedMesh& mesh) {
 
 std::uint32_t EdgeList::largestOppositeCount() const {
     std::uint32_t largest = 0;
-    for (const Edge& edge : edges) largest = std::max(largest, edge.oppositeCount);
+    for (const Edge& edge : edges)
+        largest = std::max(largest, edge.oppositeCount);
     return largest;
 }
 

@@ -77,9 +77,8 @@ void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> 
     const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
 
     const SignalsHeld held;
-    const int descriptor =
-        ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, S_IRUSR | S_IWUSR |
-                                                                             S_IRGRP | S_IROTH);
+    const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
+                                  S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
     if (descriptor < 0) failWrite(path, errno);
     int failure = writeAll(descriptor, bytes);
     if (::close(descriptor) != 0 && failure == 0) failure = errno;

@@ -20,9 +20,9 @@ namespace {
 struct Piece {
     std::shared_ptr<const Primitive> primitive;
     std::size_t material = 0;
-    glm::dmat4 batchFromMesh{1.0};                    ///< not used by a skinned piece
+    glm::dmat4 batchFromMesh{1.0};                       ///< not used by a skinned piece
     std::shared_ptr<const std::vector<glm::dmat4>> skin; ///< null: not skinned
-    int node = -1;                                    ///< for messages
+    int node = -1;                                       ///< for messages
 };
 
 /// The pieces of each batch, by the node that moves it; -1, the static one, comes first.
@@ -37,9 +37,8 @@ std::size_t materialOf(const GltfDocument& document, const Primitive& primitive,
     const std::size_t defaultMaterial = materials.size() - 1;
     if (primitive.material < 0) return defaultMaterial;
     if (static_cast<std::size_t>(primitive.material) >= defaultMaterial)
-        throw InputError(document.where("meshes: material ") +
-                         std::to_string(primitive.material) + " does not exist; there are " +
-                         std::to_string(defaultMaterial) + ".");
+        throw InputError(document.where("meshes: material ") + std::to_string(primitive.material) +
+                         " does not exist; there are " + std::to_string(defaultMaterial) + ".");
     return static_cast<std::size_t>(primitive.material);
 }
 
@@ -49,16 +48,16 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk, S
     for (const MeshNode& visit : walk.meshNodes) {
         const tinygltf::Node& node = document.model.nodes[visit.node];
         if (static_cast<std::size_t>(node.mesh) >= document.model.meshes.size())
-            throw InputError(document.where("nodes[") + std::to_string(visit.node) +
-                             "].mesh is " + std::to_string(node.mesh) + ", but there are " +
+            throw InputError(document.where("nodes[") + std::to_string(visit.node) + "].mesh is " +
+                             std::to_string(node.mesh) + ", but there are " +
                              std::to_string(document.model.meshes.size()) + " meshes.");
         const auto weights = morphWeights(document, node);
         auto& primitives = read[{node.mesh, weights}];
         const auto& sources = document.model.meshes[node.mesh].primitives;
         for (std::size_t p = primitives.size(); p < sources.size(); ++p) {
             const int material = sources[p].material;
-            const bool known = material >= 0 &&
-                               static_cast<std::size_t>(material) < scene.materials.size();
+            const bool known =
+                material >= 0 && static_cast<std::size_t>(material) < scene.materials.size();
             primitives.push_back(std::make_shared<Primitive>(
                 readPrimitive(document, static_cast<std::size_t>(node.mesh), p, weights,
                               known ? scene.materials[material].texcoordSet : 0, scene.warnings)));
@@ -75,8 +74,8 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk, S
             const bool skinned = skin && !primitive->joints.empty();
             // A skin's joints place it in the world; its own node's transform does not count.
             pieces[skinned ? -1 : visit.mover].push_back(
-                {primitive, materialOf(document, *primitive, scene.materials),
-                 visit.moverFromNode, skinned ? skin : nullptr, visit.node});
+                {primitive, materialOf(document, *primitive, scene.materials), visit.moverFromNode,
+                 skinned ? skin : nullptr, visit.node});
         }
     }
     return pieces;
@@ -128,8 +127,7 @@ class PieceAppender {
 
     void append(const Piece& piece) {
         const Primitive& primitive = *piece.primitive;
-        const bool mirrored =
-            glm::determinant(glm::dmat3(matrixOf(document_, piece, 0))) < 0.0;
+        const bool mirrored = glm::determinant(glm::dmat3(matrixOf(document_, piece, 0))) < 0.0;
         if (batch_.positions.size() + primitive.indices.size() > 0xFFFFFFF0u)
             throw InputError("'" + document_.path.string() + "' has too many vertices.");
         if (primitive.normals.empty())
@@ -162,8 +160,7 @@ class PieceAppender {
                                               indices[i + (mirrored ? 1 : 2)]};
             glm::vec3 points[3];
             for (int c = 0; c < 3; ++c)
-                points[c] =
-                    position(piece, corners[c], matrixOf(document_, piece, corners[c]));
+                points[c] = position(piece, corners[c], matrixOf(document_, piece, corners[c]));
             const glm::vec3 normal = faceNormal(points[0], points[1], points[2]);
             for (int c = 0; c < 3; ++c) {
                 batch_.indices.push_back(static_cast<std::uint32_t>(batch_.positions.size()));
@@ -173,8 +170,7 @@ class PieceAppender {
     }
 
     glm::vec3 position(const Piece& piece, std::size_t vertex, const glm::dmat4& matrix) const {
-        const glm::dvec3 exact =
-            transformed(matrix, piece.primitive->positions[vertex]) - origin_;
+        const glm::dvec3 exact = transformed(matrix, piece.primitive->positions[vertex]) - origin_;
         const glm::vec3 rounded(exact);
         if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y) || !std::isfinite(rounded.z))
             throw InputError(document_.where("nodes[") + std::to_string(piece.node) +
@@ -229,8 +225,7 @@ Scene flattenScene(const GltfDocument& document, double weldTolerance) {
     const NodeWalk walk = walkNodes(document, scene.warnings);
     PiecesByMover piecesByMover = gatherPieces(document, walk, scene);
     for (auto& [mover, pieces] : piecesByMover) {
-        const glm::dmat4 worldFromMover =
-            mover < 0 ? glm::dmat4(1.0) : walk.worldFromNode[mover];
+        const glm::dmat4 worldFromMover = mover < 0 ? glm::dmat4(1.0) : walk.worldFromNode[mover];
         scene.batches.push_back(
             makeBatch(document, mover, worldFromMover, std::move(pieces), scene.materials));
         if (weldTolerance > 0.0) snapPositions(scene.batches.back().positions, weldTolerance);

@@ -88,11 +88,13 @@ void parseModel(GltfDocument& document) {
         loader.LoadASCIIFromString(&document.model, &errors, &warnings, text.data(),
                                    static_cast<unsigned>(text.size()), std::string());
     if (!parsed || !errors.empty()) {
-        while (!errors.empty() && errors.back() == '\n') errors.pop_back();
+        while (!errors.empty() && errors.back() == '\n')
+            errors.pop_back();
         throw InputError("'" + document.path.string() + "' is no valid glTF 2.0: " +
                          (errors.empty() ? "it could not be parsed" : errors) + ".");
     }
-    for (std::size_t i : standIns) document.model.accessors.at(i).bufferView = -1;
+    for (std::size_t i : standIns)
+        document.model.accessors.at(i).bufferView = -1;
 }
 
 void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
@@ -131,7 +133,8 @@ void requireArraysOfObjects(const GltfDocument& document) {
         const Json& array = document.json[section];
         bool valid = array.is_array();
         if (valid)
-            for (const Json& item : array) valid = valid && item.is_object();
+            for (const Json& item : array)
+                valid = valid && item.is_object();
         if (!valid) throw InputError(document.where(section) + " is not an array of objects.");
     }
 }
@@ -161,7 +164,9 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
 
 } // namespace
 
-GltfDocument readGltf(const std::filesystem::path& path) { return parseGltf(readFile(path), path); }
+GltfDocument readGltf(const std::filesystem::path& path) {
+    return parseGltf(readFile(path), path);
+}
 
 GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
     try {

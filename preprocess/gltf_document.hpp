@@ -17,14 +17,16 @@ namespace edgeshade {
 /// `model` is tinygltf's typed view of `json`; its own buffers and images stay empty. Bytes are
 /// reached through bufferViewBytes(), which has checked every bound.
 struct GltfDocument {
-    std::filesystem::path path;          ///< as the user named it, for messages
-    nlohmann::ordered_json json;         ///< the source, key order kept
-    tinygltf::Model model;               ///< the same, typed
-    std::vector<Bytes> buffers;          ///< one a glTF buffer; empty for meshopt fallbacks
+    std::filesystem::path path;  ///< as the user named it, for messages
+    nlohmann::ordered_json json; ///< the source, key order kept
+    tinygltf::Model model;       ///< the same, typed
+    std::vector<Bytes> buffers;  ///< one a glTF buffer; empty for meshopt fallbacks
     std::vector<std::optional<Bytes>> decodedViews; ///< EXT_meshopt_compression views, decoded
 
     /// An error message's start: the file's name and the field.
-    std::string where(const std::string& field) const { return "'" + path.string() + "': " + field; }
+    std::string where(const std::string& field) const {
+        return "'" + path.string() + "': " + field;
+    }
 };
 
 /// Reads a .gltf with its files or a .glb. External files are taken from the asset's own folder

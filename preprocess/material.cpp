@@ -29,7 +29,8 @@ glm::mat3 uvTransformOf(const tinygltf::Value& transform) {
     const auto offsetU = static_cast<float>(elementOr(transform, "offset", 0, 0.0));
     const auto offsetV = static_cast<float>(elementOr(transform, "offset", 1, 0.0));
     const float c = std::cos(rotation), s = std::sin(rotation);
-    return {{c * scaleU, -s * scaleU, 0.0f}, {s * scaleV, c * scaleV, 0.0f}, {offsetU, offsetV, 1.0f}};
+    return {
+        {c * scaleU, -s * scaleU, 0.0f}, {s * scaleV, c * scaleV, 0.0f}, {offsetU, offsetV, 1.0f}};
 }
 
 void setTexture(const GltfDocument& document, Material& material, const std::string& field,

@@ -34,9 +34,8 @@ int directionIn(const Triangle& triangle, const Edge& edge) {
 
 bool isClosedHere(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge) {
     const auto opposites = edges.oppositesOf(edge);
-    return opposites.size() == 2 &&
-           directionIn(mesh.triangles[opposites[0].triangle], edge) ==
-               -directionIn(mesh.triangles[opposites[1].triangle], edge);
+    return opposites.size() == 2 && directionIn(mesh.triangles[opposites[0].triangle], edge) ==
+                                        -directionIn(mesh.triangles[opposites[1].triangle], edge);
 }
 
 } // namespace
@@ -45,7 +44,8 @@ MeshStatistics& MeshStatistics::operator+=(const MeshStatistics& other) {
     triangles += other.triangles;
     degenerateTriangles += other.degenerateTriangles;
     edges += other.edges;
-    for (const auto& [n, count] : other.edgesByOppositeCount) edgesByOppositeCount[n] += count;
+    for (const auto& [n, count] : other.edgesByOppositeCount)
+        edgesByOppositeCount[n] += count;
     components += other.components;
     closedOrientedTriangles += other.closedOrientedTriangles;
     return *this;

@@ -34,10 +34,8 @@ CompressedView readFields(const GltfDocument& document, const Json& extension,
     const Bytes& bytes = document.buffers[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset)
         throw InputError(field + " ends past the end of buffer " + std::to_string(buffer) + ".");
-    return {std::span(bytes).subspan(offset, length),
-            extension.at("byteStride").get<std::size_t>(),
-            extension.at("count").get<std::size_t>(),
-            extension.at("mode").get<std::string>(),
+    return {std::span(bytes).subspan(offset, length), extension.at("byteStride").get<std::size_t>(),
+            extension.at("count").get<std::size_t>(), extension.at("mode").get<std::string>(),
             extension.value("filter", std::string("NONE"))};
 }
 
@@ -47,8 +45,8 @@ bool decodeMode(const CompressedView& view, Bytes& decoded) {
         return meshopt_decodeVertexBuffer(decoded.data(), view.count, view.stride,
                                           view.bytes.data(), view.bytes.size()) == 0;
     if (view.mode == "TRIANGLES")
-        return meshopt_decodeIndexBuffer(decoded.data(), view.count, view.stride,
-                                         view.bytes.data(), view.bytes.size()) == 0;
+        return meshopt_decodeIndexBuffer(decoded.data(), view.count, view.stride, view.bytes.data(),
+                                         view.bytes.size()) == 0;
     return meshopt_decodeIndexSequence(decoded.data(), view.count, view.stride, view.bytes.data(),
                                        view.bytes.size()) == 0;
 }
@@ -57,16 +55,17 @@ void requireSupported(const CompressedView& view, const std::string& field) {
     const bool attributes = view.mode == "ATTRIBUTES";
     if (!attributes && view.mode != "TRIANGLES" && view.mode != "INDICES")
         throw InputError(field + ".mode is '" + view.mode + "', which is not known.");
-    const bool strideFits = attributes ? view.stride > 0 && view.stride <= 256 && view.stride % 4 == 0
-                                       : view.stride == 2 || view.stride == 4;
+    const bool strideFits = attributes
+                                ? view.stride > 0 && view.stride <= 256 && view.stride % 4 == 0
+                                : view.stride == 2 || view.stride == 4;
     if (!strideFits)
-        throw InputError(field + ".byteStride is " + std::to_string(view.stride) +
-                         ", which mode " + view.mode + " does not allow.");
+        throw InputError(field + ".byteStride is " + std::to_string(view.stride) + ", which mode " +
+                         view.mode + " does not allow.");
     if (view.mode == "TRIANGLES" && view.count % 3 != 0)
-        throw InputError(field + ".count is " + std::to_string(view.count) +
-                         ", no multiple of 3.");
+        throw InputError(field + ".count is " + std::to_string(view.count) + ", no multiple of 3.");
     if (view.count > largestDecodedView / view.stride)
-        throw InputError(field + ".count is " + std::to_string(view.count) + ", which is too many.");
+        throw InputError(field + ".count is " + std::to_string(view.count) +
+                         ", which is too many.");
     const bool octahedral = view.filter == "OCTAHEDRAL" && (view.stride == 4 || view.stride == 8);
     const bool quaternion = view.filter == "QUATERNION" && view.stride == 8;
     const bool exponential = view.filter == "EXPONENTIAL" && view.stride % 4 == 0;
@@ -98,8 +97,8 @@ void decodeMeshoptViews(GltfDocument& document) {
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (!views[i].contains("extensions") || !views[i]["extensions"].contains(extensionName))
             continue;
-        const std::string field = document.where("bufferViews[") + std::to_string(i) + "]." +
-                                  extensionName;
+        const std::string field =
+            document.where("bufferViews[") + std::to_string(i) + "]." + extensionName;
         const CompressedView view =
             readFields(document, views[i]["extensions"][extensionName], field);
         requireSupported(view, field);

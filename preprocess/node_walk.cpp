@@ -13,14 +13,16 @@ namespace {
 glm::dmat4 localTransform(const tinygltf::Node& node) {
     glm::dmat4 matrix(1.0);
     if (node.matrix.size() == 16) {
-        for (glm::length_t i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[i];
+        for (glm::length_t i = 0; i < 16; ++i)
+            matrix[i / 4][i % 4] = node.matrix[i];
         return matrix;
     }
     if (node.rotation.size() == 4)
-        matrix = glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1],
-                                           node.rotation[2]));
+        matrix = glm::mat4_cast(
+            glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
     if (node.scale.size() == 3)
-        for (glm::length_t c = 0; c < 3; ++c) matrix[c] *= node.scale[c];
+        for (glm::length_t c = 0; c < 3; ++c)
+            matrix[c] *= node.scale[c];
     if (node.translation.size() == 3)
         matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
     return matrix;
@@ -47,12 +49,12 @@ std::vector<int> rootNodes(const GltfDocument& document) {
         const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
         if (static_cast<std::size_t>(scene) >= model.scenes.size())
             throw InputError(document.where("scene") + " is " + std::to_string(scene) +
-                             ", but there are " + std::to_string(model.scenes.size()) +
-                             " scenes.");
+                             ", but there are " + std::to_string(model.scenes.size()) + " scenes.");
         return model.scenes[scene].nodes;
     }
     std::set<int> children;
-    for (const auto& node : model.nodes) children.insert(node.children.begin(), node.children.end());
+    for (const auto& node : model.nodes)
+        children.insert(node.children.begin(), node.children.end());
     std::vector<int> roots;
     for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i)
         if (!children.contains(i)) roots.push_back(i);

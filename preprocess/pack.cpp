@@ -13,7 +13,8 @@ nlohmann::ordered_json toJson(const PackReport& report) {
     const std::size_t largest = casters.largestOppositeCount();
     const auto multiplicity = static_cast<std::size_t>(report.maxMultiplicity);
     Json byCount = Json::object();
-    for (const auto& [n, count] : casters.edgesByOppositeCount) byCount[std::to_string(n)] = count;
+    for (const auto& [n, count] : casters.edgesByOppositeCount)
+        byCount[std::to_string(n)] = count;
     const std::size_t capRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
     return {
         {"triangles", report.triangles},
@@ -31,8 +32,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         {"bytes",
          {{"sides", report.records * (2 + multiplicity) * sizeof(glm::vec4)},
           {"caps", casters.triangles * CapsData::vectorsPerRecord * sizeof(glm::vec4)},
-          {"published_equation",
-           16 * (2 + largest) * casters.edges + 48 * casters.triangles},
+          {"published_equation", 16 * (2 + largest) * casters.edges + 48 * casters.triangles},
           {"stored", report.storedBytes},
           {"file", report.fileBytes}}},
         {"vertex_runs",

@@ -14,7 +14,9 @@ struct BufferPlace {
     std::size_t offset;
 };
 
-void alignTo4(Bytes& bytes) { bytes.resize((bytes.size() + 3) / 4 * 4, 0); }
+void alignTo4(Bytes& bytes) {
+    bytes.resize((bytes.size() + 3) / 4 * 4, 0);
+}
 
 void moveReference(Json& reference, const std::vector<BufferPlace>& places) {
     const BufferPlace& place = places.at(reference.at("buffer").get<std::size_t>());

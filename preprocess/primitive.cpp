@@ -29,10 +29,9 @@ class AttributeReader {
     /// The attribute with at least `components` a vertex and `count` vertices (0: any number).
     FloatArray read(const std::string& name, int components, std::size_t count) const {
         const bool compressed = draco_ && draco_->attributes.contains(name);
-        FloatArray array = compressed
-                               ? draco_->attributes.at(name)
-                               : readFloats(document_, primitive_.attributes.at(name),
-                                            field_ + ".attributes." + name);
+        FloatArray array = compressed ? draco_->attributes.at(name)
+                                      : readFloats(document_, primitive_.attributes.at(name),
+                                                   field_ + ".attributes." + name);
         if (array.components < components)
             throw InputError(document_.where(fieldOf(name)) + " has " +
                              std::to_string(array.components) + " components, not " +
@@ -95,8 +94,8 @@ std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> sequence, i
         if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
             triangles.insert(triangles.end(), {sequence[i + 1], sequence[i + 2], sequence[0]});
         else
-            triangles.insert(triangles.end(), {sequence[i], sequence[i + 1 + i % 2],
-                                               sequence[i + 2 - i % 2]});
+            triangles.insert(triangles.end(),
+                             {sequence[i], sequence[i + 1 + i % 2], sequence[i + 2 - i % 2]});
     }
     return triangles;
 }
@@ -128,8 +127,8 @@ Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::siz
                         const std::vector<double>& morphWeights, int texcoordSet,
                         Warnings& warnings) {
     const tinygltf::Primitive& source = document.model.meshes[mesh].primitives[primitiveIndex];
-    const std::string field = "meshes[" + std::to_string(mesh) + "].primitives[" +
-                              std::to_string(primitiveIndex) + "]";
+    const std::string field =
+        "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(primitiveIndex) + "]";
     Primitive primitive;
     primitive.material = source.material;
     const int mode = source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode;

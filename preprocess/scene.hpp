@@ -40,9 +40,9 @@ struct Batch {
     std::vector<glm::vec3> positions; ///< no NaN, no infinity, no -0
     std::vector<glm::vec3> normals;   ///< unit length, or 0 for a triangle without area
     std::vector<glm::vec2> texcoords;
-    std::vector<glm::vec4> colors;    ///< linear
+    std::vector<glm::vec4> colors;      ///< linear
     std::vector<std::uint32_t> indices; ///< counter-clockwise is the outside
-    std::vector<SurfaceGroup> groups; ///< opaque first, then mask, then blend
+    std::vector<SurfaceGroup> groups;   ///< opaque first, then mask, then blend
 };
 
 /// A glTF scene at rest, ready for drawing and for finding its edges.
@@ -53,7 +53,8 @@ struct Scene {
 
     std::size_t triangleCount() const {
         std::size_t count = 0;
-        for (const Batch& batch : batches) count += batch.indices.size() / 3;
+        for (const Batch& batch : batches)
+            count += batch.indices.size() / 3;
         return count;
     }
 };

@@ -36,9 +36,10 @@ class AccessorWriter {
 
     /// Unsigned integers in the smallest type that holds them.
     int add(std::span<const std::uint32_t> values) {
-        const std::uint32_t largest = values.empty() ? 0 : *std::max_element(values.begin(),
-                                                                              values.end());
-        if (largest <= 0xFF) return addAs<std::uint8_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
+        const std::uint32_t largest =
+            values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+        if (largest <= 0xFF)
+            return addAs<std::uint8_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
         if (largest <= 0xFFFF)
             return addAs<std::uint16_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
         return addAs<std::uint32_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
@@ -76,7 +77,8 @@ void appendIndexed(const EdgeList& edges, AccessorWriter& writer, Json& batch) {
         edgeVertices.insert(edgeVertices.end(), {edge.a, edge.b});
         oppositeCounts.push_back(edge.oppositeCount);
     }
-    for (const Opposite& opposite : edges.opposites) oppositeVertices.push_back(opposite.vertex);
+    for (const Opposite& opposite : edges.opposites)
+        oppositeVertices.push_back(opposite.vertex);
     batch["edgeVertices"] = writer.add(edgeVertices);
     batch["oppositeCounts"] = writer.add(oppositeCounts);
     batch["oppositeVertices"] = writer.add(oppositeVertices);
@@ -86,8 +88,8 @@ void appendIndexed(const EdgeList& edges, AccessorWriter& writer, Json& batch) {
 class BatchReader {
   public:
     BatchReader(const GltfDocument& document, std::size_t index)
-        : document_(document), field_(std::string(shadowExtensionName) + ".batches[" +
-                                      std::to_string(index) + "]"),
+        : document_(document),
+          field_(std::string(shadowExtensionName) + ".batches[" + std::to_string(index) + "]"),
           batch_(document.json["extensions"][shadowExtensionName]["batches"][index]) {}
 
     void requireHash(std::uint64_t hash) const {
@@ -133,9 +135,9 @@ class BatchReader {
         for (std::size_t e = 0; e < oppositeCounts.size(); ++e) {
             const Edge edge{edgeVertices[2 * e], edgeVertices[2 * e + 1],
                             static_cast<std::uint32_t>(list.opposites.size()), oppositeCounts[e]};
-            const bool valid = edge.a < edge.b && edge.b < mesh.positions.size() &&
-                               edge.oppositeCount >= 1 &&
-                               edge.oppositeCount <= oppositeVertices.size() - list.opposites.size();
+            const bool valid =
+                edge.a < edge.b && edge.b < mesh.positions.size() && edge.oppositeCount >= 1 &&
+                edge.oppositeCount <= oppositeVertices.size() - list.opposites.size();
             if (!valid) fail(".edgeVertices has an invalid edge " + std::to_string(e));
             for (std::uint32_t i = 0; i < edge.oppositeCount; ++i) {
                 const std::uint32_t vertex = oppositeVertices[list.opposites.size()];
@@ -183,12 +185,11 @@ class BatchReader {
         for (std::size_t i = 0; i < sides.records.size(); ++i) {
             const float w = sides.records[i].w;
             const bool isOpposite = i % stride >= 2;
-            const bool valid =
-                isOpposite ? w == static_cast<float>(ORDER_ABSENT) ||
-                                 w == static_cast<float>(ORDER_OPPOSITE_FIRST) ||
-                                 w == static_cast<float>(ORDER_OPPOSITE_BETWEEN) ||
-                                 w == static_cast<float>(ORDER_OPPOSITE_LAST)
-                           : w == 0.0f;
+            const bool valid = isOpposite ? w == static_cast<float>(ORDER_ABSENT) ||
+                                                w == static_cast<float>(ORDER_OPPOSITE_FIRST) ||
+                                                w == static_cast<float>(ORDER_OPPOSITE_BETWEEN) ||
+                                                w == static_cast<float>(ORDER_OPPOSITE_LAST)
+                                          : w == 0.0f;
             if (!valid)
                 fail(".sides has the fourth component " + std::to_string(w) + " in vector " +
                      std::to_string(i) + ", which means nothing");
@@ -220,9 +221,12 @@ std::set<int> accessorsOf(const Json& extension) {
 
 const char* nameOf(Encoding encoding) {
     switch (encoding) {
-    case Encoding::expanded: return "expanded";
-    case Encoding::indexed: return "indexed";
-    default: return "none";
+    case Encoding::expanded:
+        return "expanded";
+    case Encoding::indexed:
+        return "indexed";
+    default:
+        return "none";
     }
 }
 
@@ -275,8 +279,7 @@ std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowH
     try {
         for (std::size_t i = 0; i < scene.batches.size(); ++i) {
             const Batch& batch = scene.batches[i];
-            const Casters casters =
-                castersOf(batch, scene.materials, header.settings.castMasked);
+            const Casters casters = castersOf(batch, scene.materials, header.settings.castMasked);
             const BatchReader reader(document, i);
             reader.requireNode(batch.node);
             reader.requireHash(positionsHash(batch, casters));
@@ -329,12 +332,10 @@ void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
         }
         batches.push_back(std::move(batch));
     }
-    json["extensions"][shadowExtensionName] = {{"version", shadowExtensionVersion},
-                                               {"encoding", nameOf(encoding)},
-                                               {"maxMultiplicity", maxMultiplicity},
-                                               {"weldTolerance", settings.weldTolerance},
-                                               {"castMasked", settings.castMasked},
-                                               {"batches", std::move(batches)}};
+    json["extensions"][shadowExtensionName] = {
+        {"version", shadowExtensionVersion},  {"encoding", nameOf(encoding)},
+        {"maxMultiplicity", maxMultiplicity}, {"weldTolerance", settings.weldTolerance},
+        {"castMasked", settings.castMasked},  {"batches", std::move(batches)}};
     Json& used = json["extensionsUsed"];
     if (std::find(used.begin(), used.end(), shadowExtensionName) == used.end())
         used.push_back(shadowExtensionName);
@@ -349,7 +350,8 @@ void removeShadowExtension(Json& json, Bytes& binary, const std::filesystem::pat
         const auto view =
             isLast ? json["accessors"][*accessor].value("bufferView", std::size_t{0}) : 0;
         if (!isLast || view + 1 != json["bufferViews"].size())
-            throw InputError("'" + path.string() + "' was rearranged after it was packed: pack "
+            throw InputError("'" + path.string() +
+                             "' was rearranged after it was packed: pack "
                              "the original instead.");
         const auto offset = json["bufferViews"][view].value("byteOffset", std::size_t{0});
         if (offset <= binary.size()) binary.resize(offset);

@@ -24,7 +24,8 @@ int recordMultiplicityFor(std::uint32_t largestOppositeCount) {
 std::size_t recordCountFor(const EdgeList& edges, int maxMultiplicity) {
     const auto capacity = static_cast<std::size_t>(maxMultiplicity);
     std::size_t count = 0;
-    for (const Edge& edge : edges.edges) count += (edge.oppositeCount + capacity - 1) / capacity;
+    for (const Edge& edge : edges.edges)
+        count += (edge.oppositeCount + capacity - 1) / capacity;
     return count;
 }
 
@@ -44,8 +45,7 @@ SidesData buildSides(std::span<const glm::vec3> positions, const EdgeList& edges
                     sides.records.emplace_back(positions[opposites[i].vertex],
                                                orderOf(edge, opposites[i].vertex));
                 else
-                    sides.records.emplace_back(0.0f, 0.0f, 0.0f,
-                                               static_cast<float>(ORDER_ABSENT));
+                    sides.records.emplace_back(0.0f, 0.0f, 0.0f, static_cast<float>(ORDER_ABSENT));
             }
         }
     }

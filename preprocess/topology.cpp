@@ -9,9 +9,8 @@ Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bo
     for (const SurfaceGroup& group : batch.groups) {
         if (materials[group.material].alphaMode != AlphaMode::opaque && !castMasked) continue;
         const auto first = batch.indices.begin() + group.firstIndex;
-        casters.groups.push_back({group.material,
-                                  static_cast<std::uint32_t>(casters.indices.size()),
-                                  group.indexCount});
+        casters.groups.push_back(
+            {group.material, static_cast<std::uint32_t>(casters.indices.size()), group.indexCount});
         casters.indices.insert(casters.indices.end(), first, first + group.indexCount);
     }
     return casters;
@@ -25,7 +24,8 @@ CasterMesh weldCasters(const Batch& batch, const Casters& casters) {
     for (const SurfaceGroup& group : casters.groups) {
         const std::uint32_t end = (group.firstIndex + group.indexCount) / 3;
         const std::uint32_t first = cap;
-        while (cap < source.size() && source[cap] < end) ++cap;
+        while (cap < source.size() && source[cap] < end)
+            ++cap;
         if (cap > first) mesh.groups.push_back({group.material, first, cap - first});
     }
     return mesh;

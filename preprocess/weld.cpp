@@ -12,7 +12,8 @@ namespace {
 /// Positions with -0 replaced by +0, so that equal means equal bytes.
 std::vector<glm::vec3> withoutNegativeZero(std::span<const glm::vec3> positions) {
     std::vector<glm::vec3> result(positions.begin(), positions.end());
-    for (glm::vec3& p : result) p += 0.0f;
+    for (glm::vec3& p : result)
+        p += 0.0f;
     return result;
 }
 
@@ -48,10 +49,11 @@ WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint3
     // Distinct positions that triangles use, in the order in which they are met.
     std::vector<std::uint32_t> distinctOf(clean.size());
     const std::size_t distinctCount =
-        meshopt_generateVertexRemap(distinctOf.data(), indices.data(), indices.size(),
-                                    clean.data(), clean.size(), sizeof(glm::vec3));
+        meshopt_generateVertexRemap(distinctOf.data(), indices.data(), indices.size(), clean.data(),
+                                    clean.size(), sizeof(glm::vec3));
     std::vector<glm::vec3> distinct(distinctCount);
-    for (const std::uint32_t index : indices) distinct[distinctOf[index]] = clean[index];
+    for (const std::uint32_t index : indices)
+        distinct[distinctOf[index]] = clean[index];
 
     // Sort them, so that the order of indices is the order of positions.
     std::vector<std::uint32_t> sorted(distinctCount), rank(distinctCount);
@@ -70,7 +72,8 @@ WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint3
     mesh.source.reserve(triangleCount);
     for (std::size_t t = 0; t < triangleCount; ++t) {
         Triangle triangle;
-        for (std::size_t c = 0; c < 3; ++c) triangle[c] = rank[distinctOf[indices[3 * t + c]]];
+        for (std::size_t c = 0; c < 3; ++c)
+            triangle[c] = rank[distinctOf[indices[3 * t + c]]];
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
             triangle[2] == triangle[0]) {
             ++mesh.degenerate;

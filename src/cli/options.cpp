@@ -63,16 +63,17 @@ void addTextOption(CLI::App& verb, const std::string& name, const std::string& t
 void addViewOptions(CLI::App& verb, ViewOptions& options) {
     addTextOption(verb, "--size", "WxH", "Picture size in pixels (1920x1080)",
                   [&](const std::string& text) { sizeFrom(text, options); });
-    addTextOption(verb, "--camera-from", "X,Y,Z", "Where the eye is (frames the scene)",
-                  [&](const std::string& text) { options.from = vectorFrom(text, "--camera-from"); });
+    addTextOption(
+        verb, "--camera-from", "X,Y,Z", "Where the eye is (frames the scene)",
+        [&](const std::string& text) { options.from = vectorFrom(text, "--camera-from"); });
     addTextOption(verb, "--camera-to", "X,Y,Z", "What the eye looks at (middle of the scene)",
                   [&](const std::string& text) { options.to = vectorFrom(text, "--camera-to"); });
     addTextOption(verb, "--fov", "DEG", "Vertical field of view in degrees (45)",
                   [&](const std::string& text) {
                       options.fovDegrees = numberFrom(text, "--fov");
                       if (options.fovDegrees <= 0.0 || options.fovDegrees >= 180.0)
-                          throw CLI::ValidationError("--fov", "'" + text +
-                                                                  "' is not between 0 and 180");
+                          throw CLI::ValidationError("--fov",
+                                                     "'" + text + "' is not between 0 and 180");
                   });
     addTextOption(verb, "--near", "D|auto",
                   "Distance of the near plane; auto: as far out as what is visible allows (auto)",

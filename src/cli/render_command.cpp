@@ -53,10 +53,14 @@ void addChoice(CLI::App& verb, const std::string& option, Value& value,
 
 SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities) {
     switch (choice) {
-    case InstancingChoice::on: return SidesLayout::instanced;
-    case InstancingChoice::multiDraw: return SidesLayout::multiDraw;
-    case InstancingChoice::off: return SidesLayout::notInstanced;
-    default: return bestLayout(capabilities);
+    case InstancingChoice::on:
+        return SidesLayout::instanced;
+    case InstancingChoice::multiDraw:
+        return SidesLayout::multiDraw;
+    case InstancingChoice::off:
+        return SidesLayout::notInstanced;
+    default:
+        return bestLayout(capabilities);
     }
 }
 
@@ -70,7 +74,9 @@ std::pair<std::size_t, std::size_t> countMask(const std::vector<std::uint8_t>& r
     return {visible, lit};
 }
 
-nlohmann::ordered_json vectorJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+nlohmann::ordered_json vectorJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
 
 nlohmann::ordered_json reportOf(const RenderOptions& options, const FrameView& view,
                                 const gl::Capabilities& capabilities, const GpuScene& scene,
@@ -136,9 +142,9 @@ void render(RenderOptions options) {
                     std::to_string(loaded.scene.triangleCount()) + " triangles, drawn by " +
                     capabilities.renderer,
                 options.report);
-    writeReport(reportOf(options, view, capabilities, scene, pixels, loadSeconds, drawSeconds,
-                         warnings),
-                options.report);
+    writeReport(
+        reportOf(options, view, capabilities, scene, pixels, loadSeconds, drawSeconds, warnings),
+        options.report);
 }
 
 } // namespace
@@ -147,8 +153,7 @@ void addRenderCommand(CLI::App& program) {
     CLI::App* verb =
         program.add_subcommand("render", "Draw one picture of a scene, without a display");
     const auto options = std::make_shared<RenderOptions>();
-    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")
-        ->required();
+    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
     verb->add_option("OUT", options->output, "The picture, .png")->required();
     verb->add_flag("--mask", options->settings.mask,
                    "The lit mask of the first light: white lit, black in shadow, clear where "

@@ -21,9 +21,12 @@ void printResult(const std::string& text, const std::string& reportPath) {
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
+    for (const std::string& warning : warnings)
+        std::cerr << "warning: " << warning << "\n";
 }
 
-void printProgress(const std::string& text) { std::cerr << text << std::endl; }
+void printProgress(const std::string& text) {
+    std::cerr << text << std::endl;
+}
 
 } // namespace edgeshade::cli

@@ -9,7 +9,8 @@ namespace {
 /// A count with thousands apart: 1,234,567.
 std::string grouped(std::size_t value) {
     std::string digits = std::to_string(value);
-    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+    for (std::size_t at = digits.size(); at > 3; at -= 3)
+        digits.insert(at - 3, ",");
     return digits;
 }
 

@@ -3,10 +3,10 @@
 #include "preprocess/error.hpp"
 #include "src/gl/objects.hpp"
 
+#include <algorithm>
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES2/gl2.h>
-#include <algorithm>
 #include <string>
 
 namespace edgeshade::gl {
@@ -17,8 +17,8 @@ namespace {
 }
 
 bool lists(const char* extensions, const std::string& name) {
-    return extensions && (" " + std::string(extensions) + " ").find(" " + name + " ") !=
-                             std::string::npos;
+    return extensions &&
+           (" " + std::string(extensions) + " ").find(" " + name + " ") != std::string::npos;
 }
 
 template <class Function>
@@ -26,7 +26,9 @@ Function entryPoint(const char* name) {
     return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-void* lookUp(const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }
+void* lookUp(const char* name) {
+    return reinterpret_cast<void*>(eglGetProcAddress(name));
+}
 
 /// Displays worth trying, best first.
 std::vector<EGLDisplay> candidateDisplays() {
@@ -138,7 +140,9 @@ HeadlessContext::HeadlessContext(const Request& request)
     }
 }
 
-HeadlessContext::~HeadlessContext() { release(); }
+HeadlessContext::~HeadlessContext() {
+    release();
+}
 
 void HeadlessContext::release() {
     multisampled_.reset();

@@ -11,8 +11,7 @@ class Instancing {
     /// Looks the entry points up: core names from ES 3.0 on, else GL_EXT_instanced_arrays,
     /// GL_ANGLE_instanced_arrays or GL_NV_instanced_arrays with its draw call. Nothing if this
     /// context has neither. `lookUp` maps a name to an entry point or null.
-    static std::optional<Instancing> find(const std::string& version,
-                                          const std::string& extensions,
+    static std::optional<Instancing> find(const std::string& version, const std::string& extensions,
                                           void* (*lookUp)(const char*));
 
     void divisor(unsigned attribute, unsigned value) const { divisor_(attribute, value); }

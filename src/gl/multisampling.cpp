@@ -21,8 +21,12 @@ constexpr GLenum largestSamples = 0x8D57;
 
 } // namespace
 
-void deleteFramebuffer(Name name) { glDeleteFramebuffers(1, &name); }
-void deleteRenderbuffer(Name name) { glDeleteRenderbuffers(1, &name); }
+void deleteFramebuffer(Name name) {
+    glDeleteFramebuffers(1, &name);
+}
+void deleteRenderbuffer(Name name) {
+    glDeleteRenderbuffers(1, &name);
+}
 
 MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samples,
                                                  const std::string& version,
@@ -31,8 +35,8 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
     : width_(width), height_(height) {
     const auto suffix = entryPointSuffix(version, extensions, "framebuffer_multisample");
     if (!suffix) unavailable(samples);
-    const auto storage = reinterpret_cast<Storage>(
-        lookUp(("glRenderbufferStorageMultisample" + *suffix).c_str()));
+    const auto storage =
+        reinterpret_cast<Storage>(lookUp(("glRenderbufferStorageMultisample" + *suffix).c_str()));
     blit_ = reinterpret_cast<Blit>(lookUp(("glBlitFramebuffer" + *suffix).c_str()));
     GLint most = 0;
     glGetIntegerv(largestSamples, &most);
@@ -52,8 +56,7 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
     glGenFramebuffers(1, &framebuffer);
     framebuffer_ = Owned<deleteFramebuffer>(framebuffer);
     bind();
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              color_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
                               depthStencil_.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER,

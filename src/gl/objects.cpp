@@ -2,15 +2,23 @@
 
 #include "preprocess/error.hpp"
 
-#include <GLES2/gl2.h>
 #include <bit>
+#include <GLES2/gl2.h>
 
 namespace edgeshade::gl {
 
-void deleteBuffer(Name name) { glDeleteBuffers(1, &name); }
-void deleteTexture(Name name) { glDeleteTextures(1, &name); }
-void deleteShader(Name name) { glDeleteShader(name); }
-void deleteProgram(Name name) { glDeleteProgram(name); }
+void deleteBuffer(Name name) {
+    glDeleteBuffers(1, &name);
+}
+void deleteTexture(Name name) {
+    glDeleteTextures(1, &name);
+}
+void deleteShader(Name name) {
+    glDeleteShader(name);
+}
+void deleteProgram(Name name) {
+    glDeleteProgram(name);
+}
 
 Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()) {
     const GLenum target = kind == Kind::vertices ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER;
@@ -48,10 +56,10 @@ Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, i
 void requireNoError(const char* doing) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
-    const char* what = error == GL_OUT_OF_MEMORY ? "the GL is out of memory"
-                                                 : "the GL reports an error";
-    throw Error(ExitStatus::unavailable, std::string("While ") + doing + ": " + what +
-                                             " (code " + std::to_string(error) + ").");
+    const char* what =
+        error == GL_OUT_OF_MEMORY ? "the GL is out of memory" : "the GL reports an error";
+    throw Error(ExitStatus::unavailable, std::string("While ") + doing + ": " + what + " (code " +
+                                             std::to_string(error) + ").");
 }
 
 } // namespace edgeshade::gl

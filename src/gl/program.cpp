@@ -10,7 +10,8 @@ namespace {
 
 ShaderObject compile(GLenum stage, const char* source, const std::vector<std::string>& defines) {
     std::string text = "#version 100\n";
-    for (const std::string& define : defines) text += "#define " + define + "\n";
+    for (const std::string& define : defines)
+        text += "#define " + define + "\n";
     text += source;
     ShaderObject shader(glCreateShader(stage));
     const char* pointer = text.c_str();
@@ -21,9 +22,9 @@ ShaderObject compile(GLenum stage, const char* source, const std::vector<std::st
     if (compiled == GL_TRUE) return shader;
     char log[4096] = "";
     glGetShaderInfoLog(shader.name(), sizeof log, nullptr, log);
-    throw Error(ExitStatus::unavailable,
-                std::string("This GL can't compile a ") +
-                    (stage == GL_VERTEX_SHADER ? "vertex" : "fragment") + " shader: " + log);
+    throw Error(ExitStatus::unavailable, std::string("This GL can't compile a ") +
+                                             (stage == GL_VERTEX_SHADER ? "vertex" : "fragment") +
+                                             " shader: " + log);
 }
 
 } // namespace
@@ -47,7 +48,9 @@ Program::Program(const char* vertexSource, const char* fragmentSource,
     throw Error(ExitStatus::unavailable, std::string("This GL can't link a program: ") + log);
 }
 
-void Program::use() const { glUseProgram(object_.name()); }
+void Program::use() const {
+    glUseProgram(object_.name());
+}
 
 int Program::location(const char* uniform) {
     const auto found = locations_.find(uniform);
@@ -55,7 +58,9 @@ int Program::location(const char* uniform) {
     return locations_[uniform] = glGetUniformLocation(object_.name(), uniform);
 }
 
-void Program::set(const char* uniform, float value) { glUniform1f(location(uniform), value); }
+void Program::set(const char* uniform, float value) {
+    glUniform1f(location(uniform), value);
+}
 
 void Program::set(const char* uniform, const glm::vec4& value) {
     glUniform4fv(location(uniform), 1, glm::value_ptr(value));
@@ -69,6 +74,8 @@ void Program::set(const char* uniform, const glm::mat4& value) {
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 
-void Program::setSampler(const char* uniform, int unit) { glUniform1i(location(uniform), unit); }
+void Program::setSampler(const char* uniform, int unit) {
+    glUniform1i(location(uniform), unit);
+}
 
 } // namespace edgeshade::gl

@@ -20,10 +20,9 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) 
                          " pixels; at most " + std::to_string(largest) + " a side are read.");
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels)
-        throw InputError(name + " can't be decoded: " + stbi_failure_reason() + ".");
-    const std::size_t count = std::size_t{4} * static_cast<std::size_t>(width) *
-                              static_cast<std::size_t>(height);
+    if (!pixels) throw InputError(name + " can't be decoded: " + stbi_failure_reason() + ".");
+    const std::size_t count =
+        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + count)};
 }
 

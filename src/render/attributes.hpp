@@ -3,8 +3,8 @@
 #include "src/gl/instancing.hpp"
 #include "src/gl/objects.hpp"
 
-#include <GLES2/gl2.h>
 #include <cstddef>
+#include <GLES2/gl2.h>
 
 namespace edgeshade {
 
@@ -29,8 +29,7 @@ class AttributeBinding {
         glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
         glEnableVertexAttribArray(count_);
         glVertexAttribPointer(count_, components, type, normalized ? GL_TRUE : GL_FALSE,
-                              static_cast<GLsizei>(stride),
-                              reinterpret_cast<const void*>(offset));
+                              static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
         if (instancing_) instancing_->divisor(count_, perInstance ? 1 : 0);
         ++count_;
     }

@@ -72,8 +72,7 @@ void CapsPass::draw(const ShadowBuffers& shadow, const std::vector<Material>& ma
     }
 }
 
-void CapsPass::drawGroup(const ShadowBuffers& shadow, const CasterGroup& group,
-                         bool texcoords) {
+void CapsPass::drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, bool texcoords) {
     const bool copied = layout_ == SidesLayout::notInstanced;
     const std::size_t copies = copied ? VERTICES_PER_CAP_PAIR : 1;
     const std::size_t recordBytes = CapsData::vectorsPerRecord * sizeof(glm::vec4) * copies;
@@ -87,8 +86,7 @@ void CapsPass::drawGroup(const ShadowBuffers& shadow, const CasterGroup& group,
         if (!copied) binding.add(corners_, 2, GL_FLOAT, false, sizeof(glm::vec2), 0, false);
         binding.addRecords(chunk.buffer, CapsData::vectorsPerRecord,
                            (first - chunk.firstRecord) * recordBytes, !copied);
-        if (texcoords)
-            binding.addRecords(shadow.capTexcoords, 2, first * texcoordBytes, !copied);
+        if (texcoords) binding.addRecords(shadow.capTexcoords, 2, first * texcoordBytes, !copied);
         const auto count = static_cast<int>(end - first);
         if (copied)
             glDrawArrays(GL_TRIANGLES, 0, count * VERTICES_PER_CAP_PAIR);

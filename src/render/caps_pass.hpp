@@ -23,8 +23,7 @@ class CapsPass {
 
   private:
     gl::Program& program(const CapsVariant& variant);
-    void drawGroup(const ShadowBuffers& shadow, const CasterGroup& group,
-                   bool texcoords);
+    void drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, bool texcoords);
 
     MultiplicityMethod method_;
     SidesLayout layout_;

@@ -2,8 +2,8 @@
 
 #include "preprocess/error.hpp"
 
-#include <GLES2/gl2.h>
 #include <algorithm>
+#include <GLES2/gl2.h>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -18,8 +18,7 @@ BatchView viewOf(const GpuBatch& batch, const FrameView& view) {
     result.clipFromObject = glm::mat4(clipFromWorld * batch.worldFromBatch);
     result.eyeOffsetFromObject =
         glm::mat4(glm::translate(glm::dmat4(1.0), -view.camera.from) * batch.worldFromBatch);
-    result.normalFromObject =
-        glm::mat3(glm::inverseTranspose(glm::dmat3(batch.worldFromBatch)));
+    result.normalFromObject = glm::mat3(glm::inverseTranspose(glm::dmat3(batch.worldFromBatch)));
     result.mirrored = batch.mirrored();
     return result;
 }
@@ -39,9 +38,8 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings),
-      sides_(settings.multiplicity, settings.layout,
-             requireInstancing(settings, capabilities).instancing),
+    : settings_(settings), sides_(settings.multiplicity, settings.layout,
+                                  requireInstancing(settings, capabilities).instancing),
       caps_(settings.multiplicity, settings.layout, capabilities.instancing) {}
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view) {
@@ -134,8 +132,7 @@ void Renderer::drawBlended(const GpuScene& scene, const FrameView& view) {
         for (const SurfaceChunk& chunk : batch.surfaces) {
             if (scene.materials[chunk.material].alphaMode != AlphaMode::blend) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
-            items.push_back(
-                {glm::distance(center, view.camera.from), &chunk, viewOf(batch, view)});
+            items.push_back({glm::distance(center, view.camera.from), &chunk, viewOf(batch, view)});
         }
     std::stable_sort(items.begin(), items.end(),
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });

@@ -51,9 +51,10 @@ double nearestVisibleDepth(const Batch& batch, const Camera& camera, double aspe
     double nearest = infinity;
     for (std::size_t i = 0; i + 2 < batch.indices.size(); i += 3) {
         Polygon polygon;
-        for (std::size_t c = 0; c < 3; ++c) polygon.add(points[batch.indices[i + c]]);
-        const double depth = -std::max({polygon.corners[0].z, polygon.corners[1].z,
-                                        polygon.corners[2].z});
+        for (std::size_t c = 0; c < 3; ++c)
+            polygon.add(points[batch.indices[i + c]]);
+        const double depth =
+            -std::max({polygon.corners[0].z, polygon.corners[1].z, polygon.corners[2].z});
         if (depth >= nearest) continue;
         for (const glm::dvec3& plane : planes) {
             polygon = clipped(polygon, plane);
@@ -67,7 +68,8 @@ double nearestVisibleDepth(const Batch& batch, const Camera& camera, double aspe
 
 double fittedNear(const std::vector<double>& depths, double diagonal) {
     double nearest = infinity;
-    for (const double depth : depths) nearest = std::min(nearest, depth);
+    for (const double depth : depths)
+        nearest = std::min(nearest, depth);
     const double smallest = diagonal > 0.0 ? 1e-6 * diagonal : 1e-6;
     return std::isfinite(nearest) ? std::max(0.99 * nearest, smallest)
                                   : std::max(0.01 * diagonal, smallest);

@@ -26,7 +26,8 @@ void SidesPass::draw(const ShadowBuffers& shadow, const glm::vec4& light,
     program->second.use();
     program->second.set("u_light", light);
     program->second.set("u_clipFromObject", clipFromObject);
-    for (const RecordChunk& chunk : shadow.sides) drawRecords(program->second, shadow, chunk);
+    for (const RecordChunk& chunk : shadow.sides)
+        drawRecords(program->second, shadow, chunk);
 }
 
 void SidesPass::drawRecords(gl::Program& program, const ShadowBuffers& shadow,

@@ -16,8 +16,7 @@ class SidesPass {
               std::optional<gl::Instancing> instancing);
 
     /// Draws one batch. `light` and `clipFromObject` are in the batch's space.
-    void draw(const ShadowBuffers& shadow, const glm::vec4& light,
-              const glm::mat4& clipFromObject);
+    void draw(const ShadowBuffers& shadow, const glm::vec4& light, const glm::mat4& clipFromObject);
 
   private:
     void drawRecords(gl::Program& program, const ShadowBuffers& shadow, const RecordChunk& chunk);

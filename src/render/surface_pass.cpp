@@ -40,9 +40,8 @@ void SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, const Batch
             drawChunk(scene, chunk, view, eye, shading);
 }
 
-void SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk,
-                            const BatchView& view, const glm::dvec3& eye,
-                            const SurfaceShading& shading) {
+void SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
+                            const glm::dvec3& eye, const SurfaceShading& shading) {
     const Material& material = scene.materials[chunk.material];
     gl::Program& program = programs_.at(material.alphaMode);
     program.use();
@@ -61,12 +60,11 @@ void SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk,
     constexpr std::size_t stride = sizeof(SurfaceVertex);
     binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, position),
                 false);
-    binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, normal),
-                false);
+    binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, normal), false);
     binding.add(chunk.vertices, 2, GL_FLOAT, false, stride, offsetof(SurfaceVertex, texcoord),
                 false);
-    binding.add(chunk.vertices, 4, GL_UNSIGNED_BYTE, true, stride,
-                offsetof(SurfaceVertex, color), false);
+    binding.add(chunk.vertices, 4, GL_UNSIGNED_BYTE, true, stride, offsetof(SurfaceVertex, color),
+                false);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
     glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);

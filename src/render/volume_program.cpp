@@ -16,8 +16,7 @@ std::vector<std::string> commonDefines(MultiplicityMethod method, SidesLayout la
 
 std::vector<std::string> withCorner(SidesLayout layout, std::vector<std::string> attributes,
                                     const std::vector<std::string>& extra) {
-    if (layout != SidesLayout::notInstanced)
-        attributes.insert(attributes.begin(), "a_corner");
+    if (layout != SidesLayout::notInstanced) attributes.insert(attributes.begin(), "a_corner");
     attributes.insert(attributes.end(), extra.begin(), extra.end());
     return attributes;
 }
@@ -45,8 +44,7 @@ gl::Program makeCapsProgram(MultiplicityMethod method, SidesLayout layout,
     if (variant.nearDiscard) defines.push_back("NEAR_DISCARD");
     if (variant.alphaTest) defines.push_back("ALPHA_TEST");
     std::vector<std::string> attributes = {"a_capA", "a_capB", "a_capC"};
-    if (variant.alphaTest)
-        attributes.insert(attributes.end(), {"a_texcoordAB", "a_texcoordC"});
+    if (variant.alphaTest) attributes.insert(attributes.end(), {"a_texcoordAB", "a_texcoordC"});
     return {shaders::caps_vert, shaders::caps_frag, defines,
             withCorner(layout, std::move(attributes), extraAttributes)};
 }

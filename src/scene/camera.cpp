@@ -6,7 +6,9 @@
 namespace edgeshade {
 namespace {
 
-double tangentOfHalfFov(double fovDegrees) { return std::tan(glm::radians(0.5 * fovDegrees)); }
+double tangentOfHalfFov(double fovDegrees) {
+    return std::tan(glm::radians(0.5 * fovDegrees));
+}
 
 } // namespace
 
@@ -17,7 +19,8 @@ glm::dmat4 viewFromWorld(const Camera& camera) {
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
     const glm::dvec3 upward = glm::cross(right, forward);
     glm::dmat4 view(1.0);
-    for (glm::length_t c = 0; c < 3; ++c) view[c] = {right[c], upward[c], -forward[c], 0.0};
+    for (glm::length_t c = 0; c < 3; ++c)
+        view[c] = {right[c], upward[c], -forward[c], 0.0};
     view[3] = {-glm::dot(right, camera.from), -glm::dot(upward, camera.from),
                glm::dot(forward, camera.from), 1.0};
     return view;

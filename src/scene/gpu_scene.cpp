@@ -4,7 +4,8 @@ namespace edgeshade {
 
 std::size_t GpuScene::shadowBytes() const {
     std::size_t total = 0;
-    for (const GpuBatch& batch : batches) total += batch.shadow.bytes();
+    for (const GpuBatch& batch : batches)
+        total += batch.shadow.bytes();
     return total;
 }
 

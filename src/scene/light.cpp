@@ -5,7 +5,9 @@
 
 namespace edgeshade {
 
-Light defaultLight() { return {glm::dvec4(0.6, 1.0, 0.35, 0.0)}; }
+Light defaultLight() {
+    return {glm::dvec4(0.6, 1.0, 0.35, 0.0)};
+}
 
 glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject) {
     glm::dvec4 inObject = glm::inverse(worldFromObject) * light.position;

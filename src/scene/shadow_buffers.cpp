@@ -11,8 +11,8 @@ constexpr std::size_t largestBuffer = std::size_t{32} << 20; // bytes, of copied
 
 /// Records a chunk may hold when every one is copied for each of its vertices.
 std::size_t recordsPerChunk(std::size_t vectorsPerRecord, std::size_t verticesPerRecord) {
-    return std::max<std::size_t>(
-        1, largestBuffer / (vectorsPerRecord * verticesPerRecord * sizeof(glm::vec4)));
+    return std::max<std::size_t>(1, largestBuffer /
+                                        (vectorsPerRecord * verticesPerRecord * sizeof(glm::vec4)));
 }
 
 void uploadSides(const SidesData& sides, SidesLayout layout, std::vector<RecordChunk>& chunks) {
@@ -21,9 +21,9 @@ void uploadSides(const SidesData& sides, SidesLayout layout, std::vector<RecordC
         chunks.push_back({gl::vertexBuffer<glm::vec4>(sides.records), 0, sides.recordCount()});
         return;
     }
-    const std::size_t limit = recordsPerChunk(
-        sides.vectorsPerRecord(), static_cast<std::size_t>(sides.maxMultiplicity) *
-                                      VERTICES_PER_SIDE);
+    const std::size_t limit =
+        recordsPerChunk(sides.vectorsPerRecord(),
+                        static_cast<std::size_t>(sides.maxMultiplicity) * VERTICES_PER_SIDE);
     for (std::size_t first = 0; first < sides.recordCount(); first += limit) {
         const std::size_t count = std::min(limit, sides.recordCount() - first);
         chunks.push_back(
@@ -37,8 +37,7 @@ void uploadCaps(const CapsData& caps, SidesLayout layout, std::vector<RecordChun
         chunks.push_back({gl::vertexBuffer<glm::vec4>(caps.records), 0, caps.recordCount()});
         return;
     }
-    const std::size_t limit =
-        recordsPerChunk(CapsData::vectorsPerRecord, VERTICES_PER_CAP_PAIR);
+    const std::size_t limit = recordsPerChunk(CapsData::vectorsPerRecord, VERTICES_PER_CAP_PAIR);
     for (std::size_t first = 0; first < caps.recordCount(); first += limit) {
         const std::size_t count = std::min(limit, caps.recordCount() - first);
         chunks.push_back(
@@ -60,7 +59,8 @@ std::vector<glm::vec4> copiedForEveryVertex(const std::vector<glm::vec4>& texcoo
 std::size_t ShadowBuffers::bytes() const {
     std::size_t total = capTexcoords.size();
     for (const auto* chunks : {&sides, &caps})
-        for (const RecordChunk& chunk : *chunks) total += chunk.buffer.size();
+        for (const RecordChunk& chunk : *chunks)
+            total += chunk.buffer.size();
     return total;
 }
 
@@ -72,9 +72,9 @@ ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec
     uploadSides(shadow.sides, layout, buffers.sides);
     uploadCaps(shadow.caps, layout, buffers.caps);
     if (!capTexcoords.empty())
-        buffers.capTexcoords = gl::vertexBuffer<glm::vec4>(
-            layout == SidesLayout::notInstanced ? copiedForEveryVertex(capTexcoords)
-                                                : capTexcoords);
+        buffers.capTexcoords = gl::vertexBuffer<glm::vec4>(layout == SidesLayout::notInstanced
+                                                               ? copiedForEveryVertex(capTexcoords)
+                                                               : capTexcoords);
     return buffers;
 }
 

@@ -44,13 +44,15 @@ class ChunkBuilder {
     void finish() {
         if (indices_.empty()) return;
         glm::dvec3 sum(0.0);
-        for (const SurfaceVertex& vertex : vertices_) sum += vertex.position;
+        for (const SurfaceVertex& vertex : vertices_)
+            sum += vertex.position;
         chunks_.push_back(
             {material, gl::vertexBuffer<SurfaceVertex>(vertices_),
              gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(indices_))),
              static_cast<int>(indices_.size()),
              glm::vec3(sum / static_cast<double>(vertices_.size()))});
-        for (const std::uint32_t index : taken_) local_[index] = unused;
+        for (const std::uint32_t index : taken_)
+            local_[index] = unused;
         vertices_.clear();
         indices_.clear();
         taken_.clear();

@@ -2,8 +2,8 @@
 
 #include "src/image/decode.hpp"
 
-#include <GLES2/gl2.h>
 #include <array>
+#include <GLES2/gl2.h>
 
 namespace edgeshade {
 
@@ -14,10 +14,8 @@ Textures::Textures(const GltfDocument& document, const std::vector<Material>& ma
     for (const Material& material : materials) {
         const Key key{material.image, material.wrapS, material.wrapT};
         if (material.image < 0 || textures_.contains(key)) continue;
-        const std::string name =
-            document.where("images[") + std::to_string(material.image) + "]";
-        Image image = toPowersOfTwo(
-            decodeImage(encodedImageBytes(document, material.image), name));
+        const std::string name = document.where("images[") + std::to_string(material.image) + "]";
+        Image image = toPowersOfTwo(decodeImage(encodedImageBytes(document, material.image), name));
         if (image.width > capabilities.largestTexture || image.height > capabilities.largestTexture)
             continue; // drawn white rather than not at all
         textures_.emplace(key, gl::makeTexture(image.rgba, image.width, image.height,

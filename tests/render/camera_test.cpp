@@ -54,7 +54,8 @@ TEST(Camera, DirectionsLieOnTheFarPlaneBitForBit) {
 
 TEST(Camera, FramingSeesEveryCornerOfTheBox) {
     for (const double aspect : {0.3, 1.0, 1.78, 5.0})
-        for (const glm::dvec3 size : {glm::dvec3(1), glm::dvec3(100, 1, 1), glm::dvec3(1, 100, 1)}) {
+        for (const glm::dvec3 size :
+             {glm::dvec3(1), glm::dvec3(100, 1, 1), glm::dvec3(1, 100, 1)}) {
             Box box;
             box.add(glm::dvec3(1e3));
             box.add(glm::dvec3(1e3) + size);

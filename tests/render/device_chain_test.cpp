@@ -66,9 +66,9 @@ Count countOpenInAll(MultiplicityMethod method, const char* name, std::size_t li
 }
 
 TEST(ClosedChainOnTheDevice, ReferenceEdgeNeverOpens) {
-    EXPECT_EQ(countOpenInAll(MultiplicityMethod::referenceEdge, "reference-edge", lightsPerScene)
-                  .open,
-              0u);
+    EXPECT_EQ(
+        countOpenInAll(MultiplicityMethod::referenceEdge, "reference-edge", lightsPerScene).open,
+        0u);
 }
 
 TEST(ClosedChainOnTheDevice, ThreeEdgeNeverOpens) {

@@ -41,8 +41,8 @@ struct Rectangle {
 
 /// Every floor pixel must be black in `shadow` and white outside; pixels of `hidden` show the
 /// caster, and boundaries may go either way within half a pixel.
-void expectFloorShadow(const std::vector<std::uint8_t>& mask, double half,
-                       const Rectangle& shadow, const Rectangle& hidden) {
+void expectFloorShadow(const std::vector<std::uint8_t>& mask, double half, const Rectangle& shadow,
+                       const Rectangle& hidden) {
     const double tolerance = 0.75 * 2.0 * half / size;
     int checked = 0, wrong = 0;
     for (int y = 0; y < size; ++y)
@@ -116,7 +116,8 @@ TEST(KnownShadows, LightInsideAClosedBoxLightsNothingOutside) {
 TEST(KnownShadows, LightAndEyeInsideAClosedBoxSeeItAllLit) {
     const auto scene = SceneBuilder().box({-1, -1, -1}, {1, 1, 1});
     const auto mask = maskOf(scene, {{0.5, 0.4, 0.6}, {-1, -1, -1}, 90.0}, pointLight({0, 0.2, 0}));
-    for (std::size_t i = 0; i < mask.size(); i += 4) ASSERT_EQ(mask[i], 255);
+    for (std::size_t i = 0; i < mask.size(); i += 4)
+        ASSERT_EQ(mask[i], 255);
 }
 
 // An open sheet is lit on the side of the light and dark on the other, whichever way it is wound.
@@ -124,8 +125,7 @@ TEST(KnownShadows, OpenSheetIsLitOnOneSideAlone) {
     const glm::vec3 a(-1, 0, 1), b(1, 0, 1), c(1, 0, -1), d(-1, 0, -1);
     for (const auto& sheet : {SceneBuilder().quad(a, b, c, d), SceneBuilder().quad(d, c, b, a)}) {
         const auto top = maskOf(sheet, above(5, 0.9), pointLight({0.2, 3, 0.1}));
-        const auto bottom =
-            maskOf(sheet, {{0, -5, 0}, {0, 0, 0}, 20.0}, pointLight({0.2, 3, 0.1}));
+        const auto bottom = maskOf(sheet, {{0, -5, 0}, {0, 0, 0}, 20.0}, pointLight({0.2, 3, 0.1}));
         for (std::size_t i = 0; i < top.size(); i += 4) {
             ASSERT_EQ(top[i], 255);
             ASSERT_EQ(bottom[i], 0);

@@ -100,7 +100,8 @@ TEST(MaskAgainstRays, LightBetweenTheObjects) {
 
 TEST(MaskAgainstRays, EyeInsideAShadow) {
     // Under the box at (-2..-1, 0.5..2, -1..0), looking along the floor.
-    expectRight({yard().scene(), {{-1.5, 0.2, -0.5}, {1, 0.3, 1}, 70.0}, pointLight({-1.4, 5, -0.4})});
+    expectRight(
+        {yard().scene(), {{-1.5, 0.2, -0.5}, {1, 0.3, 1}, 70.0}, pointLight({-1.4, 5, -0.4})});
 }
 
 TEST(MaskAgainstRays, LookingIntoTheLight) {
@@ -116,13 +117,14 @@ TEST(MaskAgainstRays, LightBelowTheFloorLightsNothingAbove) {
 // Method, section 5: a caster crosses the near plane; its front cap, moved to infinity, must not
 // count where the caster was clipped away.
 Case casterThroughTheNearPlane() {
-    const auto scene = SceneBuilder()
-                           .floor(8)
-                           .triangle({-1, 1.5f, 4.5f}, {1.2f, 1.4f, 4.4f}, {0.1f, 1.1f, -1});
+    const auto scene =
+        SceneBuilder().floor(8).triangle({-1, 1.5f, 4.5f}, {1.2f, 1.4f, 4.4f}, {0.1f, 1.1f, -1});
     return {scene.scene(), {{0, 2, 6}, {0, 0.8, 0}, 60.0}, pointLight({0.4, 3, 0.5}), 3.0};
 }
 
-TEST(MaskAgainstRays, CasterThroughTheNearPlane) { expectRight(casterThroughTheNearPlane()); }
+TEST(MaskAgainstRays, CasterThroughTheNearPlane) {
+    expectRight(casterThroughTheNearPlane());
+}
 
 TEST(MaskAgainstRays, CasterThroughTheNearPlaneNeedsTheDiscard) {
     EXPECT_GT(run(casterThroughTheNearPlane(), {}, false).wrongBeyondOnePixel, 100);
@@ -130,7 +132,8 @@ TEST(MaskAgainstRays, CasterThroughTheNearPlaneNeedsTheDiscard) {
 
 TEST(MaskAgainstRays, ClosedCasterThroughTheNearPlane) {
     const auto scene = SceneBuilder().floor(8).box({-1, 1, 1}, {1, 1.6f, 5});
-    expectRight({scene.scene(), {{0.2, 2.4, 6.5}, {0, 0.6, 0}, 60.0}, pointLight({0.4, 4, 0.5}), 3.0});
+    expectRight(
+        {scene.scene(), {{0.2, 2.4, 6.5}, {0, 0.6, 0}, 60.0}, pointLight({0.4, 4, 0.5}), 3.0});
 }
 
 TEST(MaskAgainstRays, MirroredNode) {

@@ -1,0 +1,43 @@
+# Sourced by ./run and ./test: installs the Debian packages that are missing, and only those.
+
+say() { printf '\033[1m==>\033[0m %s\n' "$*" >&2; }
+
+build_packages=(
+    g++ cmake ninja-build libglfw3-dev libglm-dev libtinygltf-dev libstb-dev nlohmann-json3-dev
+    libdraco-dev libmeshoptimizer-dev libcli11-dev libegl-dev libgles-dev
+    libegl1 libegl-mesa0 libgles2 libgl1-mesa-dri
+)
+test_packages=(libgtest-dev librapidcheck-dev clang-format)
+
+# install_packages PACKAGE...
+install_packages() {
+    local missing=() package
+    if ! command -v apt-get >/dev/null; then
+        say "This is no Debian: please see to it that these packages' counterparts are installed:"
+        say "    $*"
+        return 0
+    fi
+    for package in "$@"; do
+        [[ $(dpkg-query -W -f '${Status}' "$package" 2>/dev/null) == "install ok installed" ]] ||
+            missing+=("$package")
+    done
+    ((${#missing[@]})) || return 0
+    local as_root=()
+    if [[ $(id -u) != 0 ]]; then as_root=(sudo); fi
+    say "Installing ${missing[*]}"
+    "${as_root[@]}" apt-get update -qq
+    DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq \
+        --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# build PRESET [TARGET...]: configures when needed, then builds.
+build() {
+    local preset=$1
+    shift
+    [[ -f build/$preset/build.ninja ]] || {
+        say "Configuring ($preset)"
+        cmake --preset "$preset" "${configure_options[@]}" >/dev/null
+    }
+    say "Building ($preset)"
+    cmake --build --preset "$preset" ${1:+--target "$@"}
+}
