@@ -32,10 +32,12 @@ int directionIn(const Triangle& triangle, const Edge& edge) {
     return -1;
 }
 
+/// Whether the triangles on the edge run through it as often in one direction as in the other.
 bool isClosedHere(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge) {
-    const auto opposites = edges.oppositesOf(edge);
-    return opposites.size() == 2 && directionIn(mesh.triangles[opposites[0].triangle], edge) ==
-                                        -directionIn(mesh.triangles[opposites[1].triangle], edge);
+    int sum = 0;
+    for (const Opposite& opposite : edges.oppositesOf(edge))
+        sum += directionIn(mesh.triangles[opposite.triangle], edge);
+    return sum == 0;
 }
 
 } // namespace
