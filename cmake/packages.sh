@@ -30,14 +30,11 @@ install_packages() {
         --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build PRESET [TARGET...]: configures when needed, then builds.
+# build PRESET [TARGET...]: configures with ${configure_options[@]}, then builds.
 build() {
     local preset=$1
     shift
-    [[ -f build/$preset/build.ninja ]] || {
-        say "Configuring ($preset)"
-        cmake --preset "$preset" "${configure_options[@]}" >/dev/null
-    }
     say "Building ($preset)"
+    cmake --preset "$preset" "${configure_options[@]}" >/dev/null
     cmake --build --preset "$preset" ${1:+--target "$@"}
 }
