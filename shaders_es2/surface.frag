@@ -1,5 +1,7 @@
 // Base colour times ambient plus Lambert light, in the display's own (sRGB) values. The lit pass
-// adds one light at a time. Variants: ALPHA_TEST, materials with holes; BLENDED, see-through ones.
+// adds one light at a time. Variants: ALPHA_TEST, materials with holes; BLENDED, see-through ones;
+// MAP, lit as far as the light's shadow map says, with MAP_SUN and PCF as in
+// shadow_map_lookup.glsl.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -22,6 +24,11 @@ varying vec3 v_towardsLight;
 varying vec2 v_texcoord;
 varying vec4 v_color;
 
+#ifdef MAP
+uniform float u_casts; // 1: the surface is a caster, dark where it is turned away from the light
+#include "shadow_map_lookup.glsl"
+#endif
+
 void main() {
     vec4 base = u_baseColor * v_color * texture2D(u_texture, v_texcoord);
 #ifdef ALPHA_TEST
@@ -30,13 +37,22 @@ void main() {
     // Scaled before it is squared, so that far-off lights don't overflow.
     vec3 light = v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
                                       max(abs(v_towardsLight.z), 1e-30));
-    vec3 normal = v_normal * (gl_FrontFacing ? u_mirrored : -u_mirrored);
-    float lambert = max(dot(normalize(normal), normalize(light)), 0.0);
-    vec3 shaded = base.rgb * (u_ambient + u_diffuse * lambert);
+    light = normalize(light);
+    vec3 normal = normalize(v_normal * (gl_FrontFacing ? u_mirrored : -u_mirrored));
+    float lambert = max(dot(normal, light), 0.0);
+    float lit = 1.0;
+#ifdef MAP
+    if (lambert > 0.0)
+        lit = lightFromMap(normal, light);
+    else
+        lit = u_casts > 0.5 ? 0.0 : lightFromMap(-normal, light);
+#endif
+    vec3 shaded = base.rgb * (u_ambient + u_diffuse * lambert * lit);
 #ifdef BLENDED
     float alpha = base.a;
 #else
     float alpha = 1.0;
 #endif
-    gl_FragColor = vec4(mix(shaded, vec3(u_maskValue), u_mask), alpha);
+    // The mask knows no half shadow.
+    gl_FragColor = vec4(mix(shaded, vec3(u_maskValue * step(0.5, lit)), u_mask), alpha);
 }

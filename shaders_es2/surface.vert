@@ -1,4 +1,6 @@
-// Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same program.
+// Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions, so
+// gl_Position is invariant and depends on nothing that a variant changes. Variant MAP: see
+// surface.frag.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -10,6 +12,9 @@ uniform mat4 u_clipFromObject;
 uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 uniform mat3 u_normalFromObject;
 uniform vec4 u_light;               // the same space
+#ifdef MAP
+uniform mat4 u_mapFromObject;       // see ShadowMapView
+#endif
 
 invariant gl_Position;
 
@@ -17,6 +22,9 @@ varying vec3 v_normal;
 varying vec3 v_towardsLight;
 varying vec2 v_texcoord;
 varying vec4 v_color;
+#ifdef MAP
+varying vec3 v_mapPosition;
+#endif
 
 void main() {
     vec3 p = (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
@@ -24,5 +32,8 @@ void main() {
     v_towardsLight = u_light.xyz - p * u_light.w;
     v_texcoord = a_texcoord;
     v_color = a_color;
+#ifdef MAP
+    v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
+#endif
     gl_Position = clipPosition(u_clipFromObject, vec4(a_position, 1.0));
 }

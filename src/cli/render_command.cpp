@@ -1,3 +1,4 @@
+#include "preprocess/error.hpp"
 #include "preprocess/stopwatch.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
@@ -5,6 +6,8 @@
 #include "src/gl/headless_context.hpp"
 #include "src/image/png.hpp"
 
+#include <cmath>
+#include <cstdlib>
 #include <map>
 #include <memory>
 
@@ -22,10 +25,11 @@ struct RenderOptions {
     RenderSettings settings;
     InstancingChoice instancing = InstancingChoice::automatic;
     int samples = 0;
+    std::vector<std::string> mapOptions; ///< those typed that only shadow maps have
 };
 
-const std::map<std::string, ShadowMethod> shadowNames = {{"volumes", ShadowMethod::volumes},
-                                                         {"none", ShadowMethod::none}};
+const std::map<std::string, ShadowMethod> shadowNames = {
+    {"volumes", ShadowMethod::volumes}, {"map", ShadowMethod::map}, {"none", ShadowMethod::none}};
 const std::map<std::string, MultiplicityMethod> multiplicityNames = {
     {"reference-edge", MultiplicityMethod::referenceEdge},
     {"three-edge", MultiplicityMethod::threeEdge},
@@ -49,6 +53,44 @@ void addChoice(CLI::App& verb, const std::string& option, Value& value,
     verb.add_option(option, value, help)
         ->type_name(type)
         ->transform(CLI::CheckedTransformer(names).description(""));
+}
+
+/// Adds an option that only shadow maps have.
+template <class Value>
+CLI::Option* addMapOption(CLI::App& verb, RenderOptions& options, const std::string& name,
+                          Value& value, const std::string& help) {
+    return verb.add_option_function<Value>(
+        name,
+        [&options, &value, name](const Value& typed) {
+            value = typed;
+            options.mapOptions.push_back(name);
+        },
+        help);
+}
+
+void addMapOptions(CLI::App& verb, RenderOptions& options) {
+    ShadowMapSettings& map = options.settings.map;
+    addMapOption(verb, options, "--map-size", map.size,
+                 "Texels along an edge of a shadow map, of each of a point light's six (2048)")
+        ->check(CLI::Range(16, 16384))
+        ->type_name("N");
+    const CLI::Validator finite(
+        [](const std::string& text) {
+            // Range lets what is no number through.
+            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
+                                                                     : text + " is not finite";
+        },
+        "");
+    addMapOption(verb, options, "--map-bias", map.biasTexels,
+                 "How far receivers are moved towards the light, in texels as large as they are "
+                 "there (1.5)")
+        ->check(finite)
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("TEXELS");
+    addMapOption(verb, options, "--pcf", map.pcf,
+                 "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
+        ->check(CLI::IsMember({1, 3, 5, 7}))
+        ->type_name("N");
 }
 
 SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities) {
@@ -79,7 +121,7 @@ nlohmann::ordered_json vectorJson(const glm::dvec3& v) {
 }
 
 nlohmann::ordered_json reportOf(const RenderOptions& options, const FrameView& view,
-                                const gl::Capabilities& capabilities, const GpuScene& scene,
+                                const gl::Capabilities& capabilities, std::size_t bytesGpu,
                                 const std::vector<std::uint8_t>& pixels, double loadSeconds,
                                 double drawSeconds, const std::vector<std::string>& warnings) {
     nlohmann::ordered_json lights = nlohmann::ordered_json::array();
@@ -107,10 +149,15 @@ nlohmann::ordered_json reportOf(const RenderOptions& options, const FrameView& v
           {"depth_bits", capabilities.depthBits},
           {"stencil_bits", capabilities.stencilBits},
           {"vertex_mantissa_bits", capabilities.vertexHighpMantissaBits}}},
-        {"bytes_gpu", scene.shadowBytes()},
+        {"bytes_gpu", bytesGpu},
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };
+    if (options.settings.shadows == ShadowMethod::map) {
+        const ShadowMapSettings& map = options.settings.map;
+        report["settings"].update(
+            {{"map-size", map.size}, {"map-bias", map.biasTexels}, {"pcf", map.pcf}});
+    }
     if (options.settings.mask) {
         const auto [visible, lit] = countMask(pixels);
         report["visible_pixels"] = visible;
@@ -120,11 +167,14 @@ nlohmann::ordered_json reportOf(const RenderOptions& options, const FrameView& v
 }
 
 void render(RenderOptions options) {
+    if (options.settings.shadows != ShadowMethod::map && !options.mapOptions.empty())
+        throw Error(ExitStatus::usage, options.mapOptions.front() + " needs --shadows map.");
     Stopwatch watch;
     const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
     const auto& warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
-    const FrameView view = viewFor(options.view, loaded.scene);
+    FrameView view = viewFor(options.view, loaded.scene);
+    view.bounds = worldBounds(loaded.scene);
     const gl::HeadlessContext context({view.width, view.height, options.samples});
     const gl::Capabilities& capabilities = context.capabilities();
     options.settings.layout = layoutFor(options.instancing, capabilities);
@@ -142,9 +192,9 @@ void render(RenderOptions options) {
                     std::to_string(loaded.scene.triangleCount()) + " triangles, drawn by " +
                     capabilities.renderer,
                 options.report);
-    writeReport(
-        reportOf(options, view, capabilities, scene, pixels, loadSeconds, drawSeconds, warnings),
-        options.report);
+    writeReport(reportOf(options, view, capabilities, scene.shadowBytes() + renderer.mapBytes(),
+                         pixels, loadSeconds, drawSeconds, warnings),
+                options.report);
 }
 
 } // namespace
@@ -159,8 +209,9 @@ void addRenderCommand(CLI::App& program) {
                    "The lit mask of the first light: white lit, black in shadow, clear where "
                    "nothing is");
     addViewOptions(*verb, options->view);
-    addChoice(*verb, "--shadows", options->settings.shadows, shadowNames, "volumes|none",
+    addChoice(*verb, "--shadows", options->settings.shadows, shadowNames, "volumes|map|none",
               "How shadows are made (volumes)");
+    addMapOptions(*verb, *options);
     addChoice(*verb, "--multiplicity", options->settings.multiplicity, multiplicityNames,
               "reference-edge|three-edge|single-edge",
               "How a triangle's facing is decided (reference-edge); single-edge is not robust");

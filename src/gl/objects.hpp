@@ -40,8 +40,12 @@ void deleteBuffer(Name);
 void deleteTexture(Name);
 void deleteShader(Name);
 void deleteProgram(Name);
+void deleteFramebuffer(Name);
+void deleteRenderbuffer(Name);
 
 using Texture = Owned<deleteTexture>;
+using Framebuffer = Owned<deleteFramebuffer>;
+using Renderbuffer = Owned<deleteRenderbuffer>;
 using ShaderObject = Owned<deleteShader>;
 using ProgramObject = Owned<deleteProgram>;
 

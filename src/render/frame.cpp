@@ -38,9 +38,12 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings), sides_(settings.multiplicity, settings.layout,
-                                  requireInstancing(settings, capabilities).instancing),
-      caps_(settings.multiplicity, settings.layout, capabilities.instancing) {}
+    : settings_(settings), surfaces_(settings.map.pcf),
+      sides_(settings.multiplicity, settings.layout,
+             requireInstancing(settings, capabilities).instancing),
+      caps_(settings.multiplicity, settings.layout, capabilities.instancing) {
+    if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
+}
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view) {
     glViewport(0, 0, view.width, view.height);
@@ -49,8 +52,11 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view) {
     drawDepthAndAmbient(scene, view);
     const std::size_t lights = settings_.mask ? 1 : view.lights.size();
     for (std::size_t i = 0; i < lights; ++i) {
-        if (settings_.shadows == ShadowMethod::volumes) drawVolumes(scene, view, view.lights[i]);
-        drawLit(scene, view, view.lights[i]);
+        const Light& light = view.lights[i];
+        std::optional<ShadowMapLookup> map;
+        if (settings_.shadows == ShadowMethod::volumes) drawVolumes(scene, view, light);
+        if (settings_.shadows == ShadowMethod::map) map = drawMap(scene, view, light);
+        drawLit(scene, view, light, map ? &*map : nullptr);
     }
     if (!settings_.mask) drawBlended(scene, view);
 }
@@ -100,7 +106,15 @@ void Renderer::drawVolumes(const GpuScene& scene, const FrameView& view, const L
     }
 }
 
-void Renderer::drawLit(const GpuScene& scene, const FrameView& view, const Light& light) {
+ShadowMapLookup Renderer::drawMap(const GpuScene& scene, const FrameView& view,
+                                  const Light& light) {
+    const ShadowMapLookup map = maps_->draw(scene, view.bounds, light);
+    glViewport(0, 0, view.width, view.height);
+    return map;
+}
+
+void Renderer::drawLit(const GpuScene& scene, const FrameView& view, const Light& light,
+                       const ShadowMapLookup* map) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
@@ -116,9 +130,13 @@ void Renderer::drawLit(const GpuScene& scene, const FrameView& view, const Light
     shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(view.lights.size());
     shading.mask = settings_.mask;
     shading.maskValue = 1.0f;
-    for (const GpuBatch& batch : scene.batches)
+    shading.map = map;
+    for (const GpuBatch& batch : scene.batches) {
+        BatchView batchView = viewOf(batch, view);
+        if (map) batchView.mapFromObject = glm::mat4(map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            surfaces_.draw(scene, batch, viewOf(batch, view), view.camera.from, shading, kind);
+            surfaces_.draw(scene, batch, batchView, view.camera.from, shading, kind);
+    }
 }
 
 void Renderer::drawBlended(const GpuScene& scene, const FrameView& view) {

@@ -4,33 +4,56 @@
 #include "src/render/attributes.hpp"
 #include "src/scene/srgb.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace edgeshade {
 namespace {
 
-gl::Program makeProgram(const std::vector<std::string>& defines) {
-    return {shaders::surface_vert,
-            shaders::surface_frag,
-            defines,
-            {"a_position", "a_normal", "a_texcoord", "a_color"}};
-}
-
 void setShading(gl::Program& program, const SurfaceShading& shading, const glm::dvec3& eye) {
     const glm::dvec4& light = shading.light.position;
-    program.set("u_light", glm::vec4(glm::dvec3(light) - eye * light.w, light.w));
+    glm::dvec3 fromEye = glm::dvec3(light) - eye * light.w;
+    // Only a sun's direction counts: scaled so that no double leaves the range of floats.
+    if (light.w == 0.0)
+        fromEye /= std::max({std::abs(fromEye.x), std::abs(fromEye.y), std::abs(fromEye.z)});
+    program.set("u_light", glm::vec4(fromEye, light.w));
     program.set("u_ambient", shading.ambient);
     program.set("u_diffuse", shading.diffuse);
     program.set("u_mask", shading.mask ? 1.0f : 0.0f);
     program.set("u_maskValue", shading.maskValue);
 }
 
+void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(map.kind == ShadowMapKind::sun ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP,
+                  map.texture);
+    program.setSampler("u_map", 1);
+    program.set("u_mapFromObject", view.mapFromObject);
+    program.set("u_mapFromWorld", glm::mat3(map.mapFromWorld));
+    program.set("u_mapStep", map.step);
+    program.set("u_mapTexel", map.texel);
+    program.set("u_mapBias", map.biasTexels);
+    program.set("u_casts", casts ? 1.0f : 0.0f);
+}
+
 } // namespace
 
-SurfacePass::SurfacePass() {
-    programs_.emplace(AlphaMode::opaque, makeProgram({}));
-    programs_.emplace(AlphaMode::mask, makeProgram({"ALPHA_TEST"}));
-    programs_.emplace(AlphaMode::blend, makeProgram({"BLENDED"}));
+gl::Program& SurfacePass::program(const Variant& variant) {
+    auto found = programs_.find(variant);
+    if (found != programs_.end()) return found->second;
+    std::vector<std::string> defines;
+    if (variant.alphaMode == AlphaMode::mask) defines.push_back("ALPHA_TEST");
+    if (variant.alphaMode == AlphaMode::blend) defines.push_back("BLENDED");
+    if (variant.map) {
+        defines.push_back("MAP");
+        defines.push_back("PCF " + std::to_string(pcf_));
+        if (*variant.map == ShadowMapKind::sun) defines.push_back("MAP_SUN");
+    }
+    return programs_
+        .emplace(variant, gl::Program(shaders::surface_vert, shaders::surface_frag, defines,
+                                      {"a_position", "a_normal", "a_texcoord", "a_color"}))
+        .first->second;
 }
 
 void SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
@@ -43,18 +66,22 @@ void SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, const Batch
 void SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                             const glm::dvec3& eye, const SurfaceShading& shading) {
     const Material& material = scene.materials[chunk.material];
-    gl::Program& program = programs_.at(material.alphaMode);
-    program.use();
-    setShading(program, shading, eye);
-    program.set("u_clipFromObject", view.clipFromObject);
-    program.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);
-    program.set("u_normalFromObject", view.normalFromObject);
-    program.set("u_mirrored", view.mirrored ? -1.0f : 1.0f);
-    program.set("u_baseColor", srgbFromLinear(material.baseColorFactor));
-    program.set("u_alphaCutoff", material.alphaCutoff);
+    const bool casts =
+        material.alphaMode == AlphaMode::opaque || (shading.map && shading.map->masksCast);
+    gl::Program& variant = program(
+        {material.alphaMode, shading.map ? std::optional(shading.map->kind) : std::nullopt});
+    variant.use();
+    setShading(variant, shading, eye);
+    if (shading.map) setMap(variant, *shading.map, view, casts);
+    variant.set("u_clipFromObject", view.clipFromObject);
+    variant.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);
+    variant.set("u_normalFromObject", view.normalFromObject);
+    variant.set("u_mirrored", view.mirrored ? -1.0f : 1.0f);
+    variant.set("u_baseColor", srgbFromLinear(material.baseColorFactor));
+    variant.set("u_alphaCutoff", material.alphaCutoff);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, scene.textures.of(material));
-    program.setSampler("u_texture", 0);
+    variant.setSampler("u_texture", 0);
 
     AttributeBinding binding(nullptr);
     constexpr std::size_t stride = sizeof(SurfaceVertex);

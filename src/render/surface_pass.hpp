@@ -1,10 +1,12 @@
 #pragma once
 
 #include "src/gl/program.hpp"
+#include "src/render/shadow_map.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/light.hpp"
 
 #include <map>
+#include <optional>
 
 namespace edgeshade {
 
@@ -16,6 +18,7 @@ struct SurfaceShading {
     Light light;
     bool mask = false;
     float maskValue = 0.0f;
+    const ShadowMapLookup* map = nullptr; ///< the light's shadow map; null: lit everywhere
 };
 
 /// Where a camera sees a batch from, in the forms that shaders need; doubles rounded once.
@@ -23,13 +26,15 @@ struct BatchView {
     glm::mat4 clipFromObject{1.0f};
     glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
     glm::mat3 normalFromObject{1.0f};
+    glm::mat4 mapFromObject{1.0f}; ///< see ShadowMapView; used where there is a map
     bool mirrored = false;
 };
 
 /// Draws visible surfaces from both sides; depth, stencil and blending are the caller's state.
 class SurfacePass {
   public:
-    SurfacePass();
+    /// `pcf`: how many texels of a shadow map are compared, along each axis; odd.
+    explicit SurfacePass(int pcf = 1) : pcf_(pcf) {}
 
     /// Draws the batch's surfaces of the given kind, in the order of its chunks.
     void draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
@@ -40,7 +45,16 @@ class SurfacePass {
                    const glm::dvec3& eye, const SurfaceShading& shading);
 
   private:
-    std::map<AlphaMode, gl::Program> programs_;
+    struct Variant {
+        AlphaMode alphaMode;
+        std::optional<ShadowMapKind> map;
+
+        auto operator<=>(const Variant&) const = default;
+    };
+    gl::Program& program(const Variant& variant);
+
+    int pcf_;
+    std::map<Variant, gl::Program> programs_;
 };
 
 } // namespace edgeshade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "src/gl/program.hpp"
+#include "src/render/shadow_map_target.hpp"
+#include "src/render/shadow_map_view.hpp"
+#include "src/scene/gpu_scene.hpp"
+
+#include <map>
+
+namespace edgeshade {
+
+/// Draws shadow maps (Williams 1978), the method that shadow volumes are measured against: six
+/// faces of a cube around a point light, one parallel projection for a sun. One map of each kind is
+/// kept and drawn anew for every light.
+class ShadowMapPass {
+  public:
+    /// Throws Error(unavailable) if the maps are larger than the GL allows.
+    ShadowMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
+
+    /// Draws the light's map of all casters, from both sides. `bounds`: the scene's in the world.
+    /// The framebuffer stays bound; viewport, depth, stencil and blending state are left changed.
+    /// The map is valid until the next call.
+    ShadowMapLookup draw(const GpuScene& scene, const Box& bounds, const Light& light);
+
+    /// Of the maps that were needed so far.
+    std::size_t bytes() const;
+
+  private:
+    struct Variant {
+        ShadowMapKind kind;
+        bool alphaTest;
+
+        auto operator<=>(const Variant&) const = default;
+    };
+    const ShadowMapTarget& target(ShadowMapKind kind);
+    gl::Program& program(const Variant& variant);
+    void drawCasters(const GpuScene& scene, const ShadowMapView& view,
+                     const glm::dmat4& clipFromMap, bool masksCast);
+    void drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, gl::Program& program);
+
+    ShadowMapSettings settings_;
+    gl::Capabilities capabilities_;
+    std::map<ShadowMapKind, ShadowMapTarget> targets_;
+    std::map<Variant, gl::Program> programs_;
+};
+
+} // namespace edgeshade
