@@ -1,7 +1,7 @@
 // Base colour times ambient plus Lambert light, in the display's own (sRGB) values. The lit pass
 // adds one light at a time. Variants: ALPHA_TEST, materials with holes; BLENDED, see-through ones;
 // MAP, lit as far as the light's shadow map says, with MAP_SUN and PCF as in
-// shadow_map_lookup.glsl.
+// shadow_map_lookup.glsl; SLICED, nothing deeper than u_farthest.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -23,6 +23,10 @@ varying vec3 v_normal;
 varying vec3 v_towardsLight;
 varying vec2 v_texcoord;
 varying vec4 v_color;
+#ifdef SLICED
+uniform float u_farthest;
+varying float v_depth;
+#endif
 
 #ifdef MAP
 uniform float u_casts; // 1: the surface is a caster, dark where it is turned away from the light
@@ -30,6 +34,9 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #endif
 
 void main() {
+#ifdef SLICED
+    if (v_depth > u_farthest) discard;
+#endif
     vec4 base = u_baseColor * v_color * texture2D(u_texture, v_texcoord);
 #ifdef ALPHA_TEST
     if (base.a < u_alphaCutoff) discard;

@@ -1,6 +1,6 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions, so
-// gl_Position is invariant and depends on nothing that a variant changes. Variant MAP: see
-// surface.frag.
+// gl_Position is invariant and depends on nothing that a variant changes. Variants MAP and SLICED:
+// see surface.frag.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -22,6 +22,9 @@ varying vec3 v_normal;
 varying vec3 v_towardsLight;
 varying vec2 v_texcoord;
 varying vec4 v_color;
+#ifdef SLICED
+varying float v_depth; // along the viewing direction
+#endif
 #ifdef MAP
 varying vec3 v_mapPosition;
 #endif
@@ -36,4 +39,7 @@ void main() {
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
 #endif
     gl_Position = clipPosition(u_clipFromObject, vec4(a_position, 1.0));
+#ifdef SLICED
+    v_depth = gl_Position.w;
+#endif
 }

@@ -8,5 +8,6 @@ namespace edgeshade::cli {
 void addPackCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
+void addCompareCommand(CLI::App& program);
 
 } // namespace edgeshade::cli

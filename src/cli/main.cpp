@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
     edgeshade::cli::addPackCommand(program);
     edgeshade::cli::addInfoCommand(program);
     edgeshade::cli::addRenderCommand(program);
+    edgeshade::cli::addCompareCommand(program);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

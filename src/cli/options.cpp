@@ -1,7 +1,6 @@
 #include "src/cli/options.hpp"
 
 #include "preprocess/error.hpp"
-#include "src/render/near_plane.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -78,9 +77,9 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
     addTextOption(verb, "--near", "D|auto",
                   "Distance of the near plane; auto: as far out as what is visible allows (auto)",
                   [&](const std::string& text) {
-                      if (text == "auto") return options.near.reset();
-                      options.near = numberFrom(text, "--near");
-                      if (*options.near <= 0.0)
+                      if (text == "auto") return options.depth.near.reset();
+                      options.depth.near = numberFrom(text, "--near");
+                      if (*options.depth.near <= 0.0)
                           throw CLI::ValidationError("--near", "'" + text + "' is not above 0");
                   });
     // One callback an occurrence keeps points and suns in the order in which they were typed.
@@ -129,25 +128,22 @@ void addReportOption(CLI::App& verb, std::string& path) {
         ->type_name("FILE");
 }
 
-FrameView viewFor(const ViewOptions& options, const Scene& scene) {
-    FrameView view;
-    view.width = options.width;
-    view.height = options.height;
+FrameRequest requestFor(const ViewOptions& options, const Scene& scene) {
+    FrameRequest request;
+    request.width = options.width;
+    request.height = options.height;
+    request.depth = options.depth;
     const double aspect = static_cast<double>(options.width) / options.height;
-    const Box bounds = worldBounds(scene);
-    const Camera framing = framingCamera(bounds, options.fovDegrees, aspect);
-    view.camera = {options.from.value_or(framing.from), options.to.value_or(framing.to),
-                   options.fovDegrees};
-    if (view.camera.from == view.camera.to)
+    const Camera framing = framingCamera(worldBounds(scene), options.fovDegrees, aspect);
+    request.camera = {options.from.value_or(framing.from), options.to.value_or(framing.to),
+                      options.fovDegrees};
+    if (request.camera.from == request.camera.to)
         throw Error(ExitStatus::usage,
                     "--camera-from and --camera-to are the same point, so the camera has no "
                     "direction.");
-    view.lights = options.lights;
-    if (view.lights.empty()) view.lights.push_back(defaultLight());
-    for (const Batch& batch : scene.batches)
-        view.nearestDepths.push_back(nearestVisibleDepth(batch, view.camera, aspect));
-    view.near = options.near.value_or(fittedNear(view.nearestDepths, bounds.diagonal()));
-    return view;
+    request.lights = options.lights;
+    if (request.lights.empty()) request.lights.push_back(defaultLight());
+    return request;
 }
 
 } // namespace edgeshade::cli

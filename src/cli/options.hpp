@@ -17,8 +17,8 @@ struct ViewOptions {
     std::optional<glm::dvec3> from;
     std::optional<glm::dvec3> to;
     double fovDegrees = 45.0;
-    std::optional<double> near; ///< nothing: auto
-    std::vector<Light> lights;  ///< in the order in which they were typed
+    DepthChoice depth;
+    std::vector<Light> lights; ///< in the order in which they were typed
 };
 
 /// `--weld-tolerance` and `--cast-masked`; `given` if any was typed.
@@ -36,8 +36,8 @@ void addViewOptions(CLI::App& verb, ViewOptions& options);
 void addCasterOptions(CLI::App& verb, CasterOptions& options);
 void addReportOption(CLI::App& verb, std::string& path);
 
-/// The view: the camera frames the scene where it was not typed, the near plane is fitted, and
-/// there is at least one light. Throws Error(usage) for a camera without a direction.
-FrameView viewFor(const ViewOptions& options, const Scene& scene);
+/// The request: the camera frames the scene where it was not typed, and there is at least one
+/// light. Throws Error(usage) for a camera without a direction.
+FrameRequest requestFor(const ViewOptions& options, const Scene& scene);
 
 } // namespace edgeshade::cli

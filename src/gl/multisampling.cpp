@@ -21,13 +21,6 @@ constexpr GLenum largestSamples = 0x8D57;
 
 } // namespace
 
-void deleteFramebuffer(Name name) {
-    glDeleteFramebuffers(1, &name);
-}
-void deleteRenderbuffer(Name name) {
-    glDeleteRenderbuffers(1, &name);
-}
-
 MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samples,
                                                  const std::string& version,
                                                  const std::string& extensions,

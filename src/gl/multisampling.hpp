@@ -6,9 +6,6 @@
 
 namespace edgeshade::gl {
 
-void deleteFramebuffer(Name);
-void deleteRenderbuffer(Name);
-
 /// A multisampled framebuffer beside the default one, which GLES 2 has only as an extension: core
 /// names from ES 3.0 on, else GL_ANGLE_framebuffer_multisample or GL_NV_framebuffer_multisample.
 class MultisampledFramebuffer {

@@ -20,6 +20,13 @@ void deleteProgram(Name name) {
     glDeleteProgram(name);
 }
 
+void deleteFramebuffer(Name name) {
+    glDeleteFramebuffers(1, &name);
+}
+void deleteRenderbuffer(Name name) {
+    glDeleteRenderbuffers(1, &name);
+}
+
 Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()) {
     const GLenum target = kind == Kind::vertices ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER;
     Name name = 0;

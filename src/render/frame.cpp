@@ -10,10 +10,13 @@
 namespace edgeshade {
 namespace {
 
-BatchView viewOf(const GpuBatch& batch, const FrameView& view) {
+/// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
+constexpr double sliceOverlap = 1.0001;
+
+BatchView viewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice) {
     const double aspect = static_cast<double>(view.width) / view.height;
     const glm::dmat4 clipFromWorld =
-        clipFromView(view.camera, aspect, view.near) * viewFromWorld(view.camera);
+        clipFromView(view.camera, aspect, slice.near) * viewFromWorld(view.camera);
     BatchView result;
     result.clipFromObject = glm::mat4(clipFromWorld * batch.worldFromBatch);
     result.eyeOffsetFromObject =
@@ -37,6 +40,19 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
     return capabilities.instancing ? SidesLayout::instanced : SidesLayout::notInstanced;
 }
 
+std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
+                                              SidesLayout layout) {
+    std::vector<GroupedShadow> groups(view.layers.size());
+    bool needed = false;
+    for (std::size_t i = 0; i < view.layers.size(); ++i) {
+        const LayerBound& bound = view.layers[i];
+        if (bound.groupCount <= 1) continue;
+        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, layout);
+        needed = true;
+    }
+    return needed ? std::move(groups) : std::vector<GroupedShadow>();
+}
+
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), surfaces_(settings.map.pcf),
       sides_(settings.multiplicity, settings.layout,
@@ -45,42 +61,92 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
 }
 
-void Renderer::draw(const GpuScene& scene, const FrameView& view) {
+void Renderer::draw(const GpuScene& scene, const FrameView& view,
+                    const std::vector<GroupedShadow>& groups) {
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
-    drawDepthAndAmbient(scene, view);
-    const std::size_t lights = settings_.mask ? 1 : view.lights.size();
-    for (std::size_t i = 0; i < lights; ++i) {
-        const Light& light = view.lights[i];
-        std::optional<ShadowMapLookup> map;
-        if (settings_.shadows == ShadowMethod::volumes) drawVolumes(scene, view, light);
-        if (settings_.shadows == ShadowMethod::map) map = drawMap(scene, view, light);
-        drawLit(scene, view, light, map ? &*map : nullptr);
+    const std::size_t lights = view.mask ? 1 : view.lights.size();
+    bool marked = false;
+    for (std::size_t s = 0; s < view.slices.size(); ++s) {
+        const Pass pass{scene, view, view.slices[s], s == 0};
+        drawDepthAndAmbient(pass);
+        for (std::size_t i = 0; i < lights; ++i) {
+            if ((view.drawnLights >> i & 1u) == 0) continue;
+            const bool grouped = i < groups.size() && !groups[i].empty() &&
+                                 settings_.shadows == ShadowMethod::volumes;
+            drawShadowedLight(pass, i, grouped ? &groups[i] : nullptr);
+            marked = marked || grouped;
+        }
+        if (!view.mask && view.drawBlended) drawBlended(pass);
     }
-    if (!settings_.mask) drawBlended(scene, view);
+    if (marked) restoreAlpha(scene, view);
 }
 
-void Renderer::drawDepthAndAmbient(const GpuScene& scene, const FrameView& view) {
-    const glm::vec4 clear =
-        settings_.mask ? glm::vec4(0.0f) : glm::vec4(settings_.background, 1.0f);
+void Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
+                            const ShadowMapLookup* map) {
+    for (const GpuBatch& batch : pass.scene.batches) {
+        BatchView batchView = viewOf(batch, pass.view, pass.slice);
+        if (map) batchView.mapFromObject = glm::mat4(map->mapFromWorld * batch.worldFromBatch);
+        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
+            surfaces_.draw(pass.scene, batch, batchView, pass.view.camera.from, shading, kind);
+    }
+}
+
+void Renderer::drawDepthAndAmbient(const Pass& pass) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
-    glClearColor(clear.r, clear.g, clear.b, clear.a);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (pass.first) {
+        const glm::vec4 clear =
+            pass.view.mask ? glm::vec4(0.0f) : glm::vec4(settings_.background, 1.0f);
+        glClearColor(clear.r, clear.g, clear.b, clear.a);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glClear(GL_DEPTH_BUFFER_BIT);
 
     SurfaceShading shading;
     shading.ambient = settings_.ambient;
-    shading.mask = settings_.mask;
-    for (const GpuBatch& batch : scene.batches)
-        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            surfaces_.draw(scene, batch, viewOf(batch, view), view.camera.from, shading, kind);
+    shading.mask = pass.view.mask;
+    shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
+    drawSurfaces(pass, shading);
 }
 
-void Renderer::drawVolumes(const GpuScene& scene, const FrameView& view, const Light& light) {
+void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
+                                 const GroupedShadow* groups) {
+    const Light& light = pass.view.lights[lightIndex];
+    std::optional<ShadowMapLookup> map;
+    if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
+    if (groups) {
+        mark_.clear();
+        for (const auto& group : *groups) {
+            drawVolumes(pass, light,
+                        [&](std::size_t b) -> const ShadowBuffers& { return group[b]; });
+            mark_.markCounted();
+        }
+    } else if (settings_.shadows == ShadowMethod::volumes) {
+        drawVolumes(pass, light, [&](std::size_t b) -> const ShadowBuffers& {
+            return pass.scene.batches[b].shadow;
+        });
+    }
+
+    glEnable(GL_BLEND);
+    if (groups) {
+        // What a group has shaded has alpha 0 and takes no light.
+        glDisable(GL_STENCIL_TEST);
+        glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
+    } else {
+        glBlendFunc(GL_ONE, GL_ONE);
+        glStencilFunc(GL_EQUAL, 0, 0xFF);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    }
+    drawLit(pass, light, map ? &*map : nullptr);
+    glDisable(GL_STENCIL_TEST);
+}
+
+void Renderer::drawVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -90,78 +156,85 @@ void Renderer::drawVolumes(const GpuScene& scene, const FrameView& view, const L
     glClearStencil(0);
     glClear(GL_STENCIL_BUFFER_BIT);
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        const GpuBatch& batch = scene.batches[i];
-        const BatchView batchView = viewOf(batch, view);
+    for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
+        const GpuBatch& batch = pass.scene.batches[i];
+        const BatchView batchView = viewOf(batch, pass.view, pass.slice);
         // A mirroring transform turns every winding over.
         const GLenum front = batchView.mirrored ? GL_BACK : GL_FRONT;
         const GLenum back = batchView.mirrored ? GL_FRONT : GL_BACK;
         glStencilOpSeparate(front, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
         glStencilOpSeparate(back, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
         const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        sides_.draw(batch.shadow, lightHere, batchView.clipFromObject);
-        const bool nearDiscard = view.nearestDepths[i] <= view.near;
-        caps_.draw(batch.shadow, scene.materials, scene.textures, lightHere,
+        const ShadowBuffers& shadow = shadowOf(i);
+        sides_.draw(shadow, lightHere, batchView.clipFromObject);
+        const bool nearDiscard = pass.view.nearestDepths[i] <= pass.slice.near;
+        caps_.draw(shadow, pass.scene.materials, pass.scene.textures, lightHere,
                    batchView.clipFromObject, nearDiscard);
     }
 }
 
-ShadowMapLookup Renderer::drawMap(const GpuScene& scene, const FrameView& view,
-                                  const Light& light) {
-    const ShadowMapLookup map = maps_->draw(scene, view.bounds, light);
-    glViewport(0, 0, view.width, view.height);
+ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
+    const ShadowMapLookup map = maps_->draw(pass.scene, pass.view.bounds, light);
+    glViewport(0, 0, pass.view.width, pass.view.height);
+    glDisable(GL_STENCIL_TEST);
     return map;
 }
 
-void Renderer::drawLit(const GpuScene& scene, const FrameView& view, const Light& light,
-                       const ShadowMapLookup* map) {
+void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    if (settings_.shadows == ShadowMethod::volumes) {
-        glEnable(GL_STENCIL_TEST);
-        glStencilFunc(GL_EQUAL, 0, 0xFF);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    }
     SurfaceShading shading;
     shading.light = light;
-    shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(view.lights.size());
-    shading.mask = settings_.mask;
+    shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
+    shading.mask = pass.view.mask;
     shading.maskValue = 1.0f;
+    shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     shading.map = map;
-    for (const GpuBatch& batch : scene.batches) {
-        BatchView batchView = viewOf(batch, view);
-        if (map) batchView.mapFromObject = glm::mat4(map->mapFromWorld * batch.worldFromBatch);
-        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            surfaces_.draw(scene, batch, batchView, view.camera.from, shading, kind);
-    }
+    drawSurfaces(pass, shading, map);
 }
 
-void Renderer::drawBlended(const GpuScene& scene, const FrameView& view) {
+void Renderer::drawBlended(const Pass& pass) {
     struct Item {
         double distance;
         const SurfaceChunk* chunk;
         BatchView view;
     };
     std::vector<Item> items;
-    for (const GpuBatch& batch : scene.batches)
+    for (const GpuBatch& batch : pass.scene.batches)
         for (const SurfaceChunk& chunk : batch.surfaces) {
-            if (scene.materials[chunk.material].alphaMode != AlphaMode::blend) continue;
+            if (pass.scene.materials[chunk.material].alphaMode != AlphaMode::blend) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
-            items.push_back({glm::distance(center, view.camera.from), &chunk, viewOf(batch, view)});
+            items.push_back({glm::distance(center, pass.view.camera.from), &chunk,
+                             viewOf(batch, pass.view, pass.slice)});
         }
     std::stable_sort(items.begin(), items.end(),
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });
 
-    glDisable(GL_STENCIL_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
+    glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     SurfaceShading shading;
     shading.ambient = 1.0f; // what is see-through takes no part in shadows
+    shading.farthest = static_cast<float>(pass.slice.far);
     for (const Item& item : items)
-        surfaces_.drawChunk(scene, *item.chunk, item.view, view.camera.from, shading);
+        surfaces_.drawChunk(pass.scene, *item.chunk, item.view, pass.view.camera.from, shading);
+}
+
+void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
+    mark_.clear();
+    if (!view.mask) return;
+    // A mask's alpha says where surfaces are.
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    SurfaceShading shading;
+    shading.mask = true;
+    const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
+    drawSurfaces({scene, view, whole, false}, shading);
 }
 
 } // namespace edgeshade

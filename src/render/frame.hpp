@@ -2,11 +2,13 @@
 
 #include "src/gl/capabilities.hpp"
 #include "src/render/caps_pass.hpp"
+#include "src/render/frame_view.hpp"
 #include "src/render/shadow_map_pass.hpp"
+#include "src/render/shadow_mark.hpp"
 #include "src/render/sides_pass.hpp"
 #include "src/render/surface_pass.hpp"
-#include "src/scene/camera.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace edgeshade {
@@ -20,52 +22,63 @@ struct RenderSettings {
     SidesLayout layout = SidesLayout::instanced;
     ShadowMapSettings map; ///< where shadows are maps
     float ambient = 0.35f; ///< 0..1; the lights share the rest
-    bool mask = false;     ///< the lit mask of the first light instead of a picture
     glm::vec3 background{0.86f, 0.89f, 0.92f};
-};
-
-/// What one frame shows.
-struct FrameView {
-    Camera camera;
-    int width = 1;
-    int height = 1;
-    double near = 0.1;
-    std::vector<double> nearestDepths; ///< of each batch, nearestVisibleDepth()
-    std::vector<Light> lights;         ///< at least one
-    Box bounds{}; ///< of the scene, worldBounds(); shadow maps are fitted to it
 };
 
 /// Draws frames by the three passes of the method (section 3): ambient light and depth; for each
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps, or
 /// with none, in place of volumes.
 ///
-/// Counts depth-fail crossings in an 8-bit wrapping stencil: more than 255 volumes around one
-/// visible point would be miscounted. Draws into the current framebuffer, which needs a stencil.
+/// Depth slices are drawn from far to near, each with a depth range of its own: caps are cut at a
+/// slice's near plane, and what is nearer lies in front of everything visible there; nearer slices
+/// draw over the surfaces that they hold. Where more volumes may lie around a point than the
+/// stencil counts, casters come in groups (GroupedShadow), and the picture's alpha remembers what
+/// any group has shaded. Draws into the current framebuffer, which needs a stencil and alpha.
 class Renderer {
   public:
     /// Throws Error(unavailable) if the layout needs instancing and there is none, or the GL's
     /// largest texture is smaller than a shadow map.
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
-    void draw(const GpuScene& scene, const FrameView& view);
+    /// `groups`: for each light of the view its casters in groups, where view.layers asks for
+    /// them, else empty; an empty vector where no light needs any.
+    void draw(const GpuScene& scene, const FrameView& view,
+              const std::vector<GroupedShadow>& groups = {});
 
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
   private:
-    void drawDepthAndAmbient(const GpuScene& scene, const FrameView& view);
-    void drawVolumes(const GpuScene& scene, const FrameView& view, const Light& light);
-    ShadowMapLookup drawMap(const GpuScene& scene, const FrameView& view, const Light& light);
-    void drawLit(const GpuScene& scene, const FrameView& view, const Light& light,
-                 const ShadowMapLookup* map);
-    void drawBlended(const GpuScene& scene, const FrameView& view);
+    /// One depth slice of one frame.
+    struct Pass {
+        const GpuScene& scene;
+        const FrameView& view;
+        const DepthSlice& slice;
+        bool first; ///< the farthest slice, which clears the picture
+    };
+    using ShadowOfBatch = std::function<const ShadowBuffers&(std::size_t)>;
+
+    void drawDepthAndAmbient(const Pass& pass);
+    void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
+    void drawVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf);
+    ShadowMapLookup drawMap(const Pass& pass, const Light& light);
+    void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
+    void drawBlended(const Pass& pass);
+    void restoreAlpha(const GpuScene& scene, const FrameView& view);
+    void drawSurfaces(const Pass& pass, const SurfaceShading& shading,
+                      const ShadowMapLookup* map = nullptr);
 
     RenderSettings settings_;
     SurfacePass surfaces_;
     SidesPass sides_;
     CapsPass caps_;
+    ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
 };
+
+/// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.
+std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
+                                              SidesLayout layout);
 
 /// The layout that suits the context: instanced where it can, else not.
 SidesLayout bestLayout(const gl::Capabilities& capabilities);

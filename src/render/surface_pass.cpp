@@ -22,6 +22,7 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
     program.set("u_diffuse", shading.diffuse);
     program.set("u_mask", shading.mask ? 1.0f : 0.0f);
     program.set("u_maskValue", shading.maskValue);
+    program.set("u_farthest", shading.farthest);
 }
 
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
@@ -45,6 +46,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     std::vector<std::string> defines;
     if (variant.alphaMode == AlphaMode::mask) defines.push_back("ALPHA_TEST");
     if (variant.alphaMode == AlphaMode::blend) defines.push_back("BLENDED");
+    if (variant.sliced) defines.push_back("SLICED");
     if (variant.map) {
         defines.push_back("MAP");
         defines.push_back("PCF " + std::to_string(pcf_));
@@ -68,8 +70,9 @@ void SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, co
     const Material& material = scene.materials[chunk.material];
     const bool casts =
         material.alphaMode == AlphaMode::opaque || (shading.map && shading.map->masksCast);
-    gl::Program& variant = program(
-        {material.alphaMode, shading.map ? std::optional(shading.map->kind) : std::nullopt});
+    gl::Program& variant =
+        program({material.alphaMode, shading.map ? std::optional(shading.map->kind) : std::nullopt,
+                 std::isfinite(shading.farthest)});
     variant.use();
     setShading(variant, shading, eye);
     if (shading.map) setMap(variant, *shading.map, view, casts);

@@ -5,6 +5,7 @@
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/light.hpp"
 
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -18,6 +19,7 @@ struct SurfaceShading {
     Light light;
     bool mask = false;
     float maskValue = 0.0f;
+    float farthest = std::numeric_limits<float>::infinity(); ///< what is deeper is not drawn
     const ShadowMapLookup* map = nullptr; ///< the light's shadow map; null: lit everywhere
 };
 
@@ -48,6 +50,7 @@ class SurfacePass {
     struct Variant {
         AlphaMode alphaMode;
         std::optional<ShadowMapKind> map;
+        bool sliced; ///< has a farthest depth
 
         auto operator<=>(const Variant&) const = default;
     };

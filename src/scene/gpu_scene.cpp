@@ -26,4 +26,17 @@ GpuScene uploadScene(const LoadedScene& loaded, SidesLayout layout,
     return gpu;
 }
 
+GroupedShadow uploadGroups(const LoadedScene& loaded, std::span<const std::uint32_t> groupOf,
+                           std::size_t groupCount, SidesLayout layout) {
+    GroupedShadow groups;
+    for (std::uint32_t g = 0; g < groupCount; ++g) {
+        const CasterGroupShadow built =
+            groupShadow(loaded.scene, loaded.settings.castMasked, groupOf, g);
+        auto& group = groups.emplace_back();
+        for (std::size_t i = 0; i < built.shadows.size(); ++i)
+            group.push_back(uploadShadow(built.shadows[i], built.texcoords[i], layout));
+    }
+    return groups;
+}
+
 } // namespace edgeshade

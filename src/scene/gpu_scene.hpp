@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/scene/layered_shadow.hpp"
 #include "src/scene/load.hpp"
 #include "src/scene/shadow_buffers.hpp"
 #include "src/scene/surface_buffers.hpp"
@@ -25,8 +26,15 @@ struct GpuScene {
     std::size_t shadowBytes() const;
 };
 
+/// Shadow data in groups, each of which a stencil can count: by group, then by batch.
+using GroupedShadow = std::vector<std::vector<ShadowBuffers>>;
+
 /// Uploads everything. Throws InputError for broken images, Error(unavailable) if the GL can't.
 GpuScene uploadScene(const LoadedScene& loaded, SidesLayout layout,
                      const gl::Capabilities& capabilities);
+
+/// Builds and uploads `groupCount` groups of casters; see groupShadow().
+GroupedShadow uploadGroups(const LoadedScene& loaded, std::span<const std::uint32_t> groupOf,
+                           std::size_t groupCount, SidesLayout layout);
 
 } // namespace edgeshade

@@ -21,9 +21,7 @@ Camera above(double height, double half) {
 
 std::vector<std::uint8_t> maskOf(const SceneBuilder& builder, const Camera& camera,
                                  const Light& light) {
-    RenderSettings settings;
-    settings.mask = true;
-    return test::drawScene(builder.scene(), test::viewOf(camera, light, size, size), settings);
+    return test::drawScene(builder.scene(), {camera, {light}, size, size, true}, {});
 }
 
 /// Floor coordinates of a pixel's centre under above(): x to the right, z down the picture.

@@ -24,6 +24,7 @@ struct Case {
     Light light;
     double near = 0.0; ///< 0: fitted
     bool castMasked = false;
+    std::optional<int> slices{}; ///< nothing: as many as pay
 };
 
 struct Outcome {
@@ -51,10 +52,10 @@ Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>
 }
 
 Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true) {
-    settings.mask = true;
-    FrameView view = test::viewOf(test.camera, test.light, width, height);
-    view.near = test.near;
-    if (!nearDiscard) view.nearestDepths.assign(test.scene.batches.size(), INFINITY);
+    test::TestView view{test.camera, {test.light}, width, height, true};
+    if (test.near > 0.0) view.depth.near = test.near;
+    view.depth.slices = test.slices;
+    view.nearDiscard = nearDiscard;
     return compare(test::drawScene(test.scene, view, settings, test.castMasked),
                    test::castMask(test.scene, test.camera, test.light, width, height, test.near,
                                   test.castMasked));

@@ -1,4 +1,5 @@
-#include "src/render/near_plane.hpp"
+#include "src/render/frame_view.hpp"
+#include "src/render/visible_depth.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ using test::SceneBuilder;
 constexpr Camera lookingAlongMinusZ{{0, 0, 0}, {0, 0, -1}, 90.0};
 
 double depthOf(const SceneBuilder& builder) {
-    return nearestVisibleDepth(builder.scene().batches[0], lookingAlongMinusZ, 1.0);
+    return visibleDepth(builder.scene().batches[0], lookingAlongMinusZ, 1.0).nearest;
 }
 
 TEST(NearPlane, IsTheDepthOfAQuadAhead) {
@@ -41,15 +42,39 @@ TEST(NearPlane, IsZeroForASurfaceThroughTheEye) {
 }
 
 TEST(NearPlane, StaysJustBeforeTheNearest) {
-    const double near = fittedNear({5.0, 3.0}, 10.0);
-    EXPECT_LT(near, 3.0);
-    EXPECT_GT(near, 2.9);
+    EXPECT_LT(fittedNear(3.0, 10.0), 3.0);
+    EXPECT_GT(fittedNear(3.0, 10.0), 2.9);
 }
 
 TEST(NearPlane, IsNeverZero) {
-    EXPECT_GT(fittedNear({0.0}, 10.0), 0.0);
-    EXPECT_GT(fittedNear({}, 10.0), 0.0);
-    EXPECT_GT(fittedNear({}, 0.0), 0.0);
+    EXPECT_GT(fittedNear(0.0, 10.0), 0.0);
+    EXPECT_GT(fittedNear(INFINITY, 10.0), 0.0);
+    EXPECT_GT(fittedNear(INFINITY, 0.0), 0.0);
+}
+
+TEST(VisibleDepth, EndsAtTheFarthest) {
+    const auto two = SceneBuilder()
+                         .quad({-1, -1, -5}, {1, -1, -5}, {1, 1, -5}, {-1, 1, -5})
+                         .quad({-1, -1, -9}, {1, -1, -9}, {1, 1, -9}, {-1, 1, -9});
+    const DepthRange range = visibleDepth(two.scene().batches[0], lookingAlongMinusZ, 1.0);
+    EXPECT_NEAR(range.nearest, 5.0, 1e-6);
+    EXPECT_NEAR(range.farthest, 9.0, 1e-6);
+}
+
+TEST(DepthSlices, ShareTheRatioAndMeetEachOther) {
+    const auto slices = divideDepth(1.0, 1000.0, 3);
+    ASSERT_EQ(slices.size(), 3u);
+    EXPECT_TRUE(std::isinf(slices[0].far));
+    EXPECT_NEAR(slices[0].near, 100.0, 1e-9);
+    EXPECT_EQ(slices[1].far, slices[0].near);
+    EXPECT_NEAR(slices[1].near, 10.0, 1e-9);
+    EXPECT_EQ(slices[2].far, slices[1].near);
+    EXPECT_NEAR(slices[2].near, 1.0, 1e-12);
+}
+
+TEST(DepthSlices, OneIsEnoughForAShallowView) {
+    EXPECT_EQ(divideDepth(1.0, 5.0, std::nullopt).size(), 1u);
+    EXPECT_EQ(divideDepth(1.0, 0.0, std::nullopt).size(), 1u); // nothing visible
 }
 
 } // namespace

@@ -26,9 +26,7 @@ int middle(const std::vector<Light>& lights, float ambient, float linearRed,
     RenderSettings settings;
     settings.ambient = ambient;
     settings.shadows = shadows;
-    FrameView view = test::viewOf(down, lights.front(), size, size);
-    view.lights = lights;
-    const auto pixels = test::drawScene(builder.scene(), view, settings);
+    const auto pixels = test::drawScene(builder.scene(), {down, lights, size, size}, settings);
     return pixels[4 * (size / 2 * size + size / 2)];
 }
 

@@ -27,10 +27,13 @@ RenderSettings maps(int size, float bias = 1.5f, int pcf = 1) {
 }
 
 std::vector<std::uint8_t> draw(const Scene& scene, const Camera& camera, const Light& light,
-                               const RenderSettings& settings, bool castMasked = false) {
-    FrameView view = test::viewOf(camera, light, width, height);
-    view.bounds = worldBounds(scene);
-    return test::drawScene(scene, view, settings, castMasked);
+                               const RenderSettings& settings) {
+    return test::drawScene(scene, {camera, {light}, width, height}, settings);
+}
+
+std::vector<std::uint8_t> drawMask(const Scene& scene, const Camera& camera, const Light& light,
+                                   const RenderSettings& settings, bool castMasked = false) {
+    return test::drawScene(scene, {camera, {light}, width, height, true}, settings, castMasked);
 }
 
 /// Percentage of visible pixels that differ from ray casting: all, and those with no boundary of
@@ -40,10 +43,9 @@ struct Wrong {
     double beyondOnePixel = 0.0;
 };
 
-Wrong wrongIn(const Scene& scene, const Camera& camera, const Light& light, RenderSettings settings,
-              bool castMasked = false) {
-    settings.mask = true;
-    const auto mask = draw(scene, camera, light, settings, castMasked);
+Wrong wrongIn(const Scene& scene, const Camera& camera, const Light& light,
+              const RenderSettings& settings, bool castMasked = false) {
+    const auto mask = drawMask(scene, camera, light, settings, castMasked);
     const auto answers = test::castMask(scene, camera, light, width, height, 0.0, castMasked);
     int visible = 0, wrong = 0, beyond = 0;
     for (int y = 0; y < height; ++y)
@@ -104,10 +106,9 @@ TEST(ShadowMap, WideKernelsBringNoAcne) {
 
 TEST(ShadowMap, LightInsideAClosedBoxLightsNothingOutside) {
     for (const int size : {64, 512}) {
-        RenderSettings settings = maps(size);
-        settings.mask = true;
-        const auto mask = draw(SceneBuilder().floor(6).box({-1, 2, -1}, {1, 4, 1}).scene(),
-                               {{6, 9, 8}, {0, 1, 0}, 45.0}, pointLight({0.3, 3, 0.2}), settings);
+        const auto mask =
+            drawMask(SceneBuilder().floor(6).box({-1, 2, -1}, {1, 4, 1}).scene(),
+                     {{6, 9, 8}, {0, 1, 0}, 45.0}, pointLight({0.3, 3, 0.2}), maps(size));
         for (std::size_t i = 0; i < mask.size(); i += 4)
             ASSERT_EQ(mask[i], 0);
     }
@@ -137,9 +138,8 @@ TEST(ShadowMap, RoomHasNoSeams) {
 }
 
 int darkPixels(const Scene& scene, const Camera& camera, const Light& light,
-               RenderSettings settings) {
-    settings.mask = true;
-    const auto mask = draw(scene, camera, light, settings);
+               const RenderSettings& settings) {
+    const auto mask = drawMask(scene, camera, light, settings);
     int dark = 0;
     for (std::size_t i = 0; i < mask.size(); i += 4)
         dark += mask[i + 3] != 0 && mask[i] == 0;
@@ -211,10 +211,8 @@ TEST(ShadowMap, LitPassMeetsTheDepthOfTheAmbientPass) {
 
 TEST(ShadowMap, SeveralLightsAndKindsTakeTurns) {
     const Scene scene = boxOverFloor();
-    FrameView view = test::viewOf(corner, lights[0], width, height);
-    view.bounds = worldBounds(scene);
-    view.lights.assign(std::begin(lights), std::end(lights));
-    const auto all = test::drawScene(scene, view, maps(512));
+    const std::vector<Light> both(std::begin(lights), std::end(lights));
+    const auto all = test::drawScene(scene, {corner, both, width, height}, maps(512));
     // Each light alone gives ambient + (1 - ambient) * light; together they are averaged.
     std::vector<double> sum(all.size(), 0.0);
     for (const Light& light : lights) {
@@ -280,15 +278,8 @@ TEST(ShadowMap, AMapLargerThanTheGlAllowsIsUnavailable) {
     }
 }
 
-TEST(ShadowMap, AViewWithoutBoundsIsNoSilentFault) {
-    const FrameView view = test::viewOf(corner, lights[0], width, height);
-    EXPECT_THROW(test::drawScene(boxOverFloor(), view, maps(64)), Error);
-}
-
 TEST(ShadowMap, NothingAtAllIsTransparent) {
-    RenderSettings settings = maps(64);
-    settings.mask = true;
-    const auto mask = draw(SceneBuilder().scene(), corner, lights[0], settings);
+    const auto mask = drawMask(SceneBuilder().scene(), corner, lights[0], maps(64));
     EXPECT_EQ(mask, std::vector<std::uint8_t>(mask.size(), 0));
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -69,17 +70,19 @@ ProcessResult ChildProcess::wait(double timeoutSeconds) {
     const auto start = Clock::now();
     ProcessResult result;
     int ended = 0;
-    while (::waitpid(process_, &ended, WNOHANG) == 0) {
+    rusage usage{};
+    while (::wait4(process_, &ended, WNOHANG, &usage) == 0) {
         result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         if (result.seconds > timeoutSeconds) {
             result.timedOut = true;
             ::kill(process_, SIGKILL);
-            ::waitpid(process_, &ended, 0);
+            ::wait4(process_, &ended, 0, &usage);
             break;
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     process_ = -1;
+    result.peakBytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
     if (WIFEXITED(ended)) result.status = WEXITSTATUS(ended);
     if (WIFSIGNALED(ended)) result.signal = WTERMSIG(ended);
     result.out = contentOf(out_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <sys/types.h>
 #include <utility>
@@ -13,6 +14,7 @@ struct ProcessResult {
     int signal = 0;  ///< the signal that ended it; 0: none
     bool timedOut = false;
     double seconds = 0.0;
+    std::size_t peakBytes = 0; ///< of memory
     std::string out;
     std::string err;
 };

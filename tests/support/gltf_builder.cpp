@@ -61,16 +61,7 @@ int GltfBuilder::addVectors(const std::vector<glm::vec2>& vectors) {
 }
 
 int GltfBuilder::addVectors(const std::vector<glm::vec3>& vectors) {
-    Json bounds = Json::object();
-    if (!vectors.empty()) {
-        glm::vec3 low = vectors.front(), high = vectors.front();
-        for (const glm::vec3& v : vectors) {
-            low = glm::min(low, v);
-            high = glm::max(high, v);
-        }
-        bounds = {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}};
-    }
-    return addArray(flat(vectors), 3, bounds);
+    return addArray(flat(vectors), 3, boundsOf(vectors));
 }
 
 Json GltfBuilder::primitiveOf(const Shape& shape, const Json& more) {
@@ -120,6 +111,7 @@ Json GltfBuilder::jsonWithBuffer(const Json& uri) const {
     if (binary.empty()) return whole;
     if (!whole.contains("buffers")) whole["buffers"] = Json::array({Json::object()});
     Json& buffer = whole["buffers"][0];
+    if (!buffer.is_object()) return whole;
     if (!buffer.contains("byteLength")) buffer["byteLength"] = binary.size();
     if (uri.is_string() && !buffer.contains("uri")) buffer["uri"] = uri;
     return whole;
@@ -138,6 +130,16 @@ const char* GltfBuilder::typeOf(int components) {
     default:
         return "MAT4";
     }
+}
+
+Json boundsOf(const std::vector<glm::vec3>& positions) {
+    if (positions.empty()) return Json::object();
+    glm::vec3 low = positions.front(), high = positions.front();
+    for (const glm::vec3& position : positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+    }
+    return {{"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}};
 }
 
 std::string dataUri(std::span<const std::uint8_t> bytes, const std::string& mimeType) {

@@ -93,6 +93,9 @@ class GltfBuilder {
     Json jsonWithBuffer(const Json& uri) const;
 };
 
+/// An accessor's "min" and "max" of these positions.
+Json boundsOf(const std::vector<glm::vec3>& positions);
+
 /// A data URI.
 std::string dataUri(std::span<const std::uint8_t> bytes,
                     const std::string& mimeType = "application/octet-stream");

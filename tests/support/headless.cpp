@@ -1,29 +1,25 @@
 #include "tests/support/headless.hpp"
 
 #include "src/gl/headless_context.hpp"
-#include "src/render/near_plane.hpp"
+
+#include <cmath>
 
 namespace edgeshade::test {
 
-std::vector<std::uint8_t> drawScene(const Scene& scene, FrameView view, RenderSettings settings,
-                                    bool castMasked) {
-    const gl::HeadlessContext context({view.width, view.height});
+std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
+                                    RenderSettings settings, bool castMasked) {
+    const gl::HeadlessContext context({test.width, test.height});
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
-    const double aspect = static_cast<double>(view.width) / view.height;
-    if (view.nearestDepths.empty())
-        for (const Batch& batch : scene.batches)
-            view.nearestDepths.push_back(nearestVisibleDepth(batch, view.camera, aspect));
-    if (view.near == 0.0) view.near = fittedNear(view.nearestDepths, worldBounds(scene).diagonal());
     const LoadedScene loaded{{}, scene, buildShadows(scene, castMasked), {0.0, castMasked}};
+    FrameView view =
+        makeFrameView(loaded, {test.camera, test.width, test.height, test.lights, test.depth});
+    view.mask = test.mask;
+    if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);
     const GpuScene gpu = uploadScene(loaded, settings.layout, context.capabilities());
     Renderer renderer(settings, context.capabilities());
-    renderer.draw(gpu, view);
+    renderer.draw(gpu, view, uploadNeededGroups(loaded, view, settings.layout));
     gl::requireNoError("drawing a test scene");
     return context.readPixels();
-}
-
-FrameView viewOf(const Camera& camera, const Light& light, int width, int height) {
-    return {camera, width, height, 0.0, {}, {light}};
 }
 
 } // namespace edgeshade::test

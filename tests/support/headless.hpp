@@ -4,13 +4,20 @@
 
 namespace edgeshade::test {
 
-/// A picture of the scene, RGBA rows top to bottom, drawn by a context of its own. The near plane
-/// is fitted where view.near is 0, and so are the nearest depths where there are none.
-std::vector<std::uint8_t> drawScene(const Scene& scene, FrameView view, RenderSettings settings,
-                                    bool castMasked = false);
+/// What a test draws.
+struct TestView {
+    Camera camera;
+    std::vector<Light> lights;
+    int width = 64;
+    int height = 64;
+    bool mask = false;
+    DepthChoice depth{};
+    bool nearDiscard = true; ///< false: front caps are never cut, which is a fault
+};
 
-/// A view of the given size with one light.
-FrameView viewOf(const Camera& camera, const Light& light, int width, int height);
+/// A picture of the scene, RGBA rows top to bottom, drawn by a context of its own.
+std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& view,
+                                    RenderSettings settings, bool castMasked = false);
 
 inline Light pointLight(const glm::dvec3& position) {
     return {glm::dvec4(position, 1.0)};

@@ -1,4 +1,4 @@
-#include "src/render/near_plane.hpp"
+#include "src/render/visible_depth.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,6 @@ namespace edgeshade {
 namespace {
 
 constexpr double widening = 1.001; // of the pyramid, against rounding
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A convex polygon: a triangle clipped by at most five planes.
 struct Polygon {
@@ -34,7 +33,7 @@ Polygon clipped(const Polygon& polygon, const glm::dvec3& normal) {
 
 } // namespace
 
-double nearestVisibleDepth(const Batch& batch, const Camera& camera, double aspect) {
+DepthRange visibleDepth(const Batch& batch, const Camera& camera, double aspect) {
     const double t = widening * std::tan(glm::radians(0.5 * camera.fovDegrees));
     // Planes through the eye in camera space, insides positive; the last keeps what is in front.
     const glm::dvec3 planes[] = {{1.0, 0.0, -t * aspect},
@@ -48,31 +47,23 @@ double nearestVisibleDepth(const Batch& batch, const Camera& camera, double aspe
     for (const glm::vec3& position : batch.positions)
         points.emplace_back(viewFromBatch * glm::dvec4(position, 1.0));
 
-    double nearest = infinity;
+    DepthRange range;
     for (std::size_t i = 0; i + 2 < batch.indices.size(); i += 3) {
         Polygon polygon;
-        for (std::size_t c = 0; c < 3; ++c)
+        DepthRange whole;
+        for (std::size_t c = 0; c < 3; ++c) {
             polygon.add(points[batch.indices[i + c]]);
-        const double depth =
-            -std::max({polygon.corners[0].z, polygon.corners[1].z, polygon.corners[2].z});
-        if (depth >= nearest) continue;
+            whole.add(-polygon.corners[c].z);
+        }
+        if (range.contains(whole.nearest, whole.farthest)) continue;
         for (const glm::dvec3& plane : planes) {
             polygon = clipped(polygon, plane);
             if (polygon.count == 0) break;
         }
         for (std::size_t c = 0; c < polygon.count; ++c)
-            nearest = std::min(nearest, std::max(0.0, -polygon.corners[c].z));
+            range.add(std::max(0.0, -polygon.corners[c].z));
     }
-    return nearest;
-}
-
-double fittedNear(const std::vector<double>& depths, double diagonal) {
-    double nearest = infinity;
-    for (const double depth : depths)
-        nearest = std::min(nearest, depth);
-    const double smallest = diagonal > 0.0 ? 1e-6 * diagonal : 1e-6;
-    return std::isfinite(nearest) ? std::max(0.99 * nearest, smallest)
-                                  : std::max(0.01 * diagonal, smallest);
+    return range;
 }
 
 } // namespace edgeshade

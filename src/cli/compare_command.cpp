@@ -1,0 +1,202 @@
+#include "preprocess/error.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/draw_settings.hpp"
+#include "src/cli/options.hpp"
+#include "src/cli/report.hpp"
+
+#include <memory>
+
+#ifdef EDGESHADE_HAS_LAB
+#include "src/image/png.hpp"
+#include "src/lab/compare.hpp"
+
+#include <iomanip>
+#include <sstream>
+#endif
+
+namespace edgeshade::cli {
+namespace {
+
+struct CompareOptions {
+    std::string input;
+    std::string report;
+    std::string heatmap;
+    int views = 16;
+    ViewOptions view;
+    CasterOptions casters;
+    DrawSettings settings;
+    std::vector<std::string> against;
+};
+
+#ifdef EDGESHADE_HAS_LAB
+
+using Json = nlohmann::ordered_json;
+
+lab::Contender contenderOf(const std::string& name, const DrawSettings& settings) {
+    lab::Contender contender;
+    contender.name = name;
+    contender.settings = settings.render;
+    contender.depthSlices = settings.depthSlices;
+    contender.tuneMapBias = settings.render.shadows == ShadowMethod::map && !settings.hasMapBias();
+    // The best there is, where nothing was asked for: the studio falls back by itself.
+    contender.settings.layout =
+        settings.instancing == InstancingChoice::off         ? SidesLayout::notInstanced
+        : settings.instancing == InstancingChoice::multiDraw ? SidesLayout::multiDraw
+                                                             : SidesLayout::instanced;
+    return contender;
+}
+
+Json countsJson(const lab::WrongCounts& counts) {
+    return {{"pixels", counts.pixels},
+            {"visible_pixels", counts.visiblePixels},
+            {"wrong_mask_pixels", counts.wrongMaskPixels},
+            {"wrong_mask_beyond_1px", counts.wrongMaskBeyond1px},
+            {"wrong_image_pixels", counts.wrongImagePixels},
+            {"wrong_image_beyond_1px", counts.wrongImageBeyond1px},
+            {"tie_pixels", counts.tiePixels},
+            {"wrong_image_beyond_1px_not_tied", counts.beyond1pxNotTied}};
+}
+
+Json resultJson(const lab::CompareResult& result, DrawSettings settings,
+                const std::vector<lab::LabView>& views) {
+    settings.render = result.settings;
+    Json json = {{"name", result.name}, {"views", result.views}};
+    json.update(countsJson(result.counts));
+    json["worst_view"] = views.empty() ? Json(nullptr) : Json(views[result.worstView].name);
+    json["settings"] = settingsJson(settings);
+    Json byView = Json::array();
+    for (std::size_t v = 0; v < result.byView.size(); ++v) {
+        Json one = {{"name", views[v].name}};
+        one.update(countsJson(result.byView[v]));
+        byView.push_back(std::move(one));
+    }
+    json["by_view"] = std::move(byView);
+    return json;
+}
+
+double percent(std::size_t part, std::size_t whole) {
+    return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string tableOf(const std::vector<lab::CompareResult>& results) {
+    std::ostringstream text;
+    text << std::left << std::setw(34) << "percent of visible pixels" << std::right << std::setw(12)
+         << "mask wrong" << std::setw(12) << "beyond 1px" << std::setw(13) << "image wrong"
+         << std::setw(12) << "beyond 1px" << std::setw(10) << "not tied"
+         << "\n";
+    for (const lab::CompareResult& result : results) {
+        const lab::WrongCounts& c = result.counts;
+        text << std::left << std::setw(34) << result.name << std::right << std::fixed
+             << std::setprecision(5) << std::setw(12) << percent(c.wrongMaskPixels, c.visiblePixels)
+             << std::setw(12) << percent(c.wrongMaskBeyond1px, c.visiblePixels) << std::setw(13)
+             << percent(c.wrongImagePixels, c.visiblePixels) << std::setw(12)
+             << percent(c.wrongImageBeyond1px, c.visiblePixels) << std::setw(10)
+             << c.beyond1pxNotTied << "\n";
+    }
+    std::string table = text.str();
+    table.pop_back();
+    return table;
+}
+
+void printBar(double share, const std::string& doing) {
+    constexpr int width = 24;
+    const int full = static_cast<int>(share * width + 0.5);
+    std::cerr << "\r\033[K[" << std::string(full, '#') << std::string(width - full, '.') << "] "
+              << doing.substr(0, 90) << std::flush;
+    if (share >= 1.0) std::cerr << "\n";
+}
+
+std::string nameOfSetting(const DrawSettings& settings) {
+    const Json json = settingsJson(settings);
+    std::string name = json["shadows"].get<std::string>();
+    if (settings.render.shadows == ShadowMethod::map)
+        name += " " + std::to_string(settings.render.map.size);
+    return name;
+}
+
+void compare(const CompareOptions& options, bool viewsTyped) {
+    std::vector<DrawSettings> settings = {options.settings};
+    for (const std::string& text : options.against)
+        settings.push_back(settingsFrom(options.settings, text));
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    printWarnings(loaded.scene.warnings.sentences());
+
+    lab::CompareTask task;
+    task.width = options.view.width;
+    task.height = options.view.height;
+    task.near = options.view.depth.near;
+    task.lights = options.view.lights;
+    if (task.lights.size() > lab::mostLights)
+        throw Error(ExitStatus::usage,
+                    "compare takes at most " + std::to_string(lab::mostLights) + " lights.");
+    const double aspect = static_cast<double>(task.width) / task.height;
+    const bool ownCamera = options.view.from || options.view.to;
+    if (ownCamera && !viewsTyped) {
+        const FrameRequest request = requestFor(options.view, loaded.scene);
+        task.views.push_back({"as asked", request.camera, request.lights.front()});
+        task.lights = request.lights;
+    } else {
+        task.views = lab::labViews(loaded.scene, static_cast<std::size_t>(options.views),
+                                   options.view.fovDegrees, aspect);
+    }
+    task.contenders.push_back(contenderOf(nameOfSetting(settings[0]), settings[0]));
+    for (std::size_t i = 0; i < options.against.size(); ++i)
+        task.contenders.push_back(contenderOf(options.against[i], settings[i + 1]));
+
+    const auto results = lab::compareAll(loaded, task, printBar);
+    if (!options.heatmap.empty())
+        writeFile(options.heatmap, encodePng(results[0].heatmap, task.width, task.height));
+    printResult(tableOf(results), options.report);
+    Json json = resultJson(results[0], settings[0], task.views);
+    if (results.size() > 1) {
+        Json all = Json::array();
+        for (std::size_t i = 0; i < results.size(); ++i)
+            all.push_back(resultJson(results[i], settings[i], task.views));
+        json = {{"results", std::move(all)}};
+    }
+    writeReport(json, options.report);
+}
+
+#else
+
+void compare(const CompareOptions&, bool) {
+    throw Error(ExitStatus::unavailable,
+                "compare needs the ray-traced oracle, and this program was built without Embree.");
+}
+
+#endif
+
+} // namespace
+
+void addCompareCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand(
+        "compare", "Measure how many pixels are wrong, against a ray-traced oracle");
+    const auto options = std::make_shared<CompareOptions>();
+    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
+    CLI::Option* views =
+        verb->add_option("--views", options->views,
+                         "Views around and inside the scene, 1 to 1000 (16; with a camera of "
+                         "yours that one alone)")
+            ->check(CLI::Range(1, 1000))
+            ->type_name("N");
+    verb->add_option("--heatmap", options->heatmap,
+                     "Draw the worst view's wrong pixels: red wrongly lit, blue wrongly dark, "
+                     "green otherwise wrong, yellow ties")
+        ->type_name("OUT.png");
+    verb->add_option("--against", options->against,
+                     "Another setting to compare in the same run, e.g. shadows=map,map-size=2048; "
+                     "may be repeated. A map's bias is tuned unless map-bias is given")
+        ->type_name("SETTING")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addViewOptions(*verb, options->view);
+    addDrawOptions(*verb, options->settings);
+    addCasterOptions(*verb, options->casters);
+    addReportOption(*verb, options->report);
+    verb->callback([options, views] {
+        requireConsistent(options->settings);
+        compare(*options, views->count() > 0);
+    });
+}
+
+} // namespace edgeshade::cli

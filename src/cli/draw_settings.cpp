@@ -1,0 +1,189 @@
+#include "src/cli/draw_settings.hpp"
+
+#include "preprocess/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+namespace edgeshade::cli {
+namespace {
+
+const std::map<std::string, ShadowMethod> shadowNames = {
+    {"volumes", ShadowMethod::volumes}, {"map", ShadowMethod::map}, {"none", ShadowMethod::none}};
+const std::map<std::string, MultiplicityMethod> multiplicityNames = {
+    {"reference-edge", MultiplicityMethod::referenceEdge},
+    {"three-edge", MultiplicityMethod::threeEdge},
+    {"single-edge", MultiplicityMethod::singleEdge}};
+const std::map<std::string, InstancingChoice> instancingNames = {
+    {"on", InstancingChoice::on},
+    {"off", InstancingChoice::off},
+    {"multi-draw", InstancingChoice::multiDraw}};
+
+template <class Value>
+std::string nameIn(const std::map<std::string, Value>& names, Value value) {
+    for (const auto& [name, candidate] : names)
+        if (candidate == value) return name;
+    return "auto";
+}
+
+template <class Value>
+void addChoice(CLI::App& verb, const std::string& option, Value& value,
+               const std::map<std::string, Value>& names, const std::string& type,
+               const std::string& help) {
+    verb.add_option(option, value, help)
+        ->type_name(type)
+        ->transform(CLI::CheckedTransformer(names).description(""));
+}
+
+/// Range alone lets what is no number through.
+CLI::Validator finite() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
+                                                                     : text + " is not finite";
+        },
+        "");
+}
+
+/// Adds an option that only shadow maps have.
+template <class Value>
+CLI::Option* addMapOption(CLI::App& verb, DrawSettings& settings, const std::string& name,
+                          Value& value, const std::string& help) {
+    return verb.add_option_function<Value>(
+        name,
+        [&settings, &value, name](const Value& typed) {
+            value = typed;
+            settings.mapOptions.push_back(name);
+        },
+        help);
+}
+
+void addMapOptions(CLI::App& verb, DrawSettings& settings) {
+    ShadowMapSettings& map = settings.render.map;
+    addMapOption(verb, settings, "--map-size", map.size,
+                 "Texels along an edge of a shadow map, of each of a point light's six (2048)")
+        ->check(CLI::Range(16, 16384))
+        ->type_name("N");
+    addMapOption(verb, settings, "--map-bias", map.biasTexels,
+                 "How far receivers are moved towards the light, in texels as large as they are "
+                 "there (1.5)")
+        ->check(finite())
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("TEXELS");
+    addMapOption(verb, settings, "--pcf", map.pcf,
+                 "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
+        ->check(CLI::IsMember({1, 3, 5, 7}))
+        ->type_name("N");
+}
+
+} // namespace
+
+bool DrawSettings::hasMapBias() const {
+    return std::find(mapOptions.begin(), mapOptions.end(), "--map-bias") != mapOptions.end();
+}
+
+void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
+    addChoice(verb, "--shadows", settings.render.shadows, shadowNames, "volumes|map|none",
+              "How shadows are made (volumes)");
+    addMapOptions(verb, settings);
+    addChoice(verb, "--multiplicity", settings.render.multiplicity, multiplicityNames,
+              "reference-edge|three-edge|single-edge",
+              "How a triangle's facing is decided (reference-edge); single-edge is not robust");
+    addChoice(verb, "--instancing", settings.instancing, instancingNames, "on|off|multi-draw",
+              "A record an instance, a copy for every vertex, or one draw a side (on where the "
+              "GL can)");
+    verb.add_option_function<std::string>(
+            "--depth-slices",
+            [&settings](const std::string& text) {
+                if (text == "auto") return settings.depthSlices.reset();
+                char* end = nullptr;
+                const long count = std::strtol(text.c_str(), &end, 10);
+                if (end == text.c_str() || *end != '\0' || count < 1 || count > 64)
+                    throw CLI::ValidationError("--depth-slices",
+                                               "'" + text +
+                                                   "' is neither auto nor a number from 1 to 64");
+                settings.depthSlices = static_cast<int>(count);
+            },
+            "Parts of the view by depth, each with a depth range of its own (auto: as many as "
+            "pay)")
+        ->type_name("N|auto");
+    verb.add_option("--ambient", settings.render.ambient,
+                    "Share of ambient light; the lights share the rest (0.35)")
+        ->check(finite())
+        ->check(CLI::Range(0.0, 1.0))
+        ->type_name("0..1");
+}
+
+void requireConsistent(const DrawSettings& settings) {
+    if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
+        throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
+}
+
+DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
+    DrawSettings settings = base;
+    settings.mapOptions.clear();
+    CLI::App parser;
+    parser.set_help_flag();
+    addDrawOptions(parser, settings);
+    std::vector<std::string> words;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ',');) {
+        const std::size_t equals = part.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw Error(ExitStatus::usage,
+                        "--against: '" + part + "' is not of the form name=value.");
+        words.push_back("--" + part.substr(0, equals));
+        words.push_back(part.substr(equals + 1));
+    }
+    std::reverse(words.begin(), words.end()); // as CLI11 wants them
+    try {
+        parser.parse(words);
+    } catch (const CLI::ParseError& error) {
+        throw Error(ExitStatus::usage, "--against " + text + ": " + error.what() + ".");
+    }
+    requireConsistent(settings);
+    return settings;
+}
+
+SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities) {
+    switch (choice) {
+    case InstancingChoice::on:
+        return SidesLayout::instanced;
+    case InstancingChoice::multiDraw:
+        return SidesLayout::multiDraw;
+    case InstancingChoice::off:
+        return SidesLayout::notInstanced;
+    default:
+        return bestLayout(capabilities);
+    }
+}
+
+nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
+    const RenderSettings& render = settings.render;
+    nlohmann::ordered_json json = {
+        {"shadows", nameIn(shadowNames, render.shadows)},
+        {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
+        {"instancing", nameIn(instancingNames, settings.instancing)},
+        {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
+                                              : nlohmann::ordered_json("auto")},
+        {"ambient", render.ambient}};
+    if (render.shadows == ShadowMethod::map)
+        json.update({{"map-size", render.map.size},
+                     {"map-bias", render.map.biasTexels},
+                     {"pcf", render.map.pcf}});
+    return json;
+}
+
+nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities) {
+    return {{"vendor", capabilities.vendor},
+            {"renderer", capabilities.renderer},
+            {"version", capabilities.version},
+            {"depth_bits", capabilities.depthBits},
+            {"stencil_bits", capabilities.stencilBits},
+            {"vertex_mantissa_bits", capabilities.vertexHighpMantissaBits}};
+}
+
+} // namespace edgeshade::cli

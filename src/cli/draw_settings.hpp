@@ -1,0 +1,44 @@
+#pragma once
+
+#include "src/render/frame.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeshade::cli {
+
+enum class InstancingChoice { automatic, on, off, multiDraw };
+
+/// How pictures are drawn, as typed: what `--against` can vary.
+struct DrawSettings {
+    RenderSettings render;
+    InstancingChoice instancing = InstancingChoice::automatic;
+    std::optional<int> depthSlices;      ///< nothing: as many as pay
+    std::vector<std::string> mapOptions; ///< those typed that only shadow maps have
+
+    bool hasMapBias() const;
+};
+
+/// Adds the options; `settings` must outlive parsing.
+void addDrawOptions(CLI::App& verb, DrawSettings& settings);
+
+/// Throws Error(usage) for options that another one makes meaningless.
+void requireConsistent(const DrawSettings& settings);
+
+/// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512".
+/// Throws Error(usage).
+DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
+
+/// The layout that the choice means in this context.
+SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities);
+
+/// The settings as report keys, by the options' names.
+nlohmann::ordered_json settingsJson(const DrawSettings& settings);
+
+/// The same of a device.
+nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities);
+
+} // namespace edgeshade::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "src/lab/verdicts.hpp"
+#include "src/lab/views.hpp"
+#include "src/render/frame.hpp"
+#include "src/scene/load.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace edgeshade::lab {
+
+/// One way of drawing that is compared.
+struct Contender {
+    std::string name;
+    RenderSettings settings;
+    std::optional<int> depthSlices; ///< nothing: as many as pay
+    bool tuneMapBias = false;       ///< maps: try several biases on the first views, keep the best
+};
+
+/// What is compared.
+struct CompareTask {
+    std::vector<LabView> views;
+    int width = 1920;
+    int height = 1080;
+    std::optional<double> near; ///< nothing: fitted to each view
+    std::vector<Light> lights;  ///< used in every view instead of its own; may be empty
+    std::vector<Contender> contenders;
+};
+
+/// What comparing one contender found.
+struct CompareResult {
+    std::string name;
+    RenderSettings settings; ///< with the bias that was used
+    std::size_t views = 0;
+    WrongCounts counts;
+    std::vector<WrongCounts> byView;
+    std::size_t worstView = 0;         ///< most pixels wrong in the image
+    std::vector<std::uint8_t> heatmap; ///< of the worst view, RGBA
+};
+
+/// Draws every view by every contender and counts what is wrong. BLEND surfaces are left out: they
+/// take no part in shadows. `progress` gets the share done and what is being done. Throws Error.
+std::vector<CompareResult>
+compareAll(const LoadedScene& loaded, const CompareTask& task,
+           const std::function<void(double, const std::string&)>& progress);
+
+} // namespace edgeshade::lab

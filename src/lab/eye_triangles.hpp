@@ -1,0 +1,24 @@
+#pragma once
+
+#include "preprocess/scene.hpp"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace edgeshade::lab {
+
+/// A triangle of the scene as seen from one eye: world axes, origin at the eye, so that what is
+/// near the eye keeps its detail wherever in the world it is.
+struct EyeTriangle {
+    glm::dvec3 a{0.0}, b{0.0}, c{0.0};
+    std::uint32_t batch = 0;
+    std::uint32_t firstIndex = 0; ///< of its corners in Batch::indices
+    std::uint32_t material = 0;
+    bool casts = true;   ///< blocks light
+    bool visible = true; ///< can be seen: everything but BLEND
+};
+
+/// All triangles of the scene. `castMasked` as in CasterSettings.
+std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const glm::dvec3& eye, bool castMasked);
+
+} // namespace edgeshade::lab

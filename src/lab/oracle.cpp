@@ -1,0 +1,224 @@
+#include "src/lab/oracle.hpp"
+
+#include "preprocess/error.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <limits>
+#include <thread>
+
+namespace edgeshade::lab {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where the line origin + t * direction meets a triangle, in double (Moeller and Trumbore).
+struct Hit {
+    double t, u, v;
+    bool inside() const { return u >= 0.0 && v >= 0.0 && u + v <= 1.0; }
+};
+
+Hit intersect(const EyeTriangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
+    const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+    const glm::dvec3 p = glm::cross(direction, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0.0) return {infinity, -1.0, -1.0};
+    const glm::dvec3 s = origin - triangle.a;
+    const glm::dvec3 q = glm::cross(s, ab);
+    return {glm::dot(ac, q) / determinant, glm::dot(s, p) / determinant,
+            glm::dot(direction, q) / determinant};
+}
+
+glm::dvec3 normalOf(const EyeTriangle& triangle) {
+    return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+}
+
+/// Whether `other` lies exactly in the plane of `surface`.
+bool isCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
+    const glm::dvec3 normal = normalOf(surface);
+    return glm::dot(normal, other.a - surface.a) == 0.0 &&
+           glm::dot(normal, other.b - surface.a) == 0.0 &&
+           glm::dot(normal, other.c - surface.a) == 0.0;
+}
+
+/// A ray on its way through Embree, with what the filter decides by.
+struct Traversal {
+    RTCIntersectContext context;                     // first: the filter casts the pointer back
+    const std::function<bool(std::uint32_t)>* visit; ///< returns whether to stop
+};
+
+/// Offers every touched triangle to the visitor; never lets Embree end a ray by itself.
+void offer(const RTCFilterFunctionNArguments* arguments) {
+    if (arguments->valid[0] == 0) return;
+    const auto* traversal = reinterpret_cast<const Traversal*>(arguments->context);
+    const auto triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
+    if (!(*traversal->visit)(triangle)) arguments->valid[0] = 0;
+}
+
+} // namespace
+
+struct Oracle::Tree {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+
+    explicit Tree(const std::vector<EyeTriangle>& triangles) {
+        device = rtcNewDevice("threads=2");
+        scene = rtcNewScene(device);
+        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        if (!triangles.empty()) {
+            auto* vertices = static_cast<glm::vec3*>(
+                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                        sizeof(glm::vec3), 3 * triangles.size()));
+            auto* indices = static_cast<std::uint32_t*>(
+                rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                        3 * sizeof(std::uint32_t), triangles.size()));
+            for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+                vertices[3 * i] = glm::vec3(triangles[i].a);
+                vertices[3 * i + 1] = glm::vec3(triangles[i].b);
+                vertices[3 * i + 2] = glm::vec3(triangles[i].c);
+                for (std::uint32_t c = 0; c < 3; ++c)
+                    indices[3 * i + c] = 3 * i + c;
+            }
+            rtcSetGeometryOccludedFilterFunction(geometry, offer);
+            rtcCommitGeometry(geometry);
+            rtcAttachGeometry(scene, geometry);
+        }
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene);
+    }
+    ~Tree() {
+        rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+    Tree(const Tree&) = delete;
+    Tree& operator=(const Tree&) = delete;
+
+    /// Calls visit(triangle) for all triangles that the ray may touch, until it returns true. The
+    /// ray starts a little before its origin, so that rounding to float loses nothing.
+    void traverse(const glm::dvec3& origin, const glm::dvec3& direction, double length,
+                  const std::function<bool(std::uint32_t)>& visit) const {
+        const double reach = glm::length(direction);
+        if (reach == 0.0) return;
+        const double back =
+            1e-6 * std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
+        const glm::dvec3 unit = direction / reach;
+        const glm::vec3 start(origin - back * unit);
+        const glm::vec3 toward(unit);
+        Traversal traversal;
+        rtcInitIntersectContext(&traversal.context);
+        traversal.visit = &visit;
+        RTCRay ray{};
+        ray.org_x = start.x;
+        ray.org_y = start.y;
+        ray.org_z = start.z;
+        ray.dir_x = toward.x;
+        ray.dir_y = toward.y;
+        ray.dir_z = toward.z;
+        ray.tnear = 0.0f;
+        ray.tfar = std::isfinite(length)
+                       ? static_cast<float>((length * reach + 2.0 * back) * (1.0 + 1e-6))
+                       : std::numeric_limits<float>::infinity();
+        ray.mask = ~0u;
+        rtcOccluded1(scene, &traversal.context, &ray);
+    }
+};
+
+glm::dvec3 pixelDirection(const Question& question, double x, double y) {
+    const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(viewFromWorld(question.camera)));
+    const double tangent = std::tan(glm::radians(0.5 * question.camera.fovDegrees));
+    const double right =
+        (2.0 * x / question.width - 1.0) * tangent * question.width / question.height;
+    const double up = (1.0 - 2.0 * y / question.height) * tangent;
+    return worldFromView * glm::dvec3(right, up, -1.0);
+}
+
+Oracle::Oracle(const Question& question, const AlphaAt& alphaAt)
+    : question_(question), alphaAt_(alphaAt),
+      triangles_(eyeTriangles(*question.scene, question.camera.from, question.castMasked)),
+      tree_(std::make_unique<Tree>(triangles_)) {}
+
+Oracle::~Oracle() = default;
+
+glm::dvec4 Oracle::lightFromEye(std::size_t light) const {
+    const glm::dvec4& position = question_.lights[light].position;
+    return {glm::dvec3(position) - question_.camera.from * position.w, position.w};
+}
+
+bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
+    const Material& material = question_.scene->materials[triangle.material];
+    return material.alphaMode == AlphaMode::mask && alphaAt_(triangle, u, v) < material.alphaCutoff;
+}
+
+Answer Oracle::at(double x, double y) const {
+    const glm::dvec3 direction = pixelDirection(question_, x, y);
+    double nearest = infinity;
+    std::uint32_t own = 0;
+    tree_->traverse(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
+        const EyeTriangle& triangle = triangles_[i];
+        if (!triangle.visible) return false;
+        const Hit hit = intersect(triangle, glm::dvec3(0.0), direction);
+        if (hit.inside() && hit.t >= question_.near && hit.t < nearest &&
+            !isHole(triangle, hit.u, hit.v)) {
+            nearest = hit.t;
+            own = i;
+        }
+        return false;
+    });
+    if (!std::isfinite(nearest)) return {};
+
+    const EyeTriangle& surface = triangles_[own];
+    const glm::dvec3 point = nearest * direction;
+    const glm::dvec3 normal = normalOf(surface);
+    const double eyeSide = -glm::dot(normal, surface.a);
+    Answer answer{true, 0};
+    for (std::size_t i = 0; i < question_.lights.size(); ++i) {
+        const glm::dvec4 light = lightFromEye(i);
+        const double lightSide = glm::dot(normal, glm::dvec3(light) - surface.a * light.w);
+        bool blocked = surface.casts && eyeSide * lightSide < 0.0;
+        const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
+        if (!blocked)
+            tree_->traverse(point, towards, light.w == 0.0 ? infinity : 1.0, [&](std::uint32_t j) {
+                const EyeTriangle& other = triangles_[j];
+                if (j == own || !other.casts) return false;
+                const Hit hit = intersect(other, point, towards);
+                if (!hit.inside() || hit.t <= 0.0 || (light.w != 0.0 && hit.t >= 1.0)) return false;
+                return blocked = !isCoplanar(surface, other);
+            });
+        if (!blocked) answer.lit |= 1u << i;
+    }
+    return answer;
+}
+
+std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const glm::dvec3& direction,
+                                              bool segment) const {
+    std::vector<std::uint32_t> found;
+    tree_->traverse(origin, direction, segment ? 1.0 : infinity, [&](std::uint32_t i) {
+        found.push_back(i);
+        return false;
+    });
+    return found;
+}
+
+std::vector<Answer> traceAll(const Oracle& oracle, const std::function<void(double)>& progress) {
+    const int width = oracle.question().width, height = oracle.question().height;
+    std::vector<Answer> answers(static_cast<std::size_t>(width) * height);
+    std::atomic<int> nextRow{0};
+    const auto work = [&](bool reports) {
+        for (int y = nextRow++; y < height; y = nextRow++) {
+            for (int x = 0; x < width; ++x)
+                answers[static_cast<std::size_t>(y) * width + x] = oracle.at(x + 0.5, y + 0.5);
+            if (reports && progress) progress(static_cast<double>(y + 1) / height);
+        }
+    };
+    std::vector<std::thread> others;
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+        others.emplace_back(work, false);
+    work(true);
+    for (std::thread& other : others)
+        other.join();
+    return answers;
+}
+
+} // namespace edgeshade::lab

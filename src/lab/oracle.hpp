@@ -1,0 +1,82 @@
+#pragma once
+
+#include "src/lab/eye_triangles.hpp"
+#include "src/scene/camera.hpp"
+#include "src/scene/light.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace edgeshade::lab {
+
+/// What one pixel shows: nothing, or a surface and which lights reach it.
+struct Answer {
+    bool surface = false;
+    std::uint32_t lit = 0; ///< bit i: light i
+
+    bool operator==(const Answer&) const = default;
+};
+
+inline constexpr std::size_t mostLights = 32;
+
+/// What is judged: a scene, a camera, lights, a picture size. `near`: surfaces nearer along the
+/// viewing direction can't be seen, but cast.
+struct Question {
+    const Scene* scene = nullptr;
+    bool castMasked = false;
+    Camera camera;
+    double near = 0.0;
+    std::vector<Light> lights; ///< at most mostLights
+    int width = 1;
+    int height = 1;
+};
+
+/// The ray of a picture point: origin at the eye, x and y in pixels (centres at +0.5, rows down).
+/// Its length is such that the camera-space depth of `t * direction` is t.
+glm::dvec3 pixelDirection(const Question& question, double x, double y);
+
+/// Alpha of a triangle's surface at barycentric coordinates (u, v) of b and c. Given by whoever
+/// has the textures.
+using AlphaAt = std::function<float(const EyeTriangle&, double u, double v)>;
+
+/// Lit as in the method, section 7, by casting rays: Embree in robust mode finds what a ray may
+/// hit, double arithmetic decides. A surface never blocks itself, nor do triangles exactly in its
+/// plane; one seen from the side turned away from a light is not lit by it.
+class Oracle {
+  public:
+    /// Throws Error(unavailable) where the program was built without Embree.
+    Oracle(const Question& question, const AlphaAt& alphaAt);
+    ~Oracle();
+    Oracle(const Oracle&) = delete;
+    Oracle& operator=(const Oracle&) = delete;
+
+    /// The answer at a picture point. Thread-safe.
+    Answer at(double x, double y) const;
+
+    /// Indices of all triangles that the ray from `origin` along `direction` may touch for
+    /// t > 0 (t < 1 if `segment`), rounding allowed for: candidates for a more exact judge.
+    std::vector<std::uint32_t> candidates(const glm::dvec3& origin, const glm::dvec3& direction,
+                                          bool segment) const;
+
+    const Question& question() const { return question_; }
+    const std::vector<EyeTriangle>& triangles() const { return triangles_; }
+    bool isHole(const EyeTriangle& triangle, double u, double v) const;
+
+    /// The light relative to the eye, homogeneous.
+    glm::dvec4 lightFromEye(std::size_t light) const;
+
+  private:
+    struct Tree; ///< Embree's
+
+    Question question_;
+    AlphaAt alphaAt_;
+    std::vector<EyeTriangle> triangles_;
+    std::unique_ptr<Tree> tree_;
+};
+
+/// Answers at all pixel centres, rows top to bottom, on all cores. `progress` is called with the
+/// share done, from one thread.
+std::vector<Answer> traceAll(const Oracle& oracle, const std::function<void(double)>& progress);
+
+} // namespace edgeshade::lab

@@ -1,0 +1,156 @@
+#include "src/lab/verdicts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <thread>
+
+namespace edgeshade::lab {
+namespace {
+
+constexpr int tolerance = 2; // of 255, in the image (contract)
+
+using Color = std::array<int, 3>;
+
+/// One view: pictures and answers side by side.
+class View {
+  public:
+    View(const Oracle& oracle, const std::vector<Answer>& answers, const Pictures& pictures)
+        : oracle_(oracle), answers_(answers), pictures_(pictures), width_(oracle.question().width),
+          height_(oracle.question().height) {}
+
+    bool wrongInMask(std::size_t i) const {
+        const bool surface = pictures_.mask[4 * i + 3] != 0;
+        const bool lit = pictures_.mask[4 * i] != 0;
+        const Answer& answer = answers_[i];
+        return surface != answer.surface || (surface && lit != ((answer.lit & 1u) != 0));
+    }
+
+    bool wrongInImage(std::size_t i) const {
+        const Color expected = oracleColor(i);
+        for (std::size_t c = 0; c < 3; ++c)
+            if (std::abs(expected[c] - pictures_.image[4 * i + c]) > tolerance) return true;
+        return false;
+    }
+
+    /// Whether the oracle's answers differ within the 3x3 neighbourhood.
+    bool nearBoundary(std::size_t i) const {
+        const int x = static_cast<int>(i) % width_, y = static_cast<int>(i) / width_;
+        for (int ny = std::max(0, y - 1); ny <= std::min(height_ - 1, y + 1); ++ny)
+            for (int nx = std::max(0, x - 1); nx <= std::min(width_ - 1, x + 1); ++nx)
+                if (!(answers_[static_cast<std::size_t>(ny) * width_ + nx] == answers_[i]))
+                    return true;
+        return false;
+    }
+
+    PixelKind kindOfWrong(std::size_t i) const {
+        const bool surface = pictures_.mask[4 * i + 3] != 0;
+        if (surface != answers_[i].surface || !wrongInMask(i)) return PixelKind::otherwiseWrong;
+        return pictures_.mask[4 * i] != 0 ? PixelKind::wronglyLit : PixelKind::wronglyDark;
+    }
+
+  private:
+    /// The program's own unshadowed lights, put together by the oracle's answer.
+    Color oracleColor(std::size_t i) const {
+        Color color;
+        for (std::size_t c = 0; c < 3; ++c) {
+            color[c] = pictures_.ambient[4 * i + c];
+            for (std::size_t light = 0; light < pictures_.unshadowed.size(); ++light)
+                if ((answers_[i].lit >> light & 1u) != 0)
+                    color[c] +=
+                        pictures_.unshadowed[light][4 * i + c] - pictures_.ambient[4 * i + c];
+            color[c] = std::min(color[c], 255);
+        }
+        return color;
+    }
+
+    const Oracle& oracle_;
+    const std::vector<Answer>& answers_;
+    const Pictures& pictures_;
+    int width_, height_;
+};
+
+/// Calls work(index) for indices 0 to count - 1 on all cores.
+template <class Work>
+void onAllCores(std::size_t count, Work work) {
+    std::atomic<std::size_t> next{0};
+    const auto loop = [&] {
+        for (std::size_t i = next++; i < count; i = next++)
+            work(i);
+    };
+    std::vector<std::thread> others;
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+        others.emplace_back(loop);
+    loop();
+    for (std::thread& other : others)
+        other.join();
+}
+
+} // namespace
+
+WrongCounts& WrongCounts::operator+=(const WrongCounts& other) {
+    pixels += other.pixels;
+    visiblePixels += other.visiblePixels;
+    wrongMaskPixels += other.wrongMaskPixels;
+    wrongMaskBeyond1px += other.wrongMaskBeyond1px;
+    wrongImagePixels += other.wrongImagePixels;
+    wrongImageBeyond1px += other.wrongImageBeyond1px;
+    tiePixels += other.tiePixels;
+    beyond1pxNotTied += other.beyond1pxNotTied;
+    return *this;
+}
+
+Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
+                             const Pictures& pictures) {
+    const View view(oracle, answers, pictures);
+    const int width = oracle.question().width;
+    const auto wrongPixels = [&] {
+        std::vector<std::size_t> wrong;
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (view.wrongInMask(i) || view.wrongInImage(i)) wrong.push_back(i);
+        return wrong;
+    };
+
+    // Judge every disagreement again; what is settled now is nobody's error.
+    const std::vector<std::size_t> suspects = wrongPixels();
+    std::vector<Verdict> verdicts(suspects.size());
+    onAllCores(suspects.size(), [&](std::size_t s) {
+        const std::size_t i = suspects[s];
+        verdicts[s] = judgeExactly(oracle, static_cast<double>(i % width) + 0.5,
+                                   static_cast<double>(i / width) + 0.5);
+    });
+    for (std::size_t s = 0; s < suspects.size(); ++s)
+        answers[suspects[s]] = verdicts[s].answer;
+
+    std::vector<char> ties(suspects.size(), 0);
+    onAllCores(suspects.size(), [&](std::size_t s) {
+        const std::size_t i = suspects[s];
+        if (view.wrongInMask(i) || view.wrongInImage(i))
+            ties[s] = isTie(oracle, static_cast<int>(i % width), static_cast<int>(i / width),
+                            verdicts[s]);
+    });
+
+    Comparison comparison;
+    comparison.kinds.assign(answers.size(), PixelKind::right);
+    WrongCounts& counts = comparison.counts;
+    counts.pixels = answers.size();
+    for (const Answer& answer : answers)
+        counts.visiblePixels += answer.surface;
+    for (std::size_t s = 0; s < suspects.size(); ++s) {
+        const std::size_t i = suspects[s];
+        const bool inMask = view.wrongInMask(i), inImage = view.wrongInImage(i);
+        if (!inMask && !inImage) continue;
+        const bool beyond = !view.nearBoundary(i), tie = ties[s] != 0;
+        counts.wrongMaskPixels += inMask;
+        counts.wrongMaskBeyond1px += inMask && beyond;
+        counts.wrongImagePixels += inImage;
+        counts.wrongImageBeyond1px += inImage && beyond;
+        counts.tiePixels += tie;
+        counts.beyond1pxNotTied += inImage && beyond && !tie;
+        comparison.kinds[i] = tie ? PixelKind::tie : view.kindOfWrong(i);
+    }
+    return comparison;
+}
+
+} // namespace edgeshade::lab

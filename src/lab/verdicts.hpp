@@ -1,0 +1,48 @@
+#pragma once
+
+#include "src/lab/exact_judge.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace edgeshade::lab {
+
+/// What comparing pictures with the oracle finds: the contract's keys of `compare`.
+struct WrongCounts {
+    std::size_t pixels = 0;
+    std::size_t visiblePixels = 0; ///< where the oracle sees a surface
+    std::size_t wrongMaskPixels = 0;
+    std::size_t wrongMaskBeyond1px = 0; ///< no oracle boundary in the 3x3 neighbourhood
+    std::size_t wrongImagePixels = 0;
+    std::size_t wrongImageBeyond1px = 0;
+    std::size_t tiePixels = 0;        ///< of the wrong ones, in mask or image
+    std::size_t beyond1pxNotTied = 0; ///< wrong in the image beyond 1 px and no tie
+
+    WrongCounts& operator+=(const WrongCounts& other);
+};
+
+/// One view's pictures, RGBA rows top to bottom, all of the question's size.
+struct Pictures {
+    std::vector<std::uint8_t> mask;  ///< the program's lit mask of light 0
+    std::vector<std::uint8_t> image; ///< the program's picture
+    /// The picture with no light, and with each light alone, all without shadows: what the
+    /// oracle's picture is put together from.
+    std::vector<std::uint8_t> ambient;
+    std::vector<std::vector<std::uint8_t>> unshadowed;
+};
+
+/// What a pixel is, for the heat map.
+enum class PixelKind : std::uint8_t { right, wronglyLit, wronglyDark, otherwiseWrong, tie };
+
+struct Comparison {
+    WrongCounts counts;
+    std::vector<PixelKind> kinds; ///< one a pixel
+};
+
+/// Counts where the pictures disagree with the answers. Every pixel on which they do is judged
+/// again exactly, and `answers` is corrected, before anything is counted.
+Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
+                             const Pictures& pictures);
+
+} // namespace edgeshade::lab

@@ -1,0 +1,127 @@
+#include "src/lab/views.hpp"
+
+#include <cmath>
+#include <random>
+
+namespace edgeshade::lab {
+namespace {
+
+/// Numbers that are the same on every platform: the library's distributions are not.
+class Draw {
+  public:
+    double unit() { return static_cast<double>(random_()) / 4294967296.0; }
+    double between(double low, double high) { return low + (high - low) * unit(); }
+    std::size_t below(std::size_t end) {
+        return std::min(end - 1, static_cast<std::size_t>(unit() * static_cast<double>(end)));
+    }
+    /// A direction with a height (y) in the given range.
+    glm::dvec3 direction(double lowest, double highest) {
+        const double y = between(lowest, highest);
+        const double angle = between(0.0, 6.283185307179586);
+        const double r = std::sqrt(std::max(0.0, 1.0 - y * y));
+        return {r * std::cos(angle), y, r * std::sin(angle)};
+    }
+
+  private:
+    std::mt19937 random_{20150};
+};
+
+/// A point on a surface and its normal, on a random triangle with an area.
+struct SurfacePoint {
+    glm::dvec3 point{0.0};
+    glm::dvec3 normal{0.0, 1.0, 0.0};
+};
+
+SurfacePoint surfacePoint(const Scene& scene, Draw& draw) {
+    for (int attempt = 0; attempt < 64; ++attempt) {
+        const std::size_t triangles = scene.triangleCount();
+        if (triangles == 0) break;
+        std::size_t index = draw.below(triangles);
+        for (const Batch& batch : scene.batches) {
+            if (index >= batch.indices.size() / 3) {
+                index -= batch.indices.size() / 3;
+                continue;
+            }
+            glm::dvec3 corner[3];
+            for (std::size_t c = 0; c < 3; ++c)
+                corner[c] =
+                    glm::dvec3(batch.worldFromBatch *
+                               glm::dvec4(batch.positions[batch.indices[3 * index + c]], 1.0));
+            const glm::dvec3 cross = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+            const double length = glm::length(cross);
+            if (length > 0.0) return {(corner[0] + corner[1] + corner[2]) / 3.0, cross / length};
+            break;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovDegrees,
+                              double aspect) {
+    const Box box = worldBounds(scene);
+    const glm::dvec3 center = box.center();
+    const double size = std::max(box.diagonal(), 1e-9);
+    const double framing = glm::distance(framingCamera(box, fovDegrees, aspect).from, center);
+    Draw draw;
+    const auto inBox = [&] {
+        if (box.empty()) return center;
+        const glm::dvec3 share(draw.between(0.2, 0.8), draw.between(0.2, 0.8),
+                               draw.between(0.2, 0.8));
+        return box.low + share * (box.high - box.low);
+    };
+    const auto outside = [&](double distance) {
+        return center + distance * framing * draw.direction(0.1, 0.8);
+    };
+    const auto point = [](const glm::dvec3& p) { return Light{glm::dvec4(p, 1.0)}; };
+    const auto sun = [](const glm::dvec3& d) { return Light{glm::dvec4(d, 0.0)}; };
+
+    std::vector<LabView> views;
+    for (std::size_t i = 0; i < count; ++i) {
+        LabView view;
+        view.camera = {outside(draw.between(0.6, 1.1)), center, fovDegrees};
+        std::string kind;
+        switch (i % 6) {
+        case 0:
+            kind = "outside, point light above";
+            view.light = point(center + size * draw.between(0.5, 1.5) * draw.direction(0.5, 0.95));
+            break;
+        case 1:
+            kind = "inside, point light inside";
+            view.camera.from = inBox();
+            view.camera.to = view.camera.from + size * draw.direction(-0.4, 0.3);
+            view.light = point(inBox());
+            break;
+        case 2:
+            kind = "outside, grazing sun";
+            view.light = sun(draw.direction(0.02, 0.15));
+            break;
+        case 3: {
+            kind = "outside, point light close to a surface";
+            const SurfacePoint surface = surfacePoint(scene, draw);
+            view.light = point(surface.point + 0.01 * size * surface.normal);
+            break;
+        }
+        case 4:
+            kind = "inside, sun";
+            view.camera.from = inBox();
+            view.camera.to = view.camera.from + size * draw.direction(-0.4, 0.3);
+            view.light = sun(draw.direction(0.3, 0.9));
+            break;
+        default: {
+            kind = "close to a surface, point light outside";
+            const SurfacePoint surface = surfacePoint(scene, draw);
+            view.camera.from = surface.point + 0.05 * size * surface.normal;
+            view.camera.to = surface.point + 0.02 * size * draw.direction(-1.0, 1.0);
+            view.light = point(center + size * draw.between(0.5, 1.5) * draw.direction(0.2, 0.9));
+            break;
+        }
+        }
+        view.name = std::to_string(i) + ": " + kind;
+        views.push_back(view);
+    }
+    return views;
+}
+
+} // namespace edgeshade::lab

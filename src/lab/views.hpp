@@ -1,0 +1,25 @@
+#pragma once
+
+#include "src/scene/camera.hpp"
+#include "src/scene/light.hpp"
+
+#include <string>
+#include <vector>
+
+namespace edgeshade::lab {
+
+/// A camera and a light to compare from, and what kind of view it is.
+struct LabView {
+    std::string name; ///< e.g. "3: inside, point light inside"
+    Camera camera;
+    Light light;
+};
+
+/// `count` views around and inside the scene, in turn: from outside with a light above; from
+/// inside with a light inside; from outside with a grazing sun; from outside with a light close to
+/// a surface; from inside with a sun; close to a surface with a light outside. The same scene and
+/// count give the same views.
+std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovDegrees,
+                              double aspect);
+
+} // namespace edgeshade::lab

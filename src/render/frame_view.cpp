@@ -1,0 +1,65 @@
+#include "src/render/frame_view.hpp"
+
+#include "src/render/visible_depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+constexpr std::size_t stencilLimit = 255; // the largest count of an 8-bit stencil
+constexpr double slicePays = 64.0;        // ratio of depths from which one more slice is worth it
+constexpr int mostSlices = 8;
+
+} // namespace
+
+double fittedNear(double nearest, double diagonal) {
+    const double smallest = diagonal > 0.0 ? 1e-6 * diagonal : 1e-6;
+    return std::isfinite(nearest) ? std::max(0.99 * nearest, smallest)
+                                  : std::max(0.01 * diagonal, smallest);
+}
+
+std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count) {
+    const double ratio = std::max(1.0, farthest / near);
+    const int slices =
+        count ? *count
+              : std::clamp(static_cast<int>(std::ceil(std::log(ratio) / std::log(slicePays))), 1,
+                           mostSlices);
+    std::vector<DepthSlice> result;
+    for (int i = slices - 1; i >= 0; --i) {
+        DepthSlice slice;
+        slice.near = near * std::pow(ratio, static_cast<double>(i) / slices);
+        if (!result.empty()) slice.far = result.back().near;
+        result.push_back(slice);
+    }
+    return result;
+}
+
+FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request) {
+    FrameView view;
+    view.camera = request.camera;
+    view.width = request.width;
+    view.height = request.height;
+    view.lights = request.lights;
+    view.bounds = worldBounds(loaded.scene);
+    const double aspect = static_cast<double>(request.width) / request.height;
+    DepthRange range;
+    for (const Batch& batch : loaded.scene.batches) {
+        const DepthRange own = visibleDepth(batch, request.camera, aspect);
+        view.nearestDepths.push_back(own.nearest);
+        if (own.nearest > own.farthest) continue;
+        range.add(own.nearest);
+        range.add(own.farthest);
+    }
+    const double near =
+        request.depth.near.value_or(fittedNear(range.nearest, view.bounds.diagonal()));
+    view.farthestDepth = range.farthest;
+    view.slices = divideDepth(near, range.farthest, request.depth.slices);
+    for (const Light& light : request.lights)
+        view.layers.push_back(
+            boundLayers(loaded.scene, loaded.settings.castMasked, light, stencilLimit));
+    return view;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,206 @@
+#include "src/render/layer_bound.hpp"
+
+#include "preprocess/topology.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+constexpr int deepest = 12; // halvings of a face's side
+constexpr double rounding = 1e-12;
+
+/// A convex cone of three rays, as seen from the light; for a sun, points (x, y, 1) of the plane
+/// across its direction. `sides` are the planes between neighbouring rays, insides positive.
+struct TriangleCone {
+    std::array<glm::dvec3, 3> rays;
+    std::array<glm::dvec3, 3> sides;
+
+    explicit TriangleCone(const std::array<glm::dvec3, 3>& corners) : rays(corners) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            sides[i] = glm::cross(rays[i], rays[(i + 1) % 3]);
+            if (glm::dot(sides[i], rays[(i + 2) % 3]) < 0.0) sides[i] = -sides[i];
+        }
+    }
+};
+
+/// A cell of directions: a rectangle on a face of a cube around the light.
+struct Cell {
+    glm::dmat3 face; ///< columns: u axis, v axis, outward axis
+    double u0, u1, v0, v1;
+
+    std::array<glm::dvec3, 4> corners() const {
+        return {face * glm::dvec3(u0, v0, 1.0), face * glm::dvec3(u1, v0, 1.0),
+                face * glm::dvec3(u1, v1, 1.0), face * glm::dvec3(u0, v1, 1.0)};
+    }
+    /// Planes through the cell's sides and the light, insides positive.
+    std::array<glm::dvec3, 4> sides() const {
+        return {face * glm::dvec3(1.0, 0.0, -u0), face * glm::dvec3(-1.0, 0.0, u1),
+                face * glm::dvec3(0.0, 1.0, -v0), face * glm::dvec3(0.0, -1.0, v1)};
+    }
+    std::array<Cell, 4> quarters() const {
+        const double u = 0.5 * (u0 + u1), v = 0.5 * (v0 + v1);
+        return {{{face, u0, u, v0, v},
+                 {face, u, u1, v0, v},
+                 {face, u0, u, v, v1},
+                 {face, u, u1, v, v1}}};
+    }
+};
+
+double magnitude(const glm::dvec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+/// Whether all vectors lie outside the plane, rounding allowed for.
+template <std::size_t N>
+bool allOutside(const glm::dvec3& plane, const std::array<glm::dvec3, N>& vectors) {
+    for (const glm::dvec3& vector : vectors)
+        if (glm::dot(plane, vector) >= -rounding * magnitude(plane) * magnitude(vector))
+            return false;
+    return true;
+}
+
+/// Whether the cones may have a direction in common: no side of either separates them.
+bool mayTouch(const TriangleCone& triangle, const std::array<glm::dvec3, 4>& corners,
+              const std::array<glm::dvec3, 4>& sides) {
+    for (const glm::dvec3& side : sides)
+        if (allOutside(side, triangle.rays)) return false;
+    for (const glm::dvec3& side : triangle.sides)
+        if (allOutside(side, corners)) return false;
+    return true;
+}
+
+std::vector<TriangleCone> conesFrom(const Scene& scene, bool castMasked, const Light& light) {
+    const glm::dvec3 position(light.position);
+    const bool sun = light.position.w == 0.0;
+    glm::dvec3 across(0.0), upward(0.0);
+    if (sun) {
+        const glm::dvec3 towards = glm::normalize(position);
+        across = glm::normalize(glm::cross(
+            towards, std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
+        upward = glm::cross(towards, across);
+    }
+    std::vector<TriangleCone> cones;
+    for (const Batch& batch : scene.batches) {
+        const Casters casters = castersOf(batch, scene.materials, castMasked);
+        for (std::size_t i = 0; i < casters.indices.size(); i += 3) {
+            std::array<glm::dvec3, 3> rays;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const glm::dvec3 world(batch.worldFromBatch *
+                                       glm::dvec4(batch.positions[casters.indices[i + c]], 1.0));
+                rays[c] = sun ? glm::dvec3(glm::dot(across, world), glm::dot(upward, world), 1.0)
+                              : world - position;
+            }
+            cones.emplace_back(rays);
+        }
+    }
+    return cones;
+}
+
+/// The cells to begin with: six faces of a cube, or the outline of the scene across a sun.
+std::vector<Cell> firstCells(const std::vector<TriangleCone>& cones, bool sun) {
+    if (sun) {
+        double u0 = INFINITY, u1 = -INFINITY, v0 = INFINITY, v1 = -INFINITY;
+        for (const TriangleCone& cone : cones)
+            for (const glm::dvec3& ray : cone.rays) {
+                u0 = std::min(u0, ray.x);
+                u1 = std::max(u1, ray.x);
+                v0 = std::min(v0, ray.y);
+                v1 = std::max(v1, ray.y);
+            }
+        return {{glm::dmat3(1.0), u0, u1, v0, v1}};
+    }
+    std::vector<Cell> cells;
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            glm::dmat3 face(0.0);
+            face[0][(axis + 1) % 3] = 1.0;
+            face[1][(axis + 2) % 3] = 1.0;
+            face[2][axis] = sign;
+            cells.push_back({face, -1.0, 1.0, -1.0, 1.0});
+        }
+    return cells;
+}
+
+using Members = std::vector<std::uint32_t>; ///< indices of cones
+
+/// Divides cells until their members are few enough; hands the last ones to `crowded`.
+class Divider {
+  public:
+    Divider(const std::vector<TriangleCone>& cones, std::size_t limit)
+        : cones_(cones), limit_(limit) {}
+
+    void divide(const Cell& cell, const Members& parents, int depth) {
+        const auto corners = cell.corners();
+        const auto sides = cell.sides();
+        Members members;
+        for (const std::uint32_t i : parents)
+            if (mayTouch(cones_[i], corners, sides)) members.push_back(i);
+        if (members.size() <= limit_ || depth == deepest) {
+            most_ = std::max(most_, members.size());
+            if (members.size() > limit_) crowded_.push_back(std::move(members));
+            return;
+        }
+        for (const Cell& quarter : cell.quarters())
+            divide(quarter, members, depth + 1);
+    }
+
+    std::size_t most() const { return most_; }
+    const std::vector<Members>& crowded() const { return crowded_; }
+
+  private:
+    const std::vector<TriangleCone>& cones_;
+    const std::size_t limit_;
+    std::size_t most_ = 0;
+    std::vector<Members> crowded_;
+};
+
+/// Groups such that no crowded cell has more than `limit` members of one; triangles outside
+/// crowded cells are in group 0.
+void assignGroups(const std::vector<Members>& crowded, std::size_t triangles, std::size_t limit,
+                  LayerBound& bound) {
+    std::vector<Members> cellsOf(triangles);
+    for (std::uint32_t cell = 0; cell < crowded.size(); ++cell)
+        for (const std::uint32_t triangle : crowded[cell])
+            cellsOf[triangle].push_back(cell);
+
+    bound.groupOf.assign(triangles, 0);
+    std::vector<std::vector<std::size_t>> taken; // by group, by cell
+    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
+        if (cellsOf[triangle].empty()) continue;
+        const auto fits = [&](const std::vector<std::size_t>& counts) {
+            return std::all_of(cellsOf[triangle].begin(), cellsOf[triangle].end(),
+                               [&](std::uint32_t cell) { return counts[cell] < limit; });
+        };
+        auto group = std::find_if(taken.begin(), taken.end(), fits);
+        if (group == taken.end())
+            group = taken.insert(taken.end(), std::vector<std::size_t>(crowded.size(), 0));
+        for (const std::uint32_t cell : cellsOf[triangle])
+            ++(*group)[cell];
+        bound.groupOf[triangle] = static_cast<std::uint32_t>(group - taken.begin());
+    }
+    bound.groupCount = std::max<std::size_t>(1, taken.size());
+}
+
+} // namespace
+
+LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light, std::size_t limit) {
+    LayerBound bound;
+    bound.most = scene.triangleCount();
+    if (bound.most <= limit) return bound;
+
+    const std::vector<TriangleCone> cones = conesFrom(scene, castMasked, light);
+    Members all(cones.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i)
+        all[i] = i;
+    Divider divider(cones, limit);
+    for (const Cell& cell : firstCells(cones, light.position.w == 0.0))
+        divider.divide(cell, all, 0);
+    bound.most = divider.most();
+    if (bound.most > limit) assignGroups(divider.crowded(), cones.size(), limit, bound);
+    return bound;
+}
+
+} // namespace edgeshade

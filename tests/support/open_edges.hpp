@@ -1,0 +1,28 @@
+#pragma once
+
+// The closed chain (method, section 4) on packed records, by multiplicities alone.
+
+#include "preprocess/shadow_data.hpp"
+#include "tests/support/chain.hpp"
+#include "tests/support/record_multiplicity.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace edgeshade::test {
+
+/// Edges at which the sides that `Method` gives don't fit its caps.
+template <class Method>
+std::size_t openEdgesOf(const BatchTopology& topology, const BatchShadow& shadow,
+                        const glm::vec4& light) {
+    const auto rounded = [](float value) { return static_cast<int>(std::lround(value)); };
+    std::vector<int> multiplicities, signs;
+    for (std::size_t r = 0; r < shadow.sides.recordCount(); ++r)
+        multiplicities.push_back(
+            rounded(recordMultiplicity<Method>(sidesRecord(shadow.sides, r), light)));
+    for (std::size_t r = 0; r < shadow.caps.recordCount(); ++r)
+        signs.push_back(rounded(capSign<Method>(capsRecord(shadow.caps, r), light)));
+    return openEdges(topology, shadow.sides.maxMultiplicity, multiplicities, signs);
+}
+
+} // namespace edgeshade::test

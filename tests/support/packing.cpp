@@ -1,0 +1,77 @@
+#include "tests/support/packing.hpp"
+
+#include "preprocess/error.hpp"
+#include "preprocess/flatten.hpp"
+#include "preprocess/packed_file.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+bool sameBits(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(glm::vec4)) == 0);
+}
+
+} // namespace
+
+Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settings,
+             const std::filesystem::path& path) {
+    const GltfDocument document = parseGltf(asset, path);
+    const Scene scene = flattenScene(document, settings.weldTolerance);
+    BuildSeconds seconds;
+    return packedGlb(document, scene, buildTopology(scene, settings.castMasked, seconds), encoding,
+                     settings);
+}
+
+std::vector<BatchShadow> readBack(const Bytes& packedAsset) {
+    const GltfDocument document = parseGltf(packedAsset, "packed.glb");
+    const auto header = readShadowHeader(document);
+    if (!header) throw InputError("'packed.glb' is not packed.");
+    return readShadows(document, *header, flattenScene(document, header->settings.weldTolerance));
+}
+
+std::vector<BatchShadow> built(const Bytes& asset, const CasterSettings& settings) {
+    return buildShadows(flattenScene(parseGltf(asset, "test.glb"), settings.weldTolerance),
+                        settings.castMasked);
+}
+
+void expectSameShadows(const std::vector<BatchShadow>& actual,
+                       const std::vector<BatchShadow>& expected) {
+    ASSERT_EQ(actual.size(), expected.size());
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+        EXPECT_EQ(actual[i].sides.maxMultiplicity, expected[i].sides.maxMultiplicity);
+        EXPECT_TRUE(sameBits(actual[i].sides.records, expected[i].sides.records)) << "batch " << i;
+        EXPECT_TRUE(sameBits(actual[i].caps.records, expected[i].caps.records)) << "batch " << i;
+        ASSERT_EQ(actual[i].groups.size(), expected[i].groups.size());
+        for (std::size_t g = 0; g < actual[i].groups.size(); ++g) {
+            EXPECT_EQ(actual[i].groups[g].material, expected[i].groups[g].material);
+            EXPECT_EQ(actual[i].groups[g].firstCap, expected[i].groups[g].firstCap);
+            EXPECT_EQ(actual[i].groups[g].capCount, expected[i].groups[g].capCount);
+        }
+    }
+}
+
+GltfBuilder variedScene() {
+    GltfBuilder gltf;
+    gltf.addMaterial({{"name", "opaque"}, {"extras", {{"kept", true}}}});
+    gltf.addMaterial({{"alphaMode", "MASK"}});
+    gltf.addMaterial({{"alphaMode", "BLEND"}});
+    gltf.addShapeNode(box(glm::vec3(1.0f, 2.0f, 3.0f)), {{"material", 0}});
+    gltf.addShapeNode(book(7));
+    Shape withDegenerate = tetrahedron();
+    withDegenerate.indices.insert(withDegenerate.indices.begin() + 3, {1, 1, 2});
+    gltf.addShapeNode(withDegenerate, {{"material", 1}});
+    gltf.addShapeNode(box(glm::vec3(0.3f)), {{"material", 2}});
+    const int mover = gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5f)))},
+                                    {"translation", {1e5, 3, 0.25}},
+                                    {"scale", {1, -1, 1}}});
+    gltf.animate(mover);
+    const int castsNothing =
+        gltf.addNode({{"mesh", gltf.addShape(tetrahedron(), {{"material", 2}})}});
+    gltf.animate(castsNothing);
+    return gltf;
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "preprocess/shadow_extension.hpp"
+#include "tests/support/gltf_builder.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace edgeshade::test {
+
+inline constexpr Encoding everyEncoding[] = {Encoding::expanded, Encoding::indexed, Encoding::none};
+
+/// Packs an asset as `pack` does. External files are taken from `path`'s folder.
+Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settings = {},
+             const std::filesystem::path& path = "test.glb");
+
+/// The shadow data as a renderer gets them from a packed file.
+std::vector<BatchShadow> readBack(const Bytes& packedAsset);
+
+/// The shadow data as made from an asset that isn't packed.
+std::vector<BatchShadow> built(const Bytes& asset, const CasterSettings& settings = {});
+
+/// Expects equal numbers of batches, groups and records, and the same bits in the records.
+void expectSameShadows(const std::vector<BatchShadow>& actual,
+                       const std::vector<BatchShadow>& expected);
+
+/// A scene with everything that shadow data depend on: static and animated nodes, an edge with
+/// seven triangles, open and closed pieces, a degenerate triangle, MASK and BLEND surfaces, a batch
+/// without casters.
+GltfBuilder variedScene();
+
+} // namespace edgeshade::test
