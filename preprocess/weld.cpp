@@ -86,25 +86,27 @@ WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint3
 }
 
 void snapPositions(std::vector<glm::vec3>& positions, double tolerance) {
-    std::unordered_map<Cell, std::vector<glm::vec3>, CellHash> keptByCell;
+    std::vector<glm::vec3> kept; // in the order of the positions
+    std::unordered_map<Cell, std::vector<std::size_t>, CellHash> keptByCell;
     for (glm::vec3& position : positions) {
         const Cell home = cellOf(position, tolerance);
-        const glm::vec3* nearest = nullptr;
-        for (std::int64_t dx = -1; dx <= 1 && !nearest; ++dx)
-            for (std::int64_t dy = -1; dy <= 1 && !nearest; ++dy)
-                for (std::int64_t dz = -1; dz <= 1 && !nearest; ++dz) {
+        std::size_t first = kept.size();
+        for (std::int64_t dx = -1; dx <= 1; ++dx)
+            for (std::int64_t dy = -1; dy <= 1; ++dy)
+                for (std::int64_t dz = -1; dz <= 1; ++dz) {
                     const auto cell = keptByCell.find({home.x + dx, home.y + dy, home.z + dz});
                     if (cell == keptByCell.end()) continue;
-                    for (const glm::vec3& kept : cell->second)
-                        if (glm::distance(glm::dvec3(kept), glm::dvec3(position)) < tolerance) {
-                            nearest = &kept;
-                            break;
-                        }
+                    for (const std::size_t k : cell->second)
+                        if (k < first &&
+                            glm::distance(glm::dvec3(kept[k]), glm::dvec3(position)) < tolerance)
+                            first = k;
                 }
-        if (nearest)
-            position = *nearest;
-        else
-            keptByCell[home].push_back(position);
+        if (first < kept.size()) {
+            position = kept[first];
+        } else {
+            keptByCell[home].push_back(kept.size());
+            kept.push_back(position);
+        }
     }
 }
 

@@ -90,7 +90,7 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
         case 1:
             kind = "inside, point light inside";
             view.camera.from = inBox();
-            view.camera.to = view.camera.from + size * draw.direction(-0.4, 0.3);
+            view.camera.to = inBox();
             view.light = point(inBox());
             break;
         case 2:
@@ -106,7 +106,7 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
         case 4:
             kind = "inside, sun";
             view.camera.from = inBox();
-            view.camera.to = view.camera.from + size * draw.direction(-0.4, 0.3);
+            view.camera.to = inBox();
             view.light = sun(draw.direction(0.3, 0.9));
             break;
         default: {

@@ -27,8 +27,8 @@ RenderSettings maps(int size, float bias = 1.5f, int pcf = 1) {
 }
 
 std::vector<std::uint8_t> draw(const Scene& scene, const Camera& camera, const Light& light,
-                               const RenderSettings& settings) {
-    return test::drawScene(scene, {camera, {light}, width, height}, settings);
+                               const RenderSettings& settings, bool castMasked = false) {
+    return test::drawScene(scene, {camera, {light}, width, height}, settings, castMasked);
 }
 
 std::vector<std::uint8_t> drawMask(const Scene& scene, const Camera& camera, const Light& light,

@@ -1,0 +1,21 @@
+// Ten million triangles with a light each: consistency between sides and caps is the invariant,
+// exactness is not needed (method, section 4).
+#include "open_chain_tally.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+TEST(ClosedChainInBulk, OnlyTheSingleEdgeOpensIt) {
+    const OpenChainTally tally = tallyOpenChains(tallyPairs, 2020);
+    reportOpenChains(tally);
+    EXPECT_FALSE(tally.fused);
+    EXPECT_TRUE(tally.isTelling());
+    EXPECT_EQ(tally.openOf(ChainMethod::referenceEdge), 0u);
+    EXPECT_EQ(tally.openOf(ChainMethod::threeEdge), 0u);
+    EXPECT_GT(tally.openOf(ChainMethod::singleEdge), 0u);
+}
+
+} // namespace
+} // namespace edgeshade::test

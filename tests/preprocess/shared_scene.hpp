@@ -1,0 +1,26 @@
+#pragma once
+
+// The models beside the repository, where they are there.
+
+#include "preprocess/flatten.hpp"
+#include "preprocess/gltf_document.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace edgeshade::test {
+
+inline std::filesystem::path sharedScenePath(const std::string& name) {
+    return std::filesystem::path(EDGESHADE_SHARED_SCENES) / (name + ".glb");
+}
+
+inline Scene readSharedScene(const std::string& name) {
+    return flattenScene(readGltf(sharedScenePath(name)), 0.0);
+}
+
+/// Ends the running test where the scene isn't there.
+#define SKIP_WITHOUT_SHARED_SCENE(name)                                                            \
+    if (!std::filesystem::exists(sharedScenePath(name)))                                           \
+    GTEST_SKIP() << "no scene '" << sharedScenePath(name).string() << "' on this machine"
+
+} // namespace edgeshade::test
