@@ -9,7 +9,8 @@
 namespace edgeshade {
 namespace {
 
-constexpr int deepest = 12; // halvings of a face's side
+constexpr int deepest = 12;                  // halvings of a face's side
+constexpr std::size_t mostWork = 50'000'000; // pairs of a triangle and a cell: about a second
 constexpr double rounding = 1e-12;
 
 /// A convex cone of three rays, as seen from the light; for a sun, points (x, y, 1) of the plane
@@ -69,6 +70,14 @@ bool mayTouch(const TriangleCone& triangle, const std::array<glm::dvec3, 4>& cor
         if (allOutside(side, triangle.rays)) return false;
     for (const glm::dvec3& side : triangle.sides)
         if (allOutside(side, corners)) return false;
+    return true;
+}
+
+/// Whether the triangle's cone holds the whole cell: dividing the cell can't part them.
+bool covers(const TriangleCone& triangle, const std::array<glm::dvec3, 4>& corners) {
+    for (const glm::dvec3& side : triangle.sides)
+        for (const glm::dvec3& corner : corners)
+            if (glm::dot(side, corner) < 0.0) return false;
     return true;
 }
 
@@ -136,9 +145,15 @@ class Divider {
         const auto corners = cell.corners();
         const auto sides = cell.sides();
         Members members;
-        for (const std::uint32_t i : parents)
-            if (mayTouch(cones_[i], corners, sides)) members.push_back(i);
-        if (members.size() <= limit_ || depth == deepest) {
+        std::size_t covering = 0;
+        for (const std::uint32_t i : parents) {
+            if (!mayTouch(cones_[i], corners, sides)) continue;
+            members.push_back(i);
+            covering += covers(cones_[i], corners);
+        }
+        work_ += parents.size();
+        const bool hopeless = covering > limit_ || depth == deepest || work_ > mostWork;
+        if (members.size() <= limit_ || hopeless) {
             most_ = std::max(most_, members.size());
             if (members.size() > limit_) crowded_.push_back(std::move(members));
             return;
@@ -154,6 +169,7 @@ class Divider {
     const std::vector<TriangleCone>& cones_;
     const std::size_t limit_;
     std::size_t most_ = 0;
+    std::size_t work_ = 0; ///< pairs of a triangle and a cell looked at
     std::vector<Members> crowded_;
 };
 

@@ -188,6 +188,60 @@ TEST(MaskAgainstRays, TriangleSoup) {
     EXPECT_LE(outcome.wrong, width * height / 200);
 }
 
+/// The yard with something tiny right before the eye and the whole scene behind it.
+Case deepView(std::optional<int> slices) {
+    SceneBuilder builder = yard();
+    builder.triangle({4.99f, 3.993f, 5.99f}, {4.991f, 3.993f, 5.99f}, {4.9905f, 3.9935f, 5.9901f});
+    return {builder.scene(), corner, pointLight({0.3, 4, 0.7}), 0.001, false, slices};
+}
+
+TEST(MaskAgainstRays, DepthSlicesChangeNothingButPrecision) {
+    for (const int slices : {2, 3, 7})
+        expectRight(deepView(slices));
+}
+
+TEST(MaskAgainstRays, DepthSlicesAreChosenForADeepView) {
+    expectRight(deepView(std::nullopt));
+}
+
+TEST(MaskAgainstRays, CasterThroughTheNearPlaneOfSlices) {
+    Case test = casterThroughTheNearPlane();
+    test.slices = 4;
+    expectRight(test);
+}
+
+/// Sheets above one another, one hand apart, over a floor that the eye sees beside them.
+Case stack(int sheets) {
+    SceneBuilder builder = SceneBuilder().floor(6);
+    for (int i = 0; i < sheets; ++i) {
+        const float y = 1.0f + 1.5f * static_cast<float>(i) / static_cast<float>(sheets);
+        builder.quad({-1, y, 1}, {1, y, 1}, {1, y, -1}, {-1, y, -1});
+    }
+    return {builder.scene(), corner, pointLight({0.6, 7, 0.3})};
+}
+
+// 256 layers of volumes around a point wrap an 8-bit stencil to 0, which would be lit.
+TEST(MaskAgainstRays, MoreLayersThanTheStencilCounts) {
+    for (const int sheets : {255, 256, 257, 512, 1000}) {
+        const Outcome outcome = run(stack(sheets));
+        EXPECT_EQ(outcome.wrongBeyondOnePixel, 0) << sheets << " sheets";
+        EXPECT_GT(outcome.shadow, 1000);
+    }
+}
+
+TEST(MaskAgainstRays, LayersOfCastersWithHolesAreCountedToo) {
+    Material material;
+    material.alphaMode = AlphaMode::mask;
+    SceneBuilder builder = SceneBuilder().floor(6).material(material);
+    for (int i = 0; i < 256; ++i) {
+        const float y = 1.0f + 0.005f * static_cast<float>(i);
+        builder.quad({-1, y, 1}, {1, y, 1}, {1, y, -1}, {-1, y, -1});
+    }
+    EXPECT_EQ(
+        run({builder.scene(), corner, pointLight({0.6, 7, 0.3}), 0.0, true}).wrongBeyondOnePixel,
+        0);
+}
+
 /// A floor and a sheet above it that is not opaque.
 Case sheetOf(AlphaMode mode, float alpha, bool castMasked) {
     Material material;

@@ -1,0 +1,96 @@
+#include "src/lab/exact_judge.hpp"
+#include "src/lab/oracle.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using lab::Answer;
+using lab::Oracle;
+using test::pointLight;
+using test::SceneBuilder;
+
+const lab::AlphaAt solid = [](const lab::EyeTriangle&, double, double) { return 1.0f; };
+
+lab::Question above(const Scene& scene, double half, int size, const Light& light) {
+    lab::Question question;
+    question.scene = &scene;
+    question.camera = {{0, 20, 0}, {0, 0, 0}, glm::degrees(2.0 * std::atan(half / 20.0))};
+    question.lights = {light};
+    question.width = question.height = size;
+    return question;
+}
+
+// The light at height 8 throws the box's top, at height 4 and 1 wide, onto the floor with factor
+// 2; the eye at height 20 sees the top itself up to 1.25.
+TEST(Oracle, KnowsTheShadowOfABox) {
+    const Scene scene = SceneBuilder().floor(6).box({-1, 2, -1}, {1, 4, 1}).scene();
+    const Oracle oracle(above(scene, 5.0, 100, pointLight({0, 8, 0})), solid);
+    const auto at = [&](double x) { return oracle.at(50.0 + 10.0 * x, 50.0); };
+    EXPECT_EQ(at(1.2), (Answer{true, 1})); // the box's top
+    EXPECT_EQ(at(1.3), (Answer{true, 0}));
+    EXPECT_EQ(at(1.99), (Answer{true, 0}));
+    EXPECT_EQ(at(2.01), (Answer{true, 1}));
+    EXPECT_EQ(at(-1.99), (Answer{true, 0}));
+    EXPECT_EQ(at(-2.01), (Answer{true, 1}));
+}
+
+TEST(Oracle, SeesNothingWhereNothingIs) {
+    const Scene scene = SceneBuilder().floor(1).scene();
+    const Oracle oracle(above(scene, 5.0, 100, pointLight({0, 8, 0})), solid);
+    EXPECT_EQ(oracle.at(2.0, 2.0), Answer());
+}
+
+TEST(Oracle, ASheetTurnedAwayFromTheLightIsNotLit) {
+    const Scene scene = SceneBuilder().floor(3).scene();
+    const Oracle oracle(above(scene, 2.0, 100, pointLight({0.5, -8, 0})), solid);
+    EXPECT_EQ(oracle.at(50.0, 50.0), (Answer{true, 0}));
+}
+
+TEST(Oracle, CoincidentSheetsDoNotShadeEachOther) {
+    const Scene scene = SceneBuilder().floor(3).floor(4).scene();
+    const Oracle oracle(above(scene, 2.0, 100, pointLight({0.5, 8, 0.1})), solid);
+    EXPECT_EQ(oracle.at(50.3, 50.7), (Answer{true, 1}));
+    EXPECT_TRUE(lab::judgeExactly(oracle, 50.3, 50.7).coincident);
+}
+
+TEST(Oracle, EveryLightHasItsBit) {
+    const Scene scene = SceneBuilder().floor(6).box({-1, 2, -1}, {1, 4, 1}).scene();
+    lab::Question question = above(scene, 5.0, 100, pointLight({0, 8, 0}));
+    question.lights.push_back(pointLight({4, 3, 0}));
+    const Oracle oracle(question, solid);
+    EXPECT_EQ(oracle.at(65.0, 50.0).lit, 2u); // x = 1.5: in the first light's shadow alone
+}
+
+TEST(Oracle, AgreesWithBruteForceAndWithItsExactJudge) {
+    const Scene scene = SceneBuilder()
+                            .floor(5)
+                            .box({-2, 0.5f, -1}, {-1, 2, 0})
+                            .box({0.5f, 0.25f, 0.5f}, {1.5f, 1, 2})
+                            .triangle({2, 0.1f, -2}, {3, 0.1f, -2}, {2.5f, 2.5f, -1.5f})
+                            .scene();
+    lab::Question question;
+    question.scene = &scene;
+    question.camera = {{5, 4, 6}, {0, 0.5, 0}, 50.0};
+    question.lights = {pointLight({0.3, 4, 0.7})};
+    question.width = 120;
+    question.height = 90;
+    const Oracle oracle(question, solid);
+    const auto answers = lab::traceAll(oracle, {});
+    const auto expected = test::castMask(scene, question.camera, question.lights[0], 120, 90, 0.0);
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const Answer wanted{expected[i] != test::Answer::nothing,
+                            expected[i] == test::Answer::lit ? 1u : 0u};
+        ASSERT_EQ(answers[i], wanted) << "pixel " << i;
+        const lab::Verdict verdict = lab::judgeExactly(oracle, static_cast<double>(i % 120) + 0.5,
+                                                       static_cast<double>(i / 120) + 0.5);
+        ASSERT_EQ(verdict.answer, wanted) << "pixel " << i;
+    }
+}
+
+} // namespace
+} // namespace edgeshade
