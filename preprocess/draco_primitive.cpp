@@ -16,7 +16,8 @@ std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::uint8_t> bytes,
     draco::Decoder decoder;
     auto mesh = decoder.DecodeMeshFromBuffer(&buffer);
     if (!mesh.ok())
-        throw InputError(where + " can't be decoded: " + mesh.status().error_msg_string() + ".");
+        throw InputError(where +
+                         " can't be decoded: " + clauseOf(mesh.status().error_msg_string()) + ".");
     return std::move(mesh).value();
 }
 
@@ -76,9 +77,6 @@ std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
     if (found == primitive.extensions.end()) return std::nullopt;
     const tinygltf::Value& extension = found->second;
     const std::string where = document.where(field) + "." + extensionName;
-    if (!extension.Has("bufferView") || !extension.Get("bufferView").IsInt() ||
-        !extension.Has("attributes") || !extension.Get("attributes").IsObject())
-        throw InputError(where + " lacks its bufferView or its attributes.");
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP)
         throw InputError(where + " is used with mode " + std::to_string(primitive.mode) +
                          "; only triangles and triangle strips can be compressed.");
@@ -89,7 +87,7 @@ std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
     DracoPrimitive decoded;
     const tinygltf::Value& ids = extension.Get("attributes");
     for (const std::string& name : ids.Keys()) {
-        const int id = ids.Get(name).GetNumberAsInt();
+        const int id = ids.Get(name).GetNumberAsInt(); // see checkDraco() of gltf_checks.cpp
         const auto* attribute = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
         if (!attribute)
             throw InputError(where + ".attributes." + name + " is " + std::to_string(id) +

@@ -34,4 +34,8 @@ class InputError : public Error {
     explicit InputError(const std::string& sentence) : Error(ExitStatus::input, sentence) {}
 };
 
+/// A library's message without the full stop and the line ends that it may have, to end a sentence
+/// of ours with.
+std::string clauseOf(std::string message);
+
 } // namespace edgeshade

@@ -48,6 +48,45 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
     return 0;
 }
 
+/// The file that `path` stands for: links are followed, also to a file that isn't there yet.
+std::filesystem::path behindLinks(const std::filesystem::path& path) {
+    constexpr int mostLinks = 40; // as Linux follows
+    std::filesystem::path target = path;
+    for (int i = 0; i < mostLinks; ++i) {
+        std::error_code noLink;
+        const auto next = std::filesystem::read_symlink(target, noLink);
+        if (noLink) return target;
+        target = target.parent_path() / next;
+    }
+    failWrite(path, ELOOP);
+}
+
+/// Writes into a device or a pipe, which stays what it is. Returns 0 or the errno of what failed.
+int writeInto(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return errno;
+    const int failure = writeAll(descriptor, bytes);
+    return ::close(descriptor) != 0 && failure == 0 ? errno : failure;
+}
+
+/// Writes a new file beside `path` and renames it. Returns 0 or the errno of what failed.
+int replaceFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+    // A name of its own: one made from `path` could be longer than names may be.
+    const std::filesystem::path part =
+        path.parent_path() / (".edgeshade-" + std::to_string(::getpid()) + ".part");
+
+    const SignalsHeld held;
+    ::unlink(part.c_str()); // one that a killed process left; never a link to write through
+    const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                                  S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
+    if (descriptor < 0) return errno;
+    int failure = writeAll(descriptor, bytes);
+    if (::close(descriptor) != 0 && failure == 0) failure = errno;
+    if (failure == 0 && ::rename(part.c_str(), path.c_str()) != 0) failure = errno;
+    if (failure != 0) ::unlink(part.c_str());
+    return failure;
+}
+
 } // namespace
 
 Bytes readFile(const std::filesystem::path& path) {
@@ -72,21 +111,15 @@ Bytes readFile(const std::filesystem::path& path) {
 }
 
 void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    if (std::filesystem::is_directory(path))
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (std::filesystem::is_directory(status))
         throw Error(ExitStatus::output, "'" + path.string() + "' is a folder, not a file.");
-    const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
-
-    const SignalsHeld held;
-    const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
-                                  S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
-    if (descriptor < 0) failWrite(path, errno);
-    int failure = writeAll(descriptor, bytes);
-    if (::close(descriptor) != 0 && failure == 0) failure = errno;
-    if (failure == 0 && ::rename(beside.c_str(), path.c_str()) != 0) failure = errno;
-    if (failure != 0) {
-        ::unlink(beside.c_str());
-        failWrite(path, failure);
-    }
+    const bool isReplaceable =
+        !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+    const int failure =
+        isReplaceable ? replaceFile(behindLinks(path), bytes) : writeInto(path, bytes);
+    if (failure != 0) failWrite(path, failure);
 }
 
 void writeFile(const std::filesystem::path& path, std::string_view text) {

@@ -109,7 +109,8 @@ glm::vec3 transformedNormal(const glm::dmat3& matrix, const glm::vec3& normal) {
     const double sign = glm::determinant(matrix) < 0.0 ? -1.0 : 1.0;
     const glm::dvec3 result = sign * (cofactors * glm::dvec3(normal));
     const double length = glm::length(result);
-    return length > 0.0 ? glm::vec3(result / length) : glm::vec3(0.0f);
+    const bool hasDirection = length > 0.0 && std::isfinite(length);
+    return hasDirection ? glm::vec3(result / length) : glm::vec3(0.0f);
 }
 
 glm::vec3 faceNormal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

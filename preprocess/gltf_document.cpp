@@ -2,7 +2,10 @@
 
 #include "preprocess/error.hpp"
 #include "preprocess/glb.hpp"
+#include "preprocess/gltf_checks.hpp"
+#include "preprocess/json_field.hpp"
 #include "preprocess/meshopt_view.hpp"
+#include "preprocess/tinygltf_model.hpp"
 
 #include <charconv>
 
@@ -55,55 +58,13 @@ Bytes resolveUri(const GltfDocument& document, const std::string& field, const s
     return bytes;
 }
 
-/// tinygltf 2.7 wants bytes behind every buffer and a view behind every index accessor, which
-/// neither EXT_meshopt_compression nor KHR_draco_mesh_compression has. It gets a copy with
-/// stand-ins; `standIns` are the accessors that got a view.
-Json withStandIns(const Json& source, std::vector<std::size_t>& standIns) {
-    Json json = source;
-    json.erase("images");
-    if (json.contains("buffers"))
-        for (Json& buffer : json["buffers"])
-            if (buffer.is_object()) {
-                buffer["uri"] = "data:application/octet-stream;base64,AA==";
-                buffer["byteLength"] = 1;
-            }
-    if (!json.contains("accessors") || !json["accessors"].is_array()) return json;
-    for (std::size_t i = 0; i < json["accessors"].size(); ++i) {
-        Json& accessor = json["accessors"][i];
-        if (!accessor.is_object() || accessor.contains("bufferView")) continue;
-        if (!json.contains("bufferViews") || json["bufferViews"].empty())
-            json["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
-        accessor["bufferView"] = 0;
-        standIns.push_back(i);
-    }
-    return json;
-}
-
-void parseModel(GltfDocument& document) {
-    std::vector<std::size_t> standIns;
-    const std::string text = withStandIns(document.json, standIns).dump();
-    tinygltf::TinyGLTF loader;
-    std::string errors, warnings;
-    const bool parsed =
-        loader.LoadASCIIFromString(&document.model, &errors, &warnings, text.data(),
-                                   static_cast<unsigned>(text.size()), std::string());
-    if (!parsed || !errors.empty()) {
-        while (!errors.empty() && errors.back() == '\n')
-            errors.pop_back();
-        throw InputError("'" + document.path.string() + "' is no valid glTF 2.0: " +
-                         (errors.empty() ? "it could not be parsed" : errors) + ".");
-    }
-    for (std::size_t i : standIns)
-        document.model.accessors.at(i).bufferView = -1;
-}
-
 void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
     if (!document.json.contains("buffers")) return;
     const Json& buffers = document.json["buffers"];
     for (std::size_t i = 0; i < buffers.size(); ++i) {
         const std::string field = "buffers[" + std::to_string(i) + "]";
         const Json& buffer = buffers[i];
-        const auto length = buffer.value("byteLength", std::uint64_t{0});
+        const auto length = buffer["byteLength"].get<std::uint64_t>();
         Bytes bytes;
         if (buffer.contains("uri"))
             bytes = resolveUri(document, field + ".uri", buffer["uri"].get<std::string>());
@@ -123,22 +84,6 @@ void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
     }
 }
 
-/// The sections that our own code walks as JSON must have the shape that it expects.
-void requireArraysOfObjects(const GltfDocument& document) {
-    if (!document.json.is_object())
-        throw InputError("'" + document.path.string() + "' holds no JSON object.");
-    for (const char* section : {"buffers", "bufferViews", "accessors", "images", "materials",
-                                "meshes", "nodes", "scenes", "textures", "animations", "skins"}) {
-        if (!document.json.contains(section)) continue;
-        const Json& array = document.json[section];
-        bool valid = array.is_array();
-        if (valid)
-            for (const Json& item : array)
-                valid = valid && item.is_object();
-        if (!valid) throw InputError(document.where(section) + " is not an array of objects.");
-    }
-}
-
 GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
     GltfDocument document;
     document.path = path;
@@ -148,14 +93,9 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
         chunks = splitGlb(bytes, path);
     else
         chunks.json.assign(bytes.begin(), bytes.end());
-    try {
-        document.json = Json::parse(chunks.json);
-    } catch (const Json::parse_error& error) {
-        throw InputError("'" + path.string() + "' is neither GLB nor JSON: byte " +
-                         std::to_string(error.byte) + " is not what JSON allows there.");
-    }
-    requireArraysOfObjects(document);
-    parseModel(document);
+    document.json = parseJson(chunks.json, path);
+    requireSoundGltf(document.json, path);
+    document.model = typedModel(document.json, path);
     resolveBuffers(document, std::move(chunks.binary));
     document.decodedViews.resize(document.model.bufferViews.size());
     decodeMeshoptViews(document);
@@ -169,11 +109,7 @@ GltfDocument readGltf(const std::filesystem::path& path) {
 }
 
 GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-    try {
-        return parseChecked(bytes, path);
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError("'" + path.string() + "' is no valid glTF 2.0: " + error.what() + ".");
-    }
+    return withJsonErrors(path, [&] { return parseChecked(bytes, path); });
 }
 
 std::span<const std::uint8_t> bufferViewBytes(const GltfDocument& document, int view) {

@@ -43,7 +43,7 @@ void setTexture(const GltfDocument& document, Material& material, const std::str
     material.image = textures[texture].source;
     material.texcoordSet = texcoordSet;
     const int sampler = textures[texture].sampler;
-    if (sampler >= 0 && static_cast<std::size_t>(sampler) < document.model.samplers.size()) {
+    if (sampler >= 0) {
         material.wrapS = document.model.samplers[sampler].wrapS;
         material.wrapT = document.model.samplers[sampler].wrapT;
     }
@@ -55,6 +55,14 @@ void setTexture(const GltfDocument& document, Material& material, const std::str
 const tinygltf::Value* textureTransform(const tinygltf::ExtensionMap& extensions) {
     const auto found = extensions.find("KHR_texture_transform");
     return found == extensions.end() ? nullptr : &found->second;
+}
+
+/// The same of a texture that tinygltf does not know.
+const tinygltf::Value* textureTransform(const tinygltf::Value& info) {
+    if (!info.Has("extensions")) return nullptr;
+    const tinygltf::Value& extensions = info.Get("extensions");
+    return extensions.Has("KHR_texture_transform") ? &extensions.Get("KHR_texture_transform")
+                                                   : nullptr;
 }
 
 void readMetallicRoughness(const GltfDocument& document, const tinygltf::Material& source,
@@ -77,7 +85,19 @@ void readSpecularGlossiness(const GltfDocument& document, const tinygltf::Value&
     const tinygltf::Value& info = extension.Get("diffuseTexture");
     setTexture(document, material, field + ".diffuseTexture",
                static_cast<int>(numberOr(info, "index", -1.0)),
-               static_cast<int>(numberOr(info, "texCoord", 0.0)), nullptr);
+               static_cast<int>(numberOr(info, "texCoord", 0.0)), textureTransform(info));
+}
+
+/// Numbers that doubles hold and floats do not must not reach the shaders.
+void requireFinite(const GltfDocument& document, const Material& material,
+                   const std::string& field) {
+    bool finite = std::isfinite(material.alphaCutoff);
+    for (glm::length_t c = 0; c < 4; ++c)
+        finite = finite && std::isfinite(material.baseColorFactor[c]);
+    for (glm::length_t c = 0; c < 3; ++c)
+        finite = finite && std::isfinite(glm::dot(material.uvTransform[c], glm::vec3(1.0f)));
+    if (!finite)
+        throw InputError(document.where(field) + " has a number past the range of floats.");
 }
 
 Material readMaterial(const GltfDocument& document, std::size_t index) {
@@ -92,6 +112,7 @@ Material readMaterial(const GltfDocument& document, std::size_t index) {
     if (glossy != source.extensions.end())
         readSpecularGlossiness(document, glossy->second,
                                field + ".KHR_materials_pbrSpecularGlossiness", material);
+    requireFinite(document, material, field);
     return material;
 }
 

@@ -1,7 +1,7 @@
 #include "preprocess/meshopt_view.hpp"
 
-#include "preprocess/error.hpp"
 #include "preprocess/gltf_document.hpp"
+#include "preprocess/json_field.hpp"
 
 #include <meshoptimizer.h>
 #include <string>
@@ -14,6 +14,10 @@ using Json = nlohmann::ordered_json;
 constexpr const char* extensionName = "EXT_meshopt_compression";
 constexpr std::uint64_t largestDecodedView = std::uint64_t{1} << 31; // bytes
 
+/// Bytes that one compressed byte can stand for. The vertex codec's least is two bits for sixteen
+/// equal bytes, or for a block of 256 in its second version.
+constexpr std::uint64_t largestExpansion = 1024;
+
 /// The extension's fields (EXT_meshopt_compression, "Specifying compressed views").
 struct CompressedView {
     std::span<const std::uint8_t> bytes;
@@ -23,20 +27,18 @@ struct CompressedView {
     std::string filter;
 };
 
-CompressedView readFields(const GltfDocument& document, const Json& extension,
-                          const std::string& field) {
-    const auto buffer = extension.at("buffer").get<std::size_t>();
-    const auto offset = extension.value("byteOffset", std::uint64_t{0});
-    const auto length = extension.at("byteLength").get<std::uint64_t>();
-    if (buffer >= document.buffers.size())
-        throw InputError(field + ".buffer is " + std::to_string(buffer) +
-                         ", which does not exist.");
+CompressedView readFields(const GltfDocument& document, const JsonField& extension) {
+    const auto buffer = extension.member("buffer").indexInto(document.buffers.size(), "buffers");
+    const auto offsetField = extension.find("byteOffset");
+    const std::uint64_t offset = offsetField ? offsetField->wholeNumber() : 0;
+    const std::uint64_t length = extension.member("byteLength").wholeNumber();
     const Bytes& bytes = document.buffers[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset)
-        throw InputError(field + " ends past the end of buffer " + std::to_string(buffer) + ".");
-    return {std::span(bytes).subspan(offset, length), extension.at("byteStride").get<std::size_t>(),
-            extension.at("count").get<std::size_t>(), extension.at("mode").get<std::string>(),
-            extension.value("filter", std::string("NONE"))};
+        extension.fail(" ends past the end of buffer " + std::to_string(buffer));
+    const auto filter = extension.find("filter");
+    return {std::span(bytes).subspan(offset, length), extension.member("byteStride").wholeNumber(),
+            extension.member("count").wholeNumber(), extension.member("mode").text(),
+            filter ? filter->text() : "NONE"};
 }
 
 /// Decodes into `decoded`, which has count * stride bytes; returns whether the data was sound.
@@ -51,27 +53,39 @@ bool decodeMode(const CompressedView& view, Bytes& decoded) {
                                        view.bytes.size()) == 0;
 }
 
-void requireSupported(const CompressedView& view, const std::string& field) {
+void requireSupported(const CompressedView& view, const JsonField& extension) {
     const bool attributes = view.mode == "ATTRIBUTES";
     if (!attributes && view.mode != "TRIANGLES" && view.mode != "INDICES")
-        throw InputError(field + ".mode is '" + view.mode + "', which is not known.");
+        extension.fail(".mode is '" + view.mode + "', which is not known");
     const bool strideFits = attributes
                                 ? view.stride > 0 && view.stride <= 256 && view.stride % 4 == 0
                                 : view.stride == 2 || view.stride == 4;
     if (!strideFits)
-        throw InputError(field + ".byteStride is " + std::to_string(view.stride) + ", which mode " +
-                         view.mode + " does not allow.");
+        extension.fail(".byteStride is " + std::to_string(view.stride) + ", which mode " +
+                       view.mode + " does not allow");
     if (view.mode == "TRIANGLES" && view.count % 3 != 0)
-        throw InputError(field + ".count is " + std::to_string(view.count) + ", no multiple of 3.");
-    if (view.count > largestDecodedView / view.stride)
-        throw InputError(field + ".count is " + std::to_string(view.count) +
-                         ", which is too many.");
+        extension.fail(".count is " + std::to_string(view.count) + ", no multiple of 3");
     const bool octahedral = view.filter == "OCTAHEDRAL" && (view.stride == 4 || view.stride == 8);
     const bool quaternion = view.filter == "QUATERNION" && view.stride == 8;
     const bool exponential = view.filter == "EXPONENTIAL" && view.stride % 4 == 0;
     if (view.filter != "NONE" && !(attributes && (octahedral || quaternion || exponential)))
-        throw InputError(field + ".filter is '" + view.filter + "' with byteStride " +
-                         std::to_string(view.stride) + ", which is not allowed.");
+        extension.fail(".filter is '" + view.filter + "' with byteStride " +
+                       std::to_string(view.stride) + ", which is not allowed");
+}
+
+/// The count is checked against what is there before memory is set aside for it.
+void requirePlausible(const CompressedView& view, std::uint64_t viewLength,
+                      const JsonField& extension) {
+    const std::string count = ".count is " + std::to_string(view.count);
+    if (view.count > largestDecodedView / view.stride)
+        extension.fail(count + ", which is too many");
+    const std::uint64_t decoded = view.count * view.stride;
+    if (decoded != viewLength)
+        extension.fail(count + " with byteStride " + std::to_string(view.stride) +
+                       ", but the view has " + std::to_string(viewLength) + " bytes");
+    if (decoded / largestExpansion > view.bytes.size())
+        extension.fail(count + ", which can't come from " + std::to_string(view.bytes.size()) +
+                       " bytes");
 }
 
 void applyFilter(const CompressedView& view, Bytes& decoded) {
@@ -83,6 +97,20 @@ void applyFilter(const CompressedView& view, Bytes& decoded) {
         meshopt_decodeFilterExp(decoded.data(), view.count, view.stride);
 }
 
+/// The bytes of the view, if it is compressed.
+std::optional<Bytes> decodedView(const GltfDocument& document, const JsonField& viewField) {
+    const auto extensions = viewField.find("extensions");
+    const auto extension = extensions ? extensions->find(extensionName) : std::nullopt;
+    if (!extension) return std::nullopt;
+    const CompressedView view = readFields(document, *extension);
+    requireSupported(view, *extension);
+    requirePlausible(view, viewField.member("byteLength").wholeNumber(), *extension);
+    Bytes decoded(view.count * view.stride);
+    if (!decodeMode(view, decoded)) extension->fail(" holds data that can't be decoded");
+    applyFilter(view, decoded);
+    return decoded;
+}
+
 } // namespace
 
 bool isMeshoptFallback(const Json& buffer) {
@@ -92,22 +120,13 @@ bool isMeshoptFallback(const Json& buffer) {
 }
 
 void decodeMeshoptViews(GltfDocument& document) {
-    if (!document.json.contains("bufferViews")) return;
-    const Json& views = document.json["bufferViews"];
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        if (!views[i].contains("extensions") || !views[i]["extensions"].contains(extensionName))
-            continue;
-        const std::string field =
-            document.where("bufferViews[") + std::to_string(i) + "]." + extensionName;
-        const CompressedView view =
-            readFields(document, views[i]["extensions"][extensionName], field);
-        requireSupported(view, field);
-        Bytes decoded(view.count * view.stride);
-        if (!decodeMode(view, decoded))
-            throw InputError(field + " holds data that can't be decoded.");
-        applyFilter(view, decoded);
-        document.decodedViews[i] = std::move(decoded);
-    }
+    const JsonField root(document.path, document.json);
+    std::size_t index = 0;
+    root.ifPresent("bufferViews", [&](const JsonField& views) {
+        views.forEachItem([&](const JsonField& view) {
+            document.decodedViews[index++] = decodedView(document, view);
+        });
+    });
 }
 
 } // namespace edgeshade

@@ -2,6 +2,7 @@
 
 #include "preprocess/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <set>
@@ -61,6 +62,15 @@ std::vector<int> rootNodes(const GltfDocument& document) {
     return roots;
 }
 
+/// Without scenes every node is below a root, unless it is its own ancestor.
+void requireAllReached(const GltfDocument& document, const std::vector<bool>& reached) {
+    if (!document.model.scenes.empty()) return;
+    const auto missed = std::find(reached.begin(), reached.end(), false);
+    if (missed != reached.end())
+        throw InputError(document.where("nodes[") + std::to_string(missed - reached.begin()) +
+                         "] is its own ancestor or below such a node; the nodes must be a tree.");
+}
+
 struct Visit {
     int node;
     int mover;
@@ -115,6 +125,7 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
         if (node.mesh >= 0) walk.meshNodes.push_back({visit.node, mover, moverFromNode});
         openAll(node.children, mover, moverFromNode, worldFromNode);
     }
+    requireAllReached(document, reached);
     return walk;
 }
 

@@ -65,7 +65,8 @@ PackInput readForPacking(const std::filesystem::path& path, const CasterSettings
     }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;
-    report.fileBytes = std::filesystem::file_size(path, error);
+    const auto fileBytes = std::filesystem::file_size(path, error);
+    report.fileBytes = error ? 0 : fileBytes; // a pipe has none
     report.warnings = input.scene.warnings.sentences();
     return input;
 }

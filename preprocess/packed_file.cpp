@@ -2,6 +2,7 @@
 
 #include "preprocess/error.hpp"
 #include "preprocess/glb.hpp"
+#include "preprocess/json_field.hpp"
 
 namespace edgeshade {
 namespace {
@@ -25,7 +26,17 @@ void moveReference(Json& reference, const std::vector<BufferPlace>& places) {
     if (offset != 0 || reference.contains("byteOffset")) reference["byteOffset"] = offset;
 }
 
-/// Joins all buffers that have bytes into one; buffers without (meshopt fallbacks) follow it.
+/// What the joined buffer keeps of the first one that is in it.
+Json joinedBuffer(const Json& first) {
+    Json joined = Json::object();
+    for (const char* key : {"name", "extras"})
+        if (first.contains(key)) joined[key] = first[key];
+    return joined;
+}
+
+/// Joins all buffers that have bytes into one; buffers without (meshopt fallbacks) follow it. It
+/// ends at a multiple of four, where shadow data will begin, so that packing it again joins the
+/// same bytes.
 Bytes joinBuffers(const GltfDocument& document, Json& json) {
     Bytes binary;
     if (!json.contains("buffers")) return binary;
@@ -35,9 +46,10 @@ Bytes joinBuffers(const GltfDocument& document, Json& json) {
         const bool hasBytes =
             !document.buffers[i].empty() || !json["buffers"][i].contains("extensions");
         if (hasBytes) {
-            alignTo4(binary);
+            if (binary.empty()) buffers[0] = joinedBuffer(json["buffers"][i]);
             places.push_back({0, binary.size()});
             binary.insert(binary.end(), document.buffers[i].begin(), document.buffers[i].end());
+            alignTo4(binary);
         } else {
             places.push_back({buffers.size(), 0});
             buffers.push_back(json["buffers"][i]);
@@ -48,7 +60,7 @@ Bytes joinBuffers(const GltfDocument& document, Json& json) {
         for (Json& view : json["bufferViews"]) {
             moveReference(view, places);
             if (view.contains("extensions"))
-                for (auto& [name, extension] : view["extensions"].items())
+                for (Json& extension : view["extensions"])
                     if (extension.contains("buffer")) moveReference(extension, places);
         }
     return binary;
@@ -66,14 +78,30 @@ void embedImages(const GltfDocument& document, Json& json, Bytes& binary) {
         Json& image = json["images"][i];
         if (!image.contains("uri")) continue;
         const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
-        alignTo4(binary);
+        if (!json.contains("buffers")) json["buffers"] = Json::array({Json::object()});
         json["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
         binary.insert(binary.end(), bytes.begin(), bytes.end());
+        alignTo4(binary);
         image.erase("uri");
         image["bufferView"] = json["bufferViews"].size() - 1;
         if (!image.contains("mimeType") && mimeTypeOf(bytes)) image["mimeType"] = mimeTypeOf(bytes);
     }
+}
+
+Bytes packedChecked(const GltfDocument& document, const Scene& scene,
+                    const std::vector<BatchTopology>& topology, Encoding encoding,
+                    const CasterSettings& settings) {
+    Json json = document.json;
+    Bytes binary = joinBuffers(document, json);
+    if (readShadowHeader(document)) removeShadowExtension(json, binary, document.path);
+    embedImages(document, json, binary);
+    appendShadowExtension(json, binary, scene, topology, encoding, settings);
+    if (binary.empty())
+        json.erase("buffers");
+    else
+        json["buffers"][0]["byteLength"] = binary.size();
+    return joinGlb(json.dump(), std::move(binary));
 }
 
 } // namespace
@@ -81,18 +109,9 @@ void embedImages(const GltfDocument& document, Json& json, Bytes& binary) {
 Bytes packedGlb(const GltfDocument& document, const Scene& scene,
                 const std::vector<BatchTopology>& topology, Encoding encoding,
                 const CasterSettings& settings) {
-    Json json = document.json;
-    Bytes binary = joinBuffers(document, json);
-    removeShadowExtension(json, binary, document.path);
-    embedImages(document, json, binary);
-    appendShadowExtension(json, binary, scene, topology, encoding, settings);
-    if (!binary.empty()) {
-        if (!json.contains("buffers")) json["buffers"] = Json::array({Json::object()});
-        json["buffers"][0] = {{"byteLength", binary.size()}};
-    } else {
-        json.erase("buffers");
-    }
-    return joinGlb(json.dump(), std::move(binary));
+    return withJsonErrors(document.path, [&] {
+        return packedChecked(document, scene, topology, encoding, settings);
+    });
 }
 
 } // namespace edgeshade

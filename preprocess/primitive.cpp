@@ -11,6 +11,15 @@
 namespace edgeshade {
 namespace {
 
+void requireFinite(const GltfDocument& document, const FloatArray& array,
+                   const std::string& field) {
+    for (std::size_t i = 0; i < array.values.size(); ++i)
+        if (!std::isfinite(array.values[i]))
+            throw InputError(document.where(field) + " holds " +
+                             (std::isnan(array.values[i]) ? "NaN" : "an infinite value") +
+                             " at element " + std::to_string(i / array.components) + ".");
+}
+
 /// Reads attributes of one primitive from wherever they are.
 class AttributeReader {
   public:
@@ -26,21 +35,27 @@ class AttributeReader {
                std::to_string(primitive_.attributes.at(name)) + "])";
     }
 
-    /// The attribute with at least `components` a vertex and `count` vertices (0: any number).
-    FloatArray read(const std::string& name, int components, std::size_t count) const {
+    /// The attribute with `least` to `most` components a vertex and `count` vertices (0: any
+    /// number), all finite.
+    FloatArray read(const std::string& name, int least, int most, std::size_t count) const {
         const bool compressed = draco_ && draco_->attributes.contains(name);
         FloatArray array = compressed ? draco_->attributes.at(name)
                                       : readFloats(document_, primitive_.attributes.at(name),
                                                    field_ + ".attributes." + name);
-        if (array.components < components)
+        if (array.components < least || array.components > most)
             throw InputError(document_.where(fieldOf(name)) + " has " +
                              std::to_string(array.components) + " components, not " +
-                             std::to_string(components) + ".");
+                             std::to_string(least) +
+                             (least == most ? "" : " or " + std::to_string(most)) + ".");
         if (count != 0 && array.count() != count)
             throw InputError(document_.where(fieldOf(name)) + " has " +
                              std::to_string(array.count()) + " elements, but POSITION has " +
                              std::to_string(count) + ".");
+        requireFinite(document_, array, fieldOf(name));
         return array;
+    }
+    FloatArray read(const std::string& name, int components, std::size_t count) const {
+        return read(name, components, components, count);
     }
 
     /// The indices as the mode's vertex sequence.
@@ -74,15 +89,6 @@ std::vector<glm::vec<N, float>> asVectors(const FloatArray& array) {
     return vectors;
 }
 
-void requireFinite(const GltfDocument& document, const FloatArray& positions,
-                   const std::string& field) {
-    for (std::size_t i = 0; i < positions.values.size(); ++i)
-        if (!std::isfinite(positions.values[i]))
-            throw InputError(document.where(field) + " holds " +
-                             (std::isnan(positions.values[i]) ? "NaN" : "an infinite value") +
-                             " at element " + std::to_string(i / positions.components) + ".");
-}
-
 /// Strips and fans to a triangle list of the same orientation (glTF 2.0, 3.7.2.1).
 std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> sequence, int mode) {
     if (mode == TINYGLTF_MODE_TRIANGLES) {
@@ -111,6 +117,7 @@ void blendMorphTargets(const GltfDocument& document, const tinygltf::Primitive& 
         const FloatArray deltas = readFloats(document, target->second, targetField);
         if (deltas.components != 3 || deltas.count() != values.size())
             throw InputError(document.where(targetField) + " does not match POSITION.");
+        requireFinite(document, deltas, targetField);
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] += static_cast<float>(weights[t]) * glm::make_vec3(&deltas.values[3 * i]);
     }
@@ -143,14 +150,13 @@ Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::siz
 
     const AttributeReader reader(document, source, field);
     const FloatArray positions = reader.read("POSITION", 3, 0);
-    requireFinite(document, positions, reader.fieldOf("POSITION"));
     primitive.positions = asVectors<3>(positions);
     const std::size_t count = primitive.positions.size();
     if (reader.has("NORMAL")) primitive.normals = asVectors<3>(reader.read("NORMAL", 3, count));
     const std::string texcoord = "TEXCOORD_" + std::to_string(texcoordSet);
     if (reader.has(texcoord)) primitive.texcoords = asVectors<2>(reader.read(texcoord, 2, count));
     if (reader.has("COLOR_0")) {
-        FloatArray colors = reader.read("COLOR_0", 3, count);
+        FloatArray colors = reader.read("COLOR_0", 3, 4, count);
         primitive.colors.assign(count, glm::vec4(1.0f));
         for (std::size_t i = 0; i < count; ++i)
             for (int c = 0; c < colors.components; ++c)

@@ -4,6 +4,7 @@
 #include "preprocess/shadow_data.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 
 namespace edgeshade {
@@ -35,8 +36,18 @@ enum class Encoding {
 /// "expanded", "indexed", "none".
 const char* nameOf(Encoding encoding);
 
-/// How the shadow data of a packed document were made. Throws InputError for a version or a value
-/// that is not known.
+/// A positionsHash() as the extension spells it: 16 hexadecimal digits.
+std::string hashText(std::uint64_t hash);
+
+/// The extension in a document's JSON; null: it isn't packed.
+const nlohmann::ordered_json* shadowExtensionOf(const nlohmann::ordered_json& json);
+
+/// Indices of all accessors that a sound extension refers to.
+std::set<int> shadowAccessorsOf(const nlohmann::ordered_json& extension);
+
+/// How the shadow data of a packed document were made. Checks every field of the extension, those
+/// of its batches included; what accessors hold is up to readShadows(). Throws InputError for a
+/// version or a value that is not known.
 struct ShadowHeader {
     Encoding encoding = Encoding::none;
     int maxMultiplicity = 1;
@@ -50,7 +61,7 @@ std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document);
 std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
                                      const Scene& scene);
 
-/// Bytes of shadow data that a packed document stores; 0 if it isn't packed.
+/// Bytes of shadow data that a packed document stores; 0 if it isn't packed. Throws InputError.
 std::size_t storedShadowBytes(const GltfDocument& document);
 
 /// Appends buffer views, accessors and the extension to `json`, and the bytes to `binary`, which is
@@ -59,7 +70,7 @@ void appendShadowExtension(nlohmann::ordered_json& json, Bytes& binary, const Sc
                            const std::vector<BatchTopology>& topology, Encoding encoding,
                            const CasterSettings& settings);
 
-/// Takes an earlier extension out again: what appendShadowExtension() added. `path` is for
+/// Takes an earlier, sound extension out again: what appendShadowExtension() added. `path` is for
 /// messages. Throws InputError if the file was rearranged since.
 void removeShadowExtension(nlohmann::ordered_json& json, Bytes& binary,
                            const std::filesystem::path& path);

@@ -1,41 +1,31 @@
 #include "src/cli/draw_settings.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/cli/options.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <sstream>
 
 namespace edgeshade::cli {
 namespace {
 
-const std::map<std::string, ShadowMethod> shadowNames = {
+const Choices<ShadowMethod> shadowNames = {
     {"volumes", ShadowMethod::volumes}, {"map", ShadowMethod::map}, {"none", ShadowMethod::none}};
-const std::map<std::string, MultiplicityMethod> multiplicityNames = {
+const Choices<MultiplicityMethod> multiplicityNames = {
     {"reference-edge", MultiplicityMethod::referenceEdge},
     {"three-edge", MultiplicityMethod::threeEdge},
     {"single-edge", MultiplicityMethod::singleEdge}};
-const std::map<std::string, InstancingChoice> instancingNames = {
-    {"on", InstancingChoice::on},
-    {"off", InstancingChoice::off},
-    {"multi-draw", InstancingChoice::multiDraw}};
+const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
+                                                   {"off", InstancingChoice::off},
+                                                   {"multi-draw", InstancingChoice::multiDraw}};
 
 template <class Value>
-std::string nameIn(const std::map<std::string, Value>& names, Value value) {
+std::string nameIn(const Choices<Value>& names, Value value) {
     for (const auto& [name, candidate] : names)
         if (candidate == value) return name;
     return "auto";
-}
-
-template <class Value>
-void addChoice(CLI::App& verb, const std::string& option, Value& value,
-               const std::map<std::string, Value>& names, const std::string& type,
-               const std::string& help) {
-    verb.add_option(option, value, help)
-        ->type_name(type)
-        ->transform(CLI::CheckedTransformer(names).description(""));
 }
 
 /// Range alone lets what is no number through.
@@ -86,13 +76,12 @@ bool DrawSettings::hasMapBias() const {
 }
 
 void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
-    addChoice(verb, "--shadows", settings.render.shadows, shadowNames, "volumes|map|none",
+    addChoice(verb, "--shadows", settings.render.shadows, shadowNames,
               "How shadows are made (volumes)");
     addMapOptions(verb, settings);
     addChoice(verb, "--multiplicity", settings.render.multiplicity, multiplicityNames,
-              "reference-edge|three-edge|single-edge",
               "How a triangle's facing is decided (reference-edge); single-edge is not robust");
-    addChoice(verb, "--instancing", settings.instancing, instancingNames, "on|off|multi-draw",
+    addChoice(verb, "--instancing", settings.instancing, instancingNames,
               "A record an instance, a copy for every vertex, or one draw a side (on where the "
               "GL can)");
     verb.add_option_function<std::string>(

@@ -8,9 +8,30 @@ namespace {
 
 using edgeshade::ExitStatus;
 
-int fail(const std::string& sentence, ExitStatus status) {
+/// One line, whatever a file's texts hold.
+int fail(std::string sentence, ExitStatus status) {
+    for (char& c : sentence)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
     std::cerr << "edgeshade: " << sentence << std::endl;
     return static_cast<int>(status);
+}
+
+std::string verbsOf(const CLI::App& program) {
+    std::string verbs;
+    for (const CLI::App* verb : program.get_subcommands(nullptr))
+        verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+    return verbs;
+}
+
+/// The first word is a verb, unless it is an option; CLI11 would say only that one is missing.
+void requireKnownVerb(const CLI::App& program, int argc, char** argv) {
+    const std::string word = argc > 1 ? argv[1] : "";
+    if (word.starts_with('-')) return;
+    for (const CLI::App* verb : program.get_subcommands(nullptr))
+        if (verb->get_name() == word) return;
+    throw edgeshade::Error(ExitStatus::usage,
+                           (word.empty() ? "A verb is missing" : "'" + word + "' is no verb") +
+                               "; there are " + verbsOf(program) + ".");
 }
 
 int run(int argc, char** argv) {
@@ -24,6 +45,7 @@ int run(int argc, char** argv) {
     edgeshade::cli::addInfoCommand(program);
     edgeshade::cli::addRenderCommand(program);
     edgeshade::cli::addCompareCommand(program);
+    requireKnownVerb(program, argc, argv);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -4,7 +4,6 @@
 #include "src/cli/report.hpp"
 #include "src/cli/summary.hpp"
 
-#include <map>
 #include <memory>
 
 namespace edgeshade::cli {
@@ -34,15 +33,11 @@ void addPackCommand(CLI::App& program) {
     const auto options = std::make_shared<PackOptions>();
     verb->add_option("IN", options->input, "The scene, .gltf or .glb")->required();
     verb->add_option("OUT", options->output, "The packed scene, .glb")->required();
-    verb->add_option("--encoding", options->encoding,
-                     "expanded: GPU-ready; indexed: edges as indices; none: found at load "
-                     "(indexed)")
-        ->type_name("expanded|indexed|none")
-        ->transform(CLI::CheckedTransformer(
-                        std::map<std::string, Encoding>{{"expanded", Encoding::expanded},
-                                                        {"indexed", Encoding::indexed},
-                                                        {"none", Encoding::none}})
-                        .description(""));
+    addChoice(*verb, "--encoding", options->encoding,
+              {{"expanded", Encoding::expanded},
+               {"indexed", Encoding::indexed},
+               {"none", Encoding::none}},
+              "expanded: GPU-ready; indexed: edges as indices; none: found at load (indexed)");
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
     verb->callback([options] { pack(*options); });

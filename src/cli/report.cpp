@@ -1,23 +1,36 @@
 #include "src/cli/report.hpp"
 
+#include "preprocess/error.hpp"
 #include "preprocess/file_io.hpp"
 
 #include <iostream>
 
 namespace edgeshade::cli {
+namespace {
+
+/// A full disk or a closed pipe behind standard output is no success.
+void writeToStandardOutput(const std::string& text) {
+    if (!(std::cout << text << std::flush))
+        throw Error(ExitStatus::output, "Standard output can't be written.");
+}
+
+} // namespace
 
 void writeReport(const nlohmann::ordered_json& report, const std::string& path) {
     if (path.empty()) return;
     const std::string text =
         report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     if (path == "-")
-        std::cout << text << std::flush;
+        writeToStandardOutput(text);
     else
         writeFile(path, std::string_view(text));
 }
 
 void printResult(const std::string& text, const std::string& reportPath) {
-    (reportPath == "-" ? std::cerr : std::cout) << text << std::endl;
+    if (reportPath == "-")
+        std::cerr << text << std::endl;
+    else
+        writeToStandardOutput(text + "\n");
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {

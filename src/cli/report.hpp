@@ -10,7 +10,7 @@ namespace edgeshade::cli {
 /// Error(output).
 void writeReport(const nlohmann::ordered_json& report, const std::string& path);
 
-/// A line for people, on standard output unless the report goes there.
+/// A line for people, on standard output unless the report goes there. Throws Error(output).
 void printResult(const std::string& text, const std::string& reportPath);
 
 /// Warnings, a line each, on standard error.

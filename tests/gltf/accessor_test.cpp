@@ -58,9 +58,9 @@ TEST(Accessor, AttributesMayShareAnInterleavedView) {
     const Shape shape = box(glm::vec3(1.0f, 2.0f, 3.0f));
     std::vector<float> interleaved;
     for (std::size_t i = 0; i < shape.positions.size(); ++i)
-        for (const float value : {shape.positions[i].x, shape.positions[i].y, shape.positions[i].z,
-                                  shape.normals[i].x, shape.normals[i].y, shape.normals[i].z,
-                                  shape.texcoords[i].x, shape.texcoords[i].y})
+        for (const float value :
+             {shape.positions[i].x, shape.positions[i].y, shape.positions[i].z, shape.normals[i].x,
+              shape.normals[i].y, shape.normals[i].z, shape.texcoords[i].x, shape.texcoords[i].y})
             interleaved.push_back(value);
 
     GltfBuilder gltf;
@@ -71,9 +71,9 @@ TEST(Accessor, AttributesMayShareAnInterleavedView) {
     };
     const Json attributes = {
         {"POSITION", add("VEC3", 0)}, {"NORMAL", add("VEC3", 12)}, {"TEXCOORD_0", add("VEC2", 24)}};
-    gltf.addNode({{"mesh", gltf.addMesh({{"attributes", attributes},
-                                         {"indices",
-                                          gltf.addIndices<std::uint8_t>(shape.indices)}})}});
+    gltf.addNode(
+        {{"mesh", gltf.addMesh({{"attributes", attributes},
+                                {"indices", gltf.addIndices<std::uint8_t>(shape.indices)}})}});
 
     GltfBuilder separate;
     separate.addShapeNode(shape);
@@ -84,8 +84,7 @@ TEST(Accessor, NormalizedIntegersAreFractionsOfTheirLargestValue) {
     EXPECT_EQ(readNormalized<std::uint8_t>({0, 51, 255}), (std::vector<float>{0.0f, 0.2f, 1.0f}));
     EXPECT_EQ(readNormalized<std::uint16_t>({0, 13107, 65535}),
               (std::vector<float>{0.0f, 0.2f, 1.0f}));
-    EXPECT_EQ(readNormalized<std::int8_t>({-127, 0, 127}),
-              (std::vector<float>{-1.0f, 0.0f, 1.0f}));
+    EXPECT_EQ(readNormalized<std::int8_t>({-127, 0, 127}), (std::vector<float>{-1.0f, 0.0f, 1.0f}));
     EXPECT_EQ(readNormalized<std::int16_t>({-32767, 0, 32767}),
               (std::vector<float>{-1.0f, 0.0f, 1.0f}));
 }

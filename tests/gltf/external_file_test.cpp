@@ -15,7 +15,9 @@ GltfBuilder boxScene() {
     return gltf;
 }
 
-Scene readScene(const std::filesystem::path& path) { return flattenScene(readGltf(path), 0.0); }
+Scene readScene(const std::filesystem::path& path) {
+    return flattenScene(readGltf(path), 0.0);
+}
 
 } // namespace
 

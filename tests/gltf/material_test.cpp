@@ -33,7 +33,8 @@ Scene sceneOfEveryAlphaMode() {
 TEST(Material, AlphaModesAreRead) {
     EXPECT_EQ(materialOf({{"name", "plain"}}).alphaMode, AlphaMode::opaque);
     EXPECT_EQ(materialOf({{"alphaMode", "OPAQUE"}}).alphaMode, AlphaMode::opaque);
-    EXPECT_EQ(materialOf({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alphaMode, AlphaMode::mask);
+    EXPECT_EQ(materialOf({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alphaMode,
+              AlphaMode::mask);
     EXPECT_EQ(materialOf({{"alphaMode", "MASK"}, {"alphaCutoff", 0.25}}).alphaCutoff, 0.25f);
     EXPECT_EQ(materialOf({{"alphaMode", "MASK"}}).alphaCutoff, 0.5f);
     EXPECT_EQ(materialOf({{"alphaMode", "BLEND"}}).alphaMode, AlphaMode::blend);
@@ -69,13 +70,13 @@ TEST(Material, BaseColourAndItsTextureAreRead) {
 }
 
 TEST(Material, SpecularGlossinessDiffuseStandsForTheBaseColour) {
-    const Material material = materialOf(
-        {{"pbrMetallicRoughness",
-          {{"baseColorFactor", {0, 0, 0, 1}}, {"baseColorTexture", {{"index", 0}}}}},
-         {"extensions",
-          {{"KHR_materials_pbrSpecularGlossiness",
-            {{"diffuseFactor", {0.5, 0.25, 1, 1}},
-             {"diffuseTexture", {{"index", 1}, {"texCoord", 1}}}}}}}});
+    const Material material =
+        materialOf({{"pbrMetallicRoughness",
+                     {{"baseColorFactor", {0, 0, 0, 1}}, {"baseColorTexture", {{"index", 0}}}}},
+                    {"extensions",
+                     {{"KHR_materials_pbrSpecularGlossiness",
+                       {{"diffuseFactor", {0.5, 0.25, 1, 1}},
+                        {"diffuseTexture", {{"index", 1}, {"texCoord", 1}}}}}}}});
     EXPECT_EQ(material.baseColorFactor, glm::vec4(0.5f, 0.25f, 1.0f, 1.0f));
     EXPECT_EQ(material.image, 1);
     EXPECT_EQ(material.texcoordSet, 1);
@@ -97,13 +98,14 @@ TEST(Material, TextureTransformsAreBakedIntoTexcoords) {
     gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
     gltf.json["textures"] = {{{"source", 0}}};
     // Scale by (2, 4), turn by 90 degrees, move by (0.5, 0.25): u' = 0.5 + 4 v, v' = 0.25 - 2 u.
-    gltf.addMaterial(
-        {{"pbrMetallicRoughness",
-          {{"baseColorTexture",
-            {{"index", 0},
-             {"extensions",
-              {{"KHR_texture_transform",
-                {{"offset", {0.5, 0.25}}, {"rotation", 1.5707963267948966}, {"scale", {2, 4}}}}}}}}}}});
+    gltf.addMaterial({{"pbrMetallicRoughness",
+                       {{"baseColorTexture",
+                         {{"index", 0},
+                          {"extensions",
+                           {{"KHR_texture_transform",
+                             {{"offset", {0.5, 0.25}},
+                              {"rotation", 1.5707963267948966},
+                              {"scale", {2, 4}}}}}}}}}}});
     Shape shape;
     shape.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     shape.texcoords = {{0, 0}, {1, 0}, {0, 1}};

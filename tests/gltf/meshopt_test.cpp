@@ -1,4 +1,4 @@
-#include "tests/gltf/meshopt_encoding.hpp"
+#include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/scene_triangles.hpp"
 
 #include <gtest/gtest.h>
@@ -47,17 +47,15 @@ TEST(Meshopt, OctahedralNormalsAreUnpacked) {
 
     GltfBuilder gltf = meshoptScene(shape);
     const int view = addMeshoptVertices(gltf, filtered, 4, "OCTAHEDRAL");
-    gltf.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
-        gltf.addAccessor(view, componentTypeOf<std::int8_t>, shape.normals.size(), "VEC3",
-                         {{"normalized", true}});
+    gltf.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] = gltf.addAccessor(
+        view, componentTypeOf<std::int8_t>, shape.normals.size(), "VEC3", {{"normalized", true}});
     expectSameTriangles(worldTriangles(sceneOf(gltf)), plainTriangles(shape), 0.02);
 }
 
 TEST(Meshopt, ExponentialPositionsAreUnpacked) {
     const Shape shape = boxWithoutTexcoords();
     Bytes filtered(sizeof(glm::vec3) * shape.positions.size());
-    meshopt_encodeFilterExp(filtered.data(), shape.positions.size(), 12, 15,
-                            &shape.positions[0].x);
+    meshopt_encodeFilterExp(filtered.data(), shape.positions.size(), 12, 15, &shape.positions[0].x);
 
     GltfBuilder gltf = meshoptScene(shape);
     const int view = addMeshoptVertices(gltf, filtered, 12, "EXPONENTIAL");

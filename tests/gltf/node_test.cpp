@@ -62,8 +62,7 @@ TEST(Node, ChildrenFollowTheirParents) {
     GltfBuilder gltf;
     const int mesh = gltf.addShape(box(glm::vec3(1.0f)));
     const int leaf = gltf.addNode({{"mesh", mesh}, {"translation", {1, 0, 0}}}, false);
-    const int middle =
-        gltf.addNode({{"children", {leaf}}, {"rotation", turnedAroundZ}}, false);
+    const int middle = gltf.addNode({{"children", {leaf}}, {"rotation", turnedAroundZ}}, false);
     gltf.addNode({{"children", {middle}}, {"translation", {0, 0, 5}}});
     const glm::dmat4 expected({0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 5, 1});
     expectSameTriangles(worldTriangles(sceneOf(gltf)), moved(boxTriangles(), expected), 1e-6);
@@ -166,8 +165,8 @@ TEST(Node, StaticNodesShareOneBatch) {
 TEST(Node, AnAnimatedNodeMakesItsOwnBatch) {
     GltfBuilder gltf;
     gltf.addShapeNode(tetrahedron());
-    const int mover = gltf.addNode(
-        {{"mesh", gltf.addShape(box(glm::vec3(1.0f)))}, {"translation", {0, 7, 0}}});
+    const int mover =
+        gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(1.0f)))}, {"translation", {0, 7, 0}}});
     gltf.animate(mover);
     const Scene scene = sceneOf(gltf);
     ASSERT_EQ(scene.batches.size(), 2u);

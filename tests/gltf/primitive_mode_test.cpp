@@ -60,7 +60,8 @@ TEST(PrimitiveMode, AStripKeepsTheOrientationOfItsFirstTriangle) {
         worldTriangles(sceneWithTriangles(zigzag(), {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4}));
     const auto actual = worldTriangles(sceneWithMode(zigzag(), stripMode));
     expectSameTriangles(actual, expected);
-    for (const WorldTriangle& triangle : actual) EXPECT_EQ(outside(triangle).z, -1.0);
+    for (const WorldTriangle& triangle : actual)
+        EXPECT_EQ(outside(triangle).z, -1.0);
 }
 
 TEST(PrimitiveMode, AnIndexedStripFollowsItsIndices) {
@@ -71,9 +72,9 @@ TEST(PrimitiveMode, AnIndexedStripFollowsItsIndices) {
 TEST(PrimitiveMode, AFanTurnsAroundItsFirstVertex) {
     const std::vector<glm::vec3> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const auto actual = worldTriangles(sceneWithMode(positions, fanMode));
-    expectSameTriangles(actual,
-                        worldTriangles(sceneWithTriangles(positions, {0, 1, 2, 0, 2, 3})));
-    for (const WorldTriangle& triangle : actual) EXPECT_EQ(outside(triangle).z, 1.0);
+    expectSameTriangles(actual, worldTriangles(sceneWithTriangles(positions, {0, 1, 2, 0, 2, 3})));
+    for (const WorldTriangle& triangle : actual)
+        EXPECT_EQ(outside(triangle).z, 1.0);
 }
 
 TEST(PrimitiveMode, TooFewVerticesForATriangleGiveNone) {
@@ -109,8 +110,8 @@ TEST(PrimitiveMode, NormalsOfTheFileAreKept) {
     gltf.addShapeNode(shape);
     for (const WorldTriangle& triangle : worldTriangles(sceneOf(gltf)))
         for (const Corner& corner : triangle)
-            EXPECT_LT(glm::distance(corner.normal, glm::normalize(glm::vec3(corner.position) -
-                                                                  glm::vec3(0.25f))),
+            EXPECT_LT(glm::distance(corner.normal,
+                                    glm::normalize(glm::vec3(corner.position) - glm::vec3(0.25f))),
                       1e-6f);
 }
 

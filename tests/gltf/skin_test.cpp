@@ -17,9 +17,10 @@ GltfBuilder skinnedScene() {
     const int second = gltf.addNode({{"translation", {0, 3, 0}}}, false);
     const int first = gltf.addNode({{"children", {second}}, {"translation", {5, 0, 0}}});
     std::vector<float> inverseBind = matrixOfTranslation(-5, 0, 0);
-    for (const float value : matrixOfTranslation(-5, -1, 0)) inverseBind.push_back(value);
-    gltf.json["skins"] = {{{"joints", {first, second}},
-                           {"inverseBindMatrices", gltf.addArray(inverseBind, 16)}}};
+    for (const float value : matrixOfTranslation(-5, -1, 0))
+        inverseBind.push_back(value);
+    gltf.json["skins"] = {
+        {{"joints", {first, second}}, {"inverseBindMatrices", gltf.addArray(inverseBind, 16)}}};
     Json primitive = gltf.primitiveOf(tetrahedron());
     primitive["attributes"]["JOINTS_0"] =
         gltf.addArray<std::uint8_t>({0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 4);
@@ -42,9 +43,8 @@ std::vector<WorldTriangle> tetrahedronWithCorner(const glm::vec3& corner) {
 GltfBuilder morphedScene(const Json& meshWeights, const Json& nodeWeights) {
     GltfBuilder gltf;
     Json primitive = gltf.primitiveOf(tetrahedron());
-    primitive["targets"] = {
-        {{"POSITION", gltf.addVectors(std::vector<glm::vec3>{
-                          {0, 0, 0}, {0, 4, 0}, {0, 0, 0}, {0, 0, 0}})}}};
+    primitive["targets"] = {{{"POSITION", gltf.addVectors(std::vector<glm::vec3>{
+                                              {0, 0, 0}, {0, 4, 0}, {0, 0, 0}, {0, 0, 0}})}}};
     const int mesh = gltf.addMesh(primitive);
     if (!meshWeights.is_null()) gltf.json["meshes"][mesh]["weights"] = meshWeights;
     Json node = {{"mesh", mesh}};
@@ -82,8 +82,9 @@ TEST(Skin, WeightsBlendJoints) {
     GltfBuilder gltf = skinnedScene();
     gltf.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] =
         gltf.addArray<std::uint16_t>({0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 4);
-    gltf.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] = gltf.addArray<std::uint8_t>(
-        {255, 0, 0, 0, 51, 204, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0}, 4, {{"normalized", true}});
+    gltf.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] =
+        gltf.addArray<std::uint8_t>({255, 0, 0, 0, 51, 204, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0}, 4,
+                                    {{"normalized", true}});
     expectSameTriangles(worldTriangles(sceneOf(gltf)), tetrahedronWithCorner({1, 1.6f, 0}), 1e-5);
 }
 

@@ -1,0 +1,340 @@
+#include "preprocess/gltf_checks.hpp"
+
+#include "preprocess/error.hpp"
+#include "preprocess/json_field.hpp"
+#include "preprocess/shadow_extension.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <utility>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t deepestNesting = 500; // far more than glTF needs, far less than a stack holds
+
+/// How deep brackets and braces outside of strings are nested.
+std::size_t nestingOf(std::string_view text) {
+    std::size_t depth = 0, deepest = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+        if ((c == ']' || c == '}') && depth > 0) --depth;
+        if (c != '"') continue;
+        for (i = text.find_first_of("\"\\", i + 1); i < text.size() && text[i] == '\\';)
+            i = text.find_first_of("\"\\", i + 2);
+        if (i >= text.size()) break;
+    }
+    return deepest;
+}
+
+/// "2.1" as (2, 1).
+std::pair<int, int> versionOf(const JsonField& field) {
+    const std::string text = field.text();
+    const char* end = text.data() + text.size();
+    std::pair<int, int> version;
+    const auto major = std::from_chars(text.data(), end, version.first);
+    const bool dotted = major.ec == std::errc() && major.ptr != end && *major.ptr == '.';
+    const auto minor = dotted ? std::from_chars(major.ptr + 1, end, version.second) : major;
+    if (!dotted || minor.ec != std::errc() || minor.ptr != end)
+        field.fail(" is '" + text + "', which is no version");
+    return version;
+}
+
+void checkAsset(const JsonField& asset) {
+    const JsonField version = asset.member("version");
+    if (versionOf(version).first != 2)
+        version.fail(" is '" + version.text() + "', but only glTF 2 is read");
+    asset.ifPresent("minVersion", [](const JsonField& least) {
+        if (versionOf(least) > std::pair(2, 0))
+            least.fail(" is '" + least.text() + "', but this program knows no more than glTF 2.0");
+    });
+}
+
+/// Whether a scene is understood although it needs this extension.
+bool isKnownExtension(const std::string& name) {
+    constexpr std::array known = {
+        "KHR_draco_mesh_compression",
+        "KHR_mesh_quantization",
+        "EXT_meshopt_compression",
+        "KHR_texture_transform",
+        "KHR_lights_punctual",
+        shadowExtensionName,
+        "KHR_xmp_json_ld", // metadata
+    };
+    // Materials' extensions change how surfaces look, not where they are.
+    return name.starts_with("KHR_materials_") ||
+           std::find(known.begin(), known.end(), name) != known.end();
+}
+
+void checkExtensions(const JsonField& root) {
+    root.ifPresent("extensions", [](const JsonField& field) { field.requireObject(); });
+    root.ifPresent("extensionsUsed", [](const JsonField& field) {
+        field.forEachItem([](const JsonField& name) { name.text(); });
+    });
+    root.ifPresent("extensionsRequired", [](const JsonField& field) {
+        field.forEachItem([](const JsonField& name) {
+            if (!isKnownExtension(name.text()))
+                name.fail(" is '" + name.text() +
+                          "', an extension that this program does not know");
+        });
+    });
+}
+
+/// How many items the section has.
+std::size_t countOf(const JsonField& root, const char* section) {
+    const auto found = root.find(section);
+    return found ? found->size() : 0;
+}
+
+void checkIndex(const JsonField& object, const char* key) {
+    object.ifPresent(key, [](const JsonField& field) { field.index(); });
+}
+
+void checkWholeNumber(const JsonField& object, const char* key) {
+    object.ifPresent(key, [](const JsonField& field) { field.wholeNumber(); });
+}
+
+void checkText(const JsonField& object, const char* key) {
+    object.ifPresent(key, [](const JsonField& field) { field.text(); });
+}
+
+void checkIntegers(const JsonField& array) {
+    array.forEachItem([](const JsonField& item) { item.integer(); });
+}
+
+/// `count` numbers, or any number of them for 0.
+void checkNumbers(const JsonField& object, const char* key, std::size_t count) {
+    object.ifPresent(key, [count](const JsonField& array) {
+        array.forEachItem([](const JsonField& item) { item.number(); });
+        if (count != 0 && array.size() != count)
+            array.fail(" has " + std::to_string(array.size()) + " numbers, not " +
+                       std::to_string(count));
+    });
+}
+
+void checkBuffer(const JsonField& buffer) {
+    buffer.member("byteLength").wholeNumber();
+    checkText(buffer, "uri");
+}
+
+/// A range of a buffer, as views have it and as compressed views have it once more.
+void checkRange(const JsonField& range, std::size_t bufferCount) {
+    range.member("buffer").indexInto(bufferCount, "buffers");
+    checkWholeNumber(range, "byteOffset");
+    range.member("byteLength").wholeNumber();
+    checkWholeNumber(range, "byteStride");
+}
+
+void checkBufferView(const JsonField& view, std::size_t bufferCount) {
+    checkRange(view, bufferCount);
+    view.ifPresent("byteStride", [](const JsonField& stride) {
+        const std::uint64_t value = stride.wholeNumber();
+        if (value < 4 || value > 252 || value % 4 != 0)
+            stride.fail(" is " + std::to_string(value) +
+                        ", but must be a multiple of 4 from 4 to 252");
+    });
+    view.ifPresent("extensions", [&](const JsonField& extensions) {
+        extensions.forEachMember([&](const JsonField& extension) {
+            if (extension.value().is_object() && extension.find("buffer"))
+                checkRange(extension, bufferCount);
+        });
+    });
+}
+
+void checkSparse(const JsonField& sparse, std::size_t viewCount) {
+    sparse.member("count").index();
+    for (const char* key : {"indices", "values"}) {
+        const JsonField part = sparse.member(key);
+        part.member("bufferView").indexInto(viewCount, "bufferViews");
+        checkIndex(part, "byteOffset"); // an int in tinygltf
+    }
+    sparse.member("indices").member("componentType").index();
+}
+
+void checkAccessor(const JsonField& accessor, std::size_t viewCount) {
+    accessor.ifPresent("bufferView",
+                       [&](const JsonField& view) { view.indexInto(viewCount, "bufferViews"); });
+    checkWholeNumber(accessor, "byteOffset");
+    accessor.member("count").wholeNumber();
+    const JsonField componentType = accessor.member("componentType");
+    if (componentType.index() < 5120 || componentType.index() > 5130)
+        componentType.fail(" is " + std::to_string(componentType.index()) +
+                           ", which is no component type");
+    const JsonField type = accessor.member("type");
+    constexpr std::array types = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+    if (std::find(types.begin(), types.end(), type.text()) == types.end())
+        type.fail(" is '" + type.text() + "', which is no accessor type");
+    accessor.ifPresent("sparse", [&](const JsonField& sparse) { checkSparse(sparse, viewCount); });
+}
+
+void checkDraco(const JsonField& extension, std::size_t viewCount) {
+    extension.member("bufferView").indexInto(viewCount, "bufferViews");
+    extension.member("attributes").forEachMember([](const JsonField& id) { id.index(); });
+}
+
+void checkPrimitive(const JsonField& primitive, std::size_t accessorCount, std::size_t viewCount) {
+    primitive.member("attributes").forEachMember([](const JsonField& accessor) {
+        accessor.index();
+    });
+    primitive.ifPresent("indices", [&](const JsonField& accessor) {
+        accessor.indexInto(accessorCount, "accessors");
+    });
+    checkIndex(primitive, "material");
+    primitive.ifPresent("mode", [](const JsonField& mode) {
+        if (mode.index() > 6) mode.fail(" is " + mode.value().dump() + ", but must be 0 to 6");
+    });
+    primitive.ifPresent("targets", [](const JsonField& targets) {
+        targets.forEachItem([](const JsonField& target) {
+            target.forEachMember([](const JsonField& accessor) { accessor.index(); });
+        });
+    });
+    primitive.ifPresent("extensions", [&](const JsonField& extensions) {
+        extensions.ifPresent("KHR_draco_mesh_compression",
+                             [&](const JsonField& extension) { checkDraco(extension, viewCount); });
+    });
+}
+
+void checkNode(const JsonField& node) {
+    checkIndex(node, "mesh");
+    checkIndex(node, "skin");
+    checkNumbers(node, "matrix", 16);
+    checkNumbers(node, "translation", 3);
+    checkNumbers(node, "rotation", 4);
+    checkNumbers(node, "scale", 3);
+    checkNumbers(node, "weights", 0);
+    node.ifPresent("children", checkIntegers);
+}
+
+void checkTextureInfo(const JsonField& info) {
+    info.member("index").index();
+    checkIndex(info, "texCoord");
+    info.ifPresent("extensions", [](const JsonField& extensions) {
+        extensions.ifPresent("KHR_texture_transform", [](const JsonField& transform) {
+            checkIndex(transform, "texCoord");
+            checkNumbers(transform, "offset", 2);
+            checkNumbers(transform, "scale", 2);
+            transform.ifPresent("rotation", [](const JsonField& angle) { angle.number(); });
+        });
+    });
+}
+
+void checkMaterial(const JsonField& material) {
+    material.ifPresent("alphaMode", [](const JsonField& mode) {
+        const std::string text = mode.text();
+        if (text != "OPAQUE" && text != "MASK" && text != "BLEND")
+            mode.fail(" is '" + text + "', which is none of OPAQUE, MASK, BLEND");
+    });
+    material.ifPresent("alphaCutoff", [](const JsonField& cutoff) { cutoff.number(); });
+    material.ifPresent("pbrMetallicRoughness", [](const JsonField& metallic) {
+        checkNumbers(metallic, "baseColorFactor", 4);
+        metallic.ifPresent("baseColorTexture", checkTextureInfo);
+    });
+    material.ifPresent("extensions", [](const JsonField& extensions) {
+        extensions.ifPresent("KHR_materials_pbrSpecularGlossiness", [](const JsonField& glossy) {
+            checkNumbers(glossy, "diffuseFactor", 4);
+            glossy.ifPresent("diffuseTexture", checkTextureInfo);
+        });
+    });
+}
+
+void checkSampler(const JsonField& sampler) {
+    for (const char* key : {"wrapS", "wrapT"})
+        sampler.ifPresent(key, [](const JsonField& wrap) {
+            const int value = wrap.index();
+            if (value != 33071 && value != 33648 && value != 10497)
+                wrap.fail(" is " + std::to_string(value) +
+                          ", but must be 33071, 33648 or 10497: clamp, mirror or repeat");
+        });
+}
+
+void checkAnimation(const JsonField& animation) {
+    animation.ifPresent("channels", [](const JsonField& channels) {
+        channels.forEachItem([](const JsonField& channel) {
+            channel.ifPresent("target", [](const JsonField& target) {
+                checkIndex(target, "node");
+                checkText(target, "path");
+            });
+        });
+    });
+}
+
+/// Every section that is there is an array of objects; `check` looks into each.
+template <class Check>
+void checkSection(const JsonField& root, const char* section, Check check) {
+    root.ifPresent(section, [&](const JsonField& items) {
+        items.forEachItem([&](const JsonField& item) {
+            item.requireObject();
+            check(item);
+        });
+    });
+}
+
+void checkSections(const JsonField& root) {
+    const std::size_t bufferCount = countOf(root, "buffers");
+    const std::size_t viewCount = countOf(root, "bufferViews");
+    const std::size_t accessorCount = countOf(root, "accessors");
+    const std::size_t samplerCount = countOf(root, "samplers");
+    checkSection(root, "buffers", checkBuffer);
+    checkSection(root, "bufferViews",
+                 [&](const JsonField& view) { checkBufferView(view, bufferCount); });
+    checkSection(root, "accessors",
+                 [&](const JsonField& accessor) { checkAccessor(accessor, viewCount); });
+    checkSection(root, "meshes", [&](const JsonField& mesh) {
+        checkNumbers(mesh, "weights", 0);
+        mesh.member("primitives").forEachItem([&](const JsonField& primitive) {
+            checkPrimitive(primitive, accessorCount, viewCount);
+        });
+    });
+    checkSection(root, "nodes", checkNode);
+    checkSection(root, "scenes",
+                 [](const JsonField& scene) { scene.ifPresent("nodes", checkIntegers); });
+    checkSection(root, "skins", [](const JsonField& skin) {
+        checkIntegers(skin.member("joints"));
+        checkIndex(skin, "inverseBindMatrices");
+    });
+    checkSection(root, "materials", checkMaterial);
+    checkSection(root, "samplers", checkSampler);
+    checkSection(root, "textures", [&](const JsonField& texture) {
+        checkIndex(texture, "source");
+        texture.ifPresent("sampler", [&](const JsonField& sampler) {
+            sampler.indexInto(samplerCount, "samplers");
+        });
+    });
+    checkSection(root, "images", [&](const JsonField& image) {
+        checkText(image, "uri");
+        image.ifPresent("bufferView",
+                        [&](const JsonField& view) { view.indexInto(viewCount, "bufferViews"); });
+    });
+    checkSection(root, "animations", checkAnimation);
+    checkSection(root, "cameras", [](const JsonField&) {});
+    checkIndex(root, "scene");
+}
+
+} // namespace
+
+nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::path& path) {
+    const std::string file = "'" + path.string() + "'";
+    if (nestingOf(text) > deepestNesting)
+        throw InputError(file + " nests its JSON more than " + std::to_string(deepestNesting) +
+                         " levels deep.");
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw InputError(file + " is neither GLB nor JSON: byte " + std::to_string(error.byte) +
+                         " is not what JSON allows there.");
+    }
+}
+
+void requireSoundGltf(const nlohmann::ordered_json& json, const std::filesystem::path& path) {
+    if (!json.is_object()) throw InputError("'" + path.string() + "' holds no JSON object.");
+    const JsonField root(path, json);
+    checkAsset(root.member("asset"));
+    checkExtensions(root);
+    checkSections(root);
+}
+
+} // namespace edgeshade

@@ -1,0 +1,170 @@
+#include "preprocess/accessor.hpp"
+#include "preprocess/error.hpp"
+#include "preprocess/shadow_extension.hpp"
+#include "shaders_es2/record_layout.glsl"
+
+#include <cmath>
+#include <cstring>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Reads one batch of a packed document.
+class BatchReader {
+  public:
+    BatchReader(const GltfDocument& document, std::size_t index)
+        : document_(document),
+          field_(std::string(shadowExtensionName) + ".batches[" + std::to_string(index) + "]"),
+          batch_((*shadowExtensionOf(document.json))["batches"][index]) {}
+
+    void requireHash(std::uint64_t hash) const {
+        const std::string stored = batch_.value("positionsHash", std::string());
+        if (stored != hashText(hash))
+            fail(".positionsHash is " + stored + ", but the positions have " + hashText(hash) +
+                 ": the geometry was changed after packing. Pack the file again");
+    }
+
+    void requireNode(int node) const {
+        const int stored = batch_.value("node", -1);
+        if (stored != node)
+            fail(".node is " + std::to_string(stored) + ", but the scene's batch follows node " +
+                 std::to_string(node) + ". Pack the file again");
+    }
+
+    BatchShadow readExpanded(const CasterMesh& mesh, std::size_t capCount,
+                             int maxMultiplicity) const {
+        BatchShadow shadow;
+        shadow.groups = mesh.groups;
+        shadow.sides.maxMultiplicity = maxMultiplicity;
+        if (capCount == 0) return shadow;
+        shadow.sides.records = vectors("sides");
+        shadow.caps.records = vectors("caps");
+        if (shadow.sides.records.size() % shadow.sides.vectorsPerRecord() != 0)
+            fail(".sides has " + std::to_string(shadow.sides.records.size()) +
+                 " vectors, no whole number of records");
+        if (shadow.caps.records.size() != capCount * CapsData::vectorsPerRecord)
+            fail(".caps has " + std::to_string(shadow.caps.records.size()) +
+                 " vectors, but there are " + std::to_string(capCount) + " casting triangles");
+        requireOrders(shadow.sides);
+        requireNoOrders(shadow.caps);
+        return shadow;
+    }
+
+    EdgeList readIndexed(const WeldedMesh& mesh) const {
+        EdgeList list;
+        if (mesh.triangles.empty()) return list;
+        const auto edgeVertices = integers("edgeVertices");
+        const auto oppositeCounts = integers("oppositeCounts");
+        const auto oppositeVertices = integers("oppositeVertices");
+        if (edgeVertices.size() != 2 * oppositeCounts.size())
+            fail(".edgeVertices and .oppositeCounts do not match");
+        for (std::size_t e = 0; e < oppositeCounts.size(); ++e) {
+            const Edge edge{edgeVertices[2 * e], edgeVertices[2 * e + 1],
+                            static_cast<std::uint32_t>(list.opposites.size()), oppositeCounts[e]};
+            const bool valid =
+                edge.a < edge.b && edge.b < mesh.positions.size() && edge.oppositeCount >= 1 &&
+                edge.oppositeCount <= oppositeVertices.size() - list.opposites.size();
+            if (!valid) fail(".edgeVertices has an invalid edge " + std::to_string(e));
+            for (std::uint32_t i = 0; i < edge.oppositeCount; ++i) {
+                const std::uint32_t vertex = oppositeVertices[list.opposites.size()];
+                if (vertex >= mesh.positions.size() || vertex == edge.a || vertex == edge.b)
+                    fail(".oppositeVertices holds " + std::to_string(vertex) + " for edge " +
+                         std::to_string(e) + ", which can't be");
+                list.opposites.push_back({vertex, 0});
+            }
+            list.edges.push_back(edge);
+        }
+        if (list.opposites.size() != 3 * mesh.triangles.size())
+            fail(".oppositeVertices has " + std::to_string(list.opposites.size()) +
+                 " entries, but there are " + std::to_string(mesh.triangles.size()) +
+                 " casting triangles");
+        return list;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(document_.where(field_) + what + ".");
+    }
+
+    int accessorOf(const char* key) const {
+        if (!batch_.contains(key) || !batch_[key].is_number_integer())
+            fail(std::string(".") + key + " is missing");
+        return batch_[key].get<int>();
+    }
+
+    std::vector<glm::vec4> vectors(const char* key) const {
+        const FloatArray array = readFloats(document_, accessorOf(key), field_ + "." + key);
+        if (array.components != 4) fail(std::string(".") + key + " is no VEC4 accessor");
+        for (const float value : array.values)
+            if (!std::isfinite(value)) fail(std::string(".") + key + " holds NaN or infinity");
+        std::vector<glm::vec4> result(array.count());
+        std::memcpy(result.data(), array.values.data(), array.values.size() * sizeof(float));
+        return result;
+    }
+
+    std::vector<std::uint32_t> integers(const char* key) const {
+        return readIndices(document_, accessorOf(key), field_ + "." + key);
+    }
+
+    void requireOrders(const SidesData& sides) const {
+        const std::size_t stride = sides.vectorsPerRecord();
+        for (std::size_t i = 0; i < sides.records.size(); ++i) {
+            const float w = sides.records[i].w;
+            const bool isOpposite = i % stride >= 2;
+            const bool valid = isOpposite ? w == static_cast<float>(ORDER_ABSENT) ||
+                                                w == static_cast<float>(ORDER_OPPOSITE_FIRST) ||
+                                                w == static_cast<float>(ORDER_OPPOSITE_BETWEEN) ||
+                                                w == static_cast<float>(ORDER_OPPOSITE_LAST)
+                                          : w == 0.0f;
+            if (!valid)
+                fail(".sides has the fourth component " + std::to_string(w) + " in vector " +
+                     std::to_string(i) + ", which means nothing");
+        }
+    }
+
+    void requireNoOrders(const CapsData& caps) const {
+        for (std::size_t i = 0; i < caps.records.size(); ++i)
+            if (caps.records[i].w != 0.0f)
+                fail(".caps has the fourth component " + std::to_string(caps.records[i].w) +
+                     " in vector " + std::to_string(i) + ", but it must be 0");
+    }
+
+    const GltfDocument& document_;
+    const std::string field_;
+    const Json& batch_;
+};
+
+} // namespace
+
+std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
+                                     const Scene& scene) {
+    const Json& batches = (*shadowExtensionOf(document.json))["batches"];
+    if (batches.size() != scene.batches.size())
+        throw InputError(document.where(shadowExtensionName) + ".batches has " +
+                         std::to_string(batches.size()) + " entries, but the scene has " +
+                         std::to_string(scene.batches.size()) + " batches. Pack the file again.");
+    std::vector<BatchShadow> shadows;
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        const Casters casters = castersOf(batch, scene.materials, header.settings.castMasked);
+        const BatchReader reader(document, i);
+        reader.requireNode(batch.node);
+        reader.requireHash(positionsHash(batch, casters));
+        BatchTopology topology;
+        topology.mesh = weldCasters(batch, casters);
+        if (header.encoding == Encoding::expanded) {
+            shadows.push_back(reader.readExpanded(
+                topology.mesh, topology.mesh.welded.triangles.size(), header.maxMultiplicity));
+            continue;
+        }
+        topology.edges = header.encoding == Encoding::indexed
+                             ? reader.readIndexed(topology.mesh.welded)
+                             : buildEdges(topology.mesh.welded);
+        shadows.push_back(buildShadow(topology, header.maxMultiplicity));
+    }
+    return shadows;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,100 @@
+#include "preprocess/shadow_extension.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Adds views and accessors at the end of a document.
+class AccessorWriter {
+  public:
+    AccessorWriter(Json& json, Bytes& binary) : json_(json), binary_(binary) {}
+
+    int add(std::span<const glm::vec4> vectors) {
+        return add(vectors.data(), vectors.size_bytes(), vectors.size(),
+                   TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC4");
+    }
+
+    /// Unsigned integers in the smallest type that holds them.
+    int add(std::span<const std::uint32_t> values) {
+        const std::uint32_t largest =
+            values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+        if (largest <= 0xFF)
+            return addAs<std::uint8_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
+        if (largest <= 0xFFFF)
+            return addAs<std::uint16_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
+        return addAs<std::uint32_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+    }
+
+  private:
+    template <class T>
+    int addAs(std::span<const std::uint32_t> values, int componentType) {
+        const std::vector<T> narrow(values.begin(), values.end());
+        return add(narrow.data(), narrow.size() * sizeof(T), narrow.size(), componentType,
+                   "SCALAR");
+    }
+
+    int add(const void* data, std::size_t size, std::size_t count, int componentType,
+            const char* type) {
+        binary_.resize((binary_.size() + 3) / 4 * 4, 0);
+        json_["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", size}});
+        const auto* bytes = static_cast<const std::uint8_t*>(data);
+        binary_.insert(binary_.end(), bytes, bytes + size);
+        json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
+                                      {"componentType", componentType},
+                                      {"count", count},
+                                      {"type", type}});
+        return static_cast<int>(json_["accessors"].size()) - 1;
+    }
+
+    Json& json_;
+    Bytes& binary_;
+};
+
+void appendIndexed(const EdgeList& edges, AccessorWriter& writer, Json& batch) {
+    std::vector<std::uint32_t> edgeVertices, oppositeCounts, oppositeVertices;
+    for (const Edge& edge : edges.edges) {
+        edgeVertices.insert(edgeVertices.end(), {edge.a, edge.b});
+        oppositeCounts.push_back(edge.oppositeCount);
+    }
+    for (const Opposite& opposite : edges.opposites)
+        oppositeVertices.push_back(opposite.vertex);
+    batch["edgeVertices"] = writer.add(edgeVertices);
+    batch["oppositeCounts"] = writer.add(oppositeCounts);
+    batch["oppositeVertices"] = writer.add(oppositeVertices);
+}
+
+} // namespace
+
+void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
+                           const std::vector<BatchTopology>& topology, Encoding encoding,
+                           const CasterSettings& settings) {
+    const int maxMultiplicity = sceneMultiplicity(topology);
+    Json batches = Json::array();
+    AccessorWriter writer(json, binary);
+    for (std::size_t i = 0; i < topology.size(); ++i) {
+        Json batch = Json::object();
+        if (scene.batches[i].node >= 0) batch["node"] = scene.batches[i].node;
+        batch["positionsHash"] = hashText(topology[i].hash);
+        if (!topology[i].edges.edges.empty() && encoding == Encoding::indexed)
+            appendIndexed(topology[i].edges, writer, batch);
+        if (!topology[i].edges.edges.empty() && encoding == Encoding::expanded) {
+            const BatchShadow shadow = buildShadow(topology[i], maxMultiplicity);
+            batch["sides"] = writer.add(shadow.sides.records);
+            batch["caps"] = writer.add(shadow.caps.records);
+        }
+        batches.push_back(std::move(batch));
+    }
+    json["extensions"][shadowExtensionName] = {
+        {"version", shadowExtensionVersion},  {"encoding", nameOf(encoding)},
+        {"maxMultiplicity", maxMultiplicity}, {"weldTolerance", settings.weldTolerance},
+        {"castMasked", settings.castMasked},  {"batches", std::move(batches)}};
+    Json& used = json["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), shadowExtensionName) == used.end())
+        used.push_back(shadowExtensionName);
+}
+
+} // namespace edgeshade

@@ -1,0 +1,93 @@
+// Images and samplers. Those inside the file matter to drawing alone.
+#include "tests/cli/bad_input.hpp"
+
+namespace edgeshade::test {
+namespace {
+
+/// The sound scene with another image, for one verb alone if it is named.
+BadInput withImage(const std::string& name, const std::function<Json(GltfBuilder&)>& image,
+                   const std::vector<std::string>& words,
+                   const std::vector<std::string>& verbs = {"render"}) {
+    BadInput row = badScene(
+        name, [image](GltfBuilder& gltf) { gltf.json["images"][0] = image(gltf); }, words);
+    row.verbs = verbs;
+    return row;
+}
+
+BadInput embedded(const std::string& name, const Bytes& bytes) {
+    return withImage(
+        name,
+        [bytes](GltfBuilder& gltf) {
+            return Json{{"bufferView", gltf.addView(bytes)}, {"mimeType", "image/png"}};
+        },
+        {"images[0]"});
+}
+
+Bytes cutOffPng() {
+    Bytes png = smallPng();
+    png.resize(50);
+    return png;
+}
+
+/// A PNG whose header claims this many pixels a side.
+Bytes pngOfSize(std::uint8_t high) {
+    Bytes png = smallPng();
+    png[17] = png[21] = high; // bits 16 to 23 of width and height
+    return png;
+}
+
+std::vector<std::string> packAndRender() {
+    return {"pack", "render"};
+}
+
+} // namespace
+
+std::vector<BadInput> badImages() {
+    std::vector<BadInput> rows = {
+        embedded("ImageOfGarbage", Bytes(100, 0x5A)),
+        embedded("ImageWithoutBytes", Bytes()),
+        embedded("ImageCutOff", cutOffPng()),
+        embedded("ImageTooLarge", pngOfSize(1)),
+        embedded("ImageFarTooLarge", pngOfSize(0x7F)),
+        withImage(
+            "ImageMissing",
+            [](GltfBuilder&) {
+                return Json{{"uri", "gone.png"}};
+            },
+            {"gone.png"}, packAndRender()),
+        withImage(
+            "ImageInTheFolderAbove",
+            [](GltfBuilder&) {
+                return Json{{"uri", "../image.png"}};
+            },
+            {"images[0].uri"}, packAndRender()),
+        withImage(
+            "ImageOfBadBase64",
+            [](GltfBuilder&) {
+                return Json{{"uri", "data:image/png;base64,@@@"}};
+            },
+            {"images[0]"}, packAndRender()),
+        withImage("ImageFromNowhere",
+                  [](GltfBuilder&) {
+                      return Json{{"name", "nothing"}};
+                  },
+                  {"images[0]"}),
+        withImage("ImageOfNoView",
+                  [](GltfBuilder&) {
+                      return Json{{"bufferView", 99}, {"mimeType", "image/png"}};
+                  },
+                  {"99"}),
+        badScene("TextureOfNoImage",
+                 [](GltfBuilder& gltf) { gltf.json["textures"][0]["source"] = 99; },
+                 {"images[99]"}),
+        badScene("TextureOfNoSampler",
+                 [](GltfBuilder& gltf) { gltf.json["textures"][0]["sampler"] = 99; }, {"99"}),
+        badScene("SamplerOfUnknownWrapping",
+                 [](GltfBuilder& gltf) { gltf.json["samplers"][0]["wrapS"] = 12345; }, {"12345"}),
+    };
+    for (std::size_t last = rows.size() - 3; last < rows.size(); ++last)
+        rows[last].verbs = {"render"};
+    return rows;
+}
+
+} // namespace edgeshade::test

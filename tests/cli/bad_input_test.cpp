@@ -1,0 +1,74 @@
+// Bad inputs, run through the real program: it says what is wrong in one sentence that names the
+// file, ends with status 2, and leaves nothing behind.
+#include "tests/cli/bad_input.hpp"
+#include "tests/cli/message.hpp"
+#include "tests/support/child_process.hpp"
+
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace edgeshade::test {
+namespace {
+
+constexpr std::size_t mostMemory = std::size_t{1} << 30; // a small file must not take more
+
+std::vector<BadInput> wholeTable() {
+    std::vector<BadInput> table;
+    for (const auto& part : {badContainers, badJson, badFiles, badAccessors, badNodes, badImages,
+                             badCompression, badShadowData})
+        for (BadInput& row : part())
+            table.push_back(std::move(row));
+    return table;
+}
+
+class BadInputTest : public testing::TestWithParam<BadInput> {};
+
+void expectRefused(const BadInput& row, const std::string& verb) {
+    SCOPED_TRACE(verb);
+    const TempFolder folder;
+    const std::filesystem::path input = row.make(folder);
+    std::vector<std::string> arguments = {verb, input};
+    if (verb != "info") arguments.push_back(folder / "output");
+    if (verb == "render") arguments.insert(arguments.end(), {"--size", "16x16"});
+    const auto before = folder.names();
+
+    const ProcessResult result = runEdgeshade(arguments);
+    std::cout << row.name << " | " << verb << " | " << result.status << " | " << messageOf(result)
+              << "\n";
+    ASSERT_NE(result.status, 0) << "it was accepted";
+    ASSERT_EQ(result.signal, 0);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_FALSE(result.timedOut);
+    EXPECT_LT(result.peakBytes, mostMemory);
+    expectOneSentence(result);
+    EXPECT_NE(messageOf(result).find(folder.path().string()), std::string::npos)
+        << "the file is not named";
+    for (const std::string& word : row.words)
+        EXPECT_NE(messageOf(result).find(word), std::string::npos) << "'" << word << "' is missing";
+    EXPECT_EQ(folder.names(), before) << "something was left behind";
+    EXPECT_EQ(result.out, "");
+}
+
+} // namespace
+
+TEST_P(BadInputTest, IsRefused) {
+    for (const std::string& verb : GetParam().verbs)
+        expectRefused(GetParam(), verb);
+}
+
+void PrintTo(const BadInput& row, std::ostream* stream) {
+    *stream << row.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BadInputTest, testing::ValuesIn(wholeTable()),
+                         [](const auto& row) { return row.param.name; });
+
+TEST(BadInput, TheSceneOfTheTableIsSound) {
+    const TempFolder folder;
+    const auto input = folder.write("sound.glb", soundScene().glb());
+    EXPECT_EQ(runEdgeshade({"info", input}).status, 0);
+    EXPECT_EQ(runEdgeshade({"pack", input, folder / "packed.glb"}).status, 0);
+    EXPECT_EQ(runEdgeshade({"render", input, folder / "picture.png", "--size", "16x16"}).status, 0);
+}
+
+} // namespace edgeshade::test

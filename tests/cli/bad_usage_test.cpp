@@ -1,0 +1,144 @@
+// Wrong usage: status 1, a message that names the option and the value, nothing written.
+#include "tests/cli/message.hpp"
+#include "tests/support/gltf_builder.hpp"
+#include "tests/support/temp_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace edgeshade::test {
+namespace {
+
+struct BadUsage {
+    std::string name;
+    std::vector<std::string> arguments; ///< IN and OUT stand for a sound scene and a fresh file
+    std::vector<std::string> words;
+
+    friend void PrintTo(const BadUsage& row, std::ostream* stream) { *stream << row.name; }
+};
+
+/// `render` with further arguments; `words` are they, if not given.
+BadUsage badRender(const std::string& name, const std::vector<std::string>& more,
+                   const std::vector<std::string>& words = {}) {
+    BadUsage row{name, {"render", "IN", "OUT"}, words.empty() ? more : words};
+    row.arguments.insert(row.arguments.end(), more.begin(), more.end());
+    return row;
+}
+
+const BadUsage usages[] = {
+    {"NoVerb", {}, {}},
+    {"UnknownVerb", {"shade", "IN", "OUT"}, {"shade"}},
+    {"NoInput", {"info"}, {"FILE"}},
+    {"PackWithoutOutput", {"pack", "IN"}, {"OUT"}},
+    {"RenderWithoutOutput", {"render", "IN"}, {"OUT"}},
+    {"TooManyFiles", {"pack", "IN", "OUT", "third.glb"}, {"third.glb"}},
+    {"UnknownOption", {"pack", "IN", "OUT", "--fast"}, {"--fast"}},
+    {"OptionOfAnotherVerb", {"info", "IN", "--mask"}, {"--mask"}},
+    {"OptionWithoutValue", {"render", "IN", "OUT", "--size"}, {"--size"}},
+    {"UnknownEncoding", {"pack", "IN", "OUT", "--encoding", "zip"}, {"--encoding", "zip"}},
+    {"EncodingByNumber", {"pack", "IN", "OUT", "--encoding", "0"}, {"--encoding", "0"}},
+    {"NegativeTolerance",
+     {"pack", "IN", "OUT", "--weld-tolerance", "-1"},
+     {"--weld-tolerance", "-1"}},
+    {"ToleranceNaN", {"pack", "IN", "OUT", "--weld-tolerance", "nan"}, {"--weld-tolerance", "nan"}},
+    {"ToleranceInfinite",
+     {"pack", "IN", "OUT", "--weld-tolerance", "inf"},
+     {"--weld-tolerance", "inf"}},
+    {"ToleranceIsText", {"info", "IN", "--weld-tolerance", "1mm"}, {"--weld-tolerance", "1mm"}},
+    badRender("SizeOfZero", {"--size", "0x0"}),
+    badRender("SizeIsText", {"--size", "abc"}),
+    badRender("SizeOfOneNumber", {"--size", "640"}),
+    badRender("SizeOfThreeNumbers", {"--size", "64x48x3"}),
+    badRender("SizeNegative", {"--size", "-64x48"}),
+    badRender("SizeTooLarge", {"--size", "99999999999x1"}),
+    badRender("FovOfZero", {"--fov", "0"}),
+    badRender("FovOf180", {"--fov", "180"}),
+    badRender("FovNaN", {"--fov", "nan"}),
+    badRender("FovIsText", {"--fov", "wide"}),
+    badRender("NearOfZero", {"--near", "0"}),
+    badRender("NearNegative", {"--near", "-1"}),
+    badRender("NearIsText", {"--near", "close"}),
+    badRender("LightOfTwoNumbers", {"--light", "1,2"}),
+    badRender("LightOfFourNumbers", {"--light", "1,2,3,4"}),
+    badRender("LightIsText", {"--light", "a,b,c"}, {"--light", "'a'"}),
+    badRender("LightInfinite", {"--light", "1,inf,0"}, {"--light", "'inf'"}),
+    badRender("LightOfEmptyNumbers", {"--light", ",,"}, {"--light"}),
+    badRender("SunWithoutDirection", {"--sun", "0,0,0"}),
+    badRender("CameraIsText", {"--camera-from", "here"}),
+    badRender("CameraWithoutDirection", {"--camera-from", "1,2,3", "--camera-to", "1,2,3"},
+              {"--camera-from", "--camera-to"}),
+    badRender("UnknownShadows", {"--shadows", "foo"}),
+    badRender("UnknownMultiplicity", {"--multiplicity", "foo"}),
+    badRender("UnknownInstancing", {"--instancing", "foo"}),
+    badRender("SamplesNegative", {"--samples", "-1"}),
+    badRender("SamplesIsText", {"--samples", "four"}),
+    badRender("AmbientAboveOne", {"--ambient", "1.5"}),
+    badRender("AmbientNaN", {"--ambient", "nan"}),
+};
+
+class BadUsageTest : public testing::TestWithParam<BadUsage> {};
+
+} // namespace
+
+TEST_P(BadUsageTest, IsRefused) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addShapeNode(tetrahedron());
+    const std::string input = folder.write("in.glb", gltf.glb());
+    std::vector<std::string> arguments = GetParam().arguments;
+    for (std::string& argument : arguments) {
+        if (argument == "IN") argument = input;
+        if (argument == "OUT") argument = folder / "out";
+    }
+    const ProcessResult result = runEdgeshade(arguments);
+    const std::string message = messageOf(result);
+    std::cout << GetParam().name << " | " << result.status << " | " << message << "\n";
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.signal, 0);
+    EXPECT_EQ(result.out, "");
+    EXPECT_FALSE(message.empty());
+    for (const std::string& word : GetParam().words)
+        EXPECT_NE(message.find(word), std::string::npos) << "'" << word << "' is missing";
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"in.glb"}) << "something was left behind";
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, BadUsageTest, testing::ValuesIn(usages),
+                         [](const auto& row) { return row.param.name; });
+
+TEST(Usage, NumbersMayBeNegativeOrSigned) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addShapeNode(tetrahedron());
+    const std::string input = folder.write("in.glb", gltf.glb());
+    const ProcessResult result = runEdgeshade(
+        {"render", input, folder / "out.png", "--size", "16x16", "--camera-from", "-3,+2,-1e1",
+         "--camera-to", "-1,0,0", "--light", "-5,5,-5", "--sun", "-1,1,-1", "--near", "auto"});
+    EXPECT_EQ(result.status, 0) << result.err;
+}
+
+TEST(Usage, APictureLargerThanTheGlCanIsNotPossibleHere) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addShapeNode(tetrahedron());
+    const std::string input = folder.write("in.glb", gltf.glb());
+    const ProcessResult result =
+        runEdgeshade({"render", input, folder / "out.png", "--size", "65536x65536"});
+    EXPECT_EQ(result.status, 3);
+    expectOneSentence(result);
+    EXPECT_NE(result.err.find("65536x65536"), std::string::npos);
+    EXPECT_EQ(folder.names().size(), 1u);
+}
+
+TEST(Usage, MoreSamplesThanTheGlHasAreNotPossibleHere) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addShapeNode(tetrahedron());
+    const std::string input = folder.write("in.glb", gltf.glb());
+    const ProcessResult result =
+        runEdgeshade({"render", input, folder / "out.png", "--size", "16x16", "--samples", "64"});
+    EXPECT_EQ(result.status, 3);
+    expectOneSentence(result);
+    EXPECT_NE(result.err.find("64 samples"), std::string::npos);
+}
+
+} // namespace edgeshade::test

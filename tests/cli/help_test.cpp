@@ -1,0 +1,44 @@
+#include "tests/support/child_process.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+void expectHelp(const std::vector<std::string>& arguments, const std::string& word) {
+    const ProcessResult result = runEdgeshade(arguments);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find(word), std::string::npos) << result.out;
+}
+
+} // namespace
+
+TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
+    for (const char* word : {"pack", "info", "render", "compare", "Exit status"})
+        expectHelp({"--help"}, word);
+}
+
+TEST(Help, EveryVerbNamesItsOptions) {
+    for (const char* word : {"OUT", "--encoding", "--weld-tolerance", "--cast-masked", "--report"})
+        expectHelp({"pack", "--help"}, word);
+    for (const char* word : {"FILE", "--weld-tolerance", "--report"})
+        expectHelp({"info", "--help"}, word);
+    for (const char* word :
+         {"OUT", "--mask", "--size", "--camera-from", "--camera-to", "--fov", "--near", "--light",
+          "--sun", "--shadows", "--map-size", "--map-bias", "--pcf", "--multiplicity",
+          "--instancing", "--depth-slices", "--samples", "--report"})
+        expectHelp({"render", "--help"}, word);
+    for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
+        expectHelp({"compare", "--help"}, word);
+}
+
+TEST(Help, TheVersionIsOneLine) {
+    const ProcessResult result = runEdgeshade({"--version"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_TRUE(result.out.starts_with("edgeshade ")) << result.out;
+    EXPECT_EQ(result.out.find('\n'), result.out.size() - 1);
+    EXPECT_EQ(result.err, "");
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,139 @@
+// `render`: pictures as the options ask, and the same one whatever way the data take.
+#include "src/image/decode.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/gltf_builder.hpp"
+#include "tests/support/temp_folder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+const std::string pavilion = std::string(EDGESHADE_ASSETS) + "/pavilion.glb";
+const ChildProcess::Environment strictEs2 = {{"MESA_GLES_VERSION_OVERRIDE", "2.0"}};
+
+/// Draws a scene of 320x180; more options replace these.
+Bytes pictureOf(const std::string& scene, const std::vector<std::string>& more = {},
+                const ChildProcess::Environment& environment = {}) {
+    const TempFolder folder;
+    std::vector<std::string> arguments = {"render", scene, folder / "picture.png"};
+    if (std::find(more.begin(), more.end(), "--size") == more.end())
+        arguments.insert(arguments.end(), {"--size", "320x180"});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProcessResult result = runEdgeshade(arguments, environment);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.status == 0 ? readFile(folder / "picture.png") : Bytes();
+}
+
+/// The pavilion as drawn without options.
+const Bytes& pavilionPicture() {
+    static const Bytes picture = pictureOf(pavilion);
+    return picture;
+}
+
+} // namespace
+
+TEST(Rendering, APictureHasTheSizeThatWasAskedFor) {
+    for (const auto& [width, height] : {std::pair(1, 1), {33, 7}, {640, 2}}) {
+        const std::string size = std::to_string(width) + "x" + std::to_string(height);
+        const Image image = decodeImage(pictureOf(pavilion, {"--size", size}), size);
+        EXPECT_EQ(image.width, width);
+        EXPECT_EQ(image.height, height);
+    }
+}
+
+TEST(Rendering, DrawingTwiceGivesTheSameFile) {
+    EXPECT_EQ(pictureOf(pavilion), pavilionPicture());
+}
+
+TEST(Rendering, ThePictureShowsSomething) {
+    const Image image = decodeImage(pavilionPicture(), "picture");
+    const std::size_t middle = std::size_t{4} * (90 * 320 + 160);
+    EXPECT_FALSE(std::equal(image.rgba.begin(), image.rgba.begin() + 4,
+                            image.rgba.begin() + static_cast<std::ptrdiff_t>(middle)));
+    EXPECT_NE(pictureOf(pavilion, {"--shadows", "none"}), pavilionPicture());
+}
+
+TEST(Rendering, AMaskIsBlackWhiteOrClear) {
+    const Image image = decodeImage(pictureOf(pavilion, {"--mask"}), "mask");
+    std::size_t lit = 0, dark = 0, clear = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        const std::array<std::uint8_t, 4> pixel = {image.rgba[i], image.rgba[i + 1],
+                                                   image.rgba[i + 2], image.rgba[i + 3]};
+        if (pixel == std::array<std::uint8_t, 4>{255, 255, 255, 255})
+            ++lit;
+        else if (pixel == std::array<std::uint8_t, 4>{0, 0, 0, 255})
+            ++dark;
+        else if (pixel == std::array<std::uint8_t, 4>{0, 0, 0, 0})
+            ++clear;
+    }
+    EXPECT_EQ(lit + dark + clear, image.rgba.size() / 4);
+    EXPECT_GT(lit, 0u);
+    EXPECT_GT(dark, 0u);
+    EXPECT_GT(clear, 0u);
+}
+
+TEST(Rendering, PackedFilesGiveThePictureOfTheirSource) {
+    const TempFolder folder;
+    for (const char* encoding : {"expanded", "indexed", "none"}) {
+        SCOPED_TRACE(encoding);
+        const std::string file = folder / (std::string(encoding) + ".glb");
+        ASSERT_EQ(runEdgeshade({"pack", pavilion, file, "--encoding", encoding}).status, 0);
+        EXPECT_TRUE(pictureOf(file) == pavilionPicture());
+        EXPECT_TRUE(pictureOf(file, {"--mask"}) == pictureOf(pavilion, {"--mask"}));
+    }
+}
+
+TEST(Rendering, EveryWayOfInstancingGivesTheSamePicture) {
+    for (const char* way : {"on", "off", "multi-draw"}) {
+        SCOPED_TRACE(way);
+        EXPECT_TRUE(pictureOf(pavilion, {"--instancing", way}) == pavilionPicture());
+    }
+}
+
+TEST(Rendering, AStrictEs2ContextGivesTheSamePicture) {
+    EXPECT_TRUE(pictureOf(pavilion, {}, strictEs2) == pavilionPicture());
+    EXPECT_TRUE(pictureOf(pavilion, {"--instancing", "off"}, strictEs2) == pavilionPicture());
+}
+
+TEST(Rendering, WithoutInstancedDrawingAskingForItIsNotPossibleHere) {
+    const TempFolder folder;
+    for (const char* way : {"on", "multi-draw"}) {
+        SCOPED_TRACE(way);
+        const ProcessResult result = runEdgeshade(
+            {"render", pavilion, folder / "picture.png", "--size", "32x18", "--instancing", way},
+            strictEs2);
+        EXPECT_EQ(result.status, 3);
+        EXPECT_NE(result.err.find("--instancing"), std::string::npos) << result.err;
+        EXPECT_TRUE(folder.names().empty());
+    }
+}
+
+TEST(Rendering, OtherCasterSettingsThanThoseOfThePackedFileAreSaid) {
+    const TempFolder folder;
+    const std::string file = folder / "packed.glb";
+    ASSERT_EQ(runEdgeshade({"pack", pavilion, file}).status, 0);
+    const ProcessResult result =
+        runEdgeshade({"render", file, folder / "picture.png", "--size", "32x18", "--cast-masked"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("warning: "), std::string::npos);
+    EXPECT_TRUE(pictureOf(file, {"--cast-masked"}) == pictureOf(pavilion, {"--cast-masked"}));
+}
+
+TEST(Rendering, ASceneWithoutTrianglesIsAnEmptyPicture) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    const Image image = decodeImage(
+        pictureOf(folder.write("empty.glb", gltf.glb()), {"--mask", "--size", "8x8"}), "picture");
+    EXPECT_EQ(image.rgba, std::vector<std::uint8_t>(8 * 8 * 4, 0));
+}
+
+TEST(Rendering, EveryNumberOfSamplesThatTheGlHasWorks) {
+    const Image image = decodeImage(pictureOf(pavilion, {"--samples", "4"}), "picture");
+    EXPECT_EQ(image.width, 320);
+}
+
+} // namespace edgeshade::test

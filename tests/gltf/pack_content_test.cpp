@@ -1,0 +1,156 @@
+#include "tests/support/input_error.hpp"
+#include "tests/support/meshopt_encoding.hpp"
+#include "tests/support/packing.hpp"
+#include "tests/support/scene_triangles.hpp"
+#include "tests/support/temp_folder.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+Bytes textBytes(const std::string& text) {
+    return Bytes(text.begin(), text.end());
+}
+
+/// The bytes of view `view`.
+Bytes viewOf(const GlbParts& parts, std::size_t view) {
+    const Json& json = parts.json["bufferViews"].at(view);
+    const auto first = parts.binary.begin() + json.value("byteOffset", std::ptrdiff_t{0});
+    return Bytes(first, first + json.at("byteLength").get<std::ptrdiff_t>());
+}
+
+} // namespace
+
+TEST(PackContent, EverythingOfTheSourceIsKept) {
+    GltfBuilder gltf = variedScene();
+    gltf.json["asset"]["generator"] = "a test";
+    gltf.json["extras"] = {{"answer", 42}, {"nested", {{"list", {1, 2.5, "three", nullptr}}}}};
+    gltf.useExtension("VENDOR_unknown", false);
+    gltf.json["extensions"] = {{"VENDOR_unknown", {{"z", 1}, {"a", 2}}}};
+    gltf.json["nodes"][0]["extensions"] = {{"VENDOR_unknown", {{"of", "a node"}}}};
+    gltf.json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.01}}}}};
+    const GlbParts before(gltf.glb());
+    for (const Encoding encoding : everyEncoding) {
+        GlbParts after(packed(gltf.glb(), encoding));
+        EXPECT_TRUE(std::equal(before.binary.begin(), before.binary.begin() + gltf.binary.size(),
+                               after.binary.begin()));
+        EXPECT_EQ(after.json["extensionsUsed"].back(), shadowExtensionName);
+        after.json["extensionsUsed"].erase(after.json["extensionsUsed"].size() - 1);
+        after.json["extensions"].erase(shadowExtensionName);
+        after.json["buffers"] = before.json["buffers"];
+        for (const char* section : {"accessors", "bufferViews"}) {
+            auto& items = after.json[section];
+            const std::size_t count = before.json[section].size();
+            while (items.size() > count)
+                items.erase(items.size() - 1);
+        }
+        EXPECT_EQ(after.json.dump(), before.json.dump()) << nameOf(encoding);
+    }
+}
+
+TEST(PackContent, TheExtensionIsUsedAndNotRequired) {
+    const GlbParts parts(packed(variedScene().glb(), Encoding::indexed));
+    EXPECT_EQ(parts.json["extensionsUsed"], Json::array({shadowExtensionName}));
+    EXPECT_FALSE(parts.json.contains("extensionsRequired"));
+    EXPECT_EQ(parts.json["extensions"][shadowExtensionName]["version"], shadowExtensionVersion);
+}
+
+TEST(PackContent, NameAndExtrasOfABufferAreKept) {
+    GltfBuilder gltf = variedScene();
+    gltf.json["buffers"] = {{{"name", "geometry"}, {"extras", {{"kept", true}}}}};
+    const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+    EXPECT_EQ(parts.json["buffers"][0].value("name", ""), "geometry");
+    EXPECT_TRUE(parts.json["buffers"][0].contains("extras"));
+}
+
+TEST(PackContent, ExternalBuffersAndImagesAreEmbedded) {
+    const TempFolder folder;
+    GltfBuilder gltf = variedScene();
+    gltf.addImage({{"uri", "my%20picture.png"}, {"name", "beside"}});
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    gltf.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
+    folder.write("my picture.png", smallPng());
+    folder.write("scene.bin", gltf.binary);
+    const Bytes asset = textBytes(gltf.gltf("scene.bin"));
+    for (const Encoding encoding : everyEncoding) {
+        const GlbParts parts(packed(asset, encoding, {}, folder / "scene.gltf"));
+        EXPECT_EQ(parts.json["buffers"].size(), 1u);
+        EXPECT_EQ(parts.json.dump().find("\"uri\""), std::string::npos);
+        ASSERT_EQ(parts.json["images"].size(), 2u);
+        EXPECT_EQ(parts.json["images"][0]["name"], "beside");
+        for (const Json& image : parts.json["images"]) {
+            EXPECT_EQ(image["mimeType"], "image/png");
+            EXPECT_EQ(viewOf(parts, image["bufferView"].get<std::size_t>()), smallPng());
+        }
+        expectSameShadows(readBack(parts.glb()), built(gltf.glb()));
+    }
+}
+
+TEST(PackContent, SeveralBuffersBecomeOne) {
+    GltfBuilder gltf;
+    gltf.addShapeNode(tetrahedron());
+    const Bytes second = bytesOf(std::vector<float>{0, 0, 5, 1, 0, 5, 0, 1, 5});
+    Bytes shifted = {1, 2, 3, 4};
+    shifted.insert(shifted.end(), second.begin(), second.end());
+    gltf.json["bufferViews"].push_back(
+        {{"buffer", 1}, {"byteOffset", 4}, {"byteLength", second.size()}});
+    const int positions = gltf.addAccessor(static_cast<int>(gltf.json["bufferViews"].size()) - 1,
+                                           componentTypeOf<float>, 3, "VEC3",
+                                           {{"min", {0, 0, 5}}, {"max", {1, 1, 5}}});
+    gltf.addNode({{"mesh", gltf.addMesh({{"attributes", {{"POSITION", positions}}}})}});
+    gltf.binary.push_back(0); // so that the second one needs padding
+    gltf.json["buffers"] = {Json::object(),
+                            {{"byteLength", shifted.size()}, {"uri", dataUri(shifted)}}};
+    const Bytes asset = gltf.glb();
+    for (const Encoding encoding : everyEncoding) {
+        const Bytes glb = packed(asset, encoding);
+        EXPECT_EQ(GlbParts(glb).json["buffers"].size(), 1u);
+        expectSameTriangles(worldTriangles(sceneOf(glb)), worldTriangles(sceneOf(asset)));
+        expectSameShadows(readBack(glb), built(asset));
+    }
+}
+
+TEST(PackContent, CompressedGeometryStaysCompressed) {
+    const GltfBuilder gltf = meshoptScene(box(glm::vec3(1.0f)));
+    for (const Encoding encoding : everyEncoding) {
+        const Bytes glb = packed(gltf.glb(), encoding);
+        const GlbParts parts(glb);
+        ASSERT_EQ(parts.json["buffers"].size(), 2u);
+        EXPECT_FALSE(parts.json["buffers"][1].contains("uri"));
+        EXPECT_TRUE(parts.json["buffers"][1].contains("extensions"));
+        EXPECT_TRUE(parts.json["bufferViews"][0].contains("extensions"));
+        expectSameTriangles(worldTriangles(sceneOf(glb)), worldTriangles(sceneOf(gltf)));
+    }
+}
+
+TEST(PackContent, AFallbackBufferMayStandInFront) {
+    // The compressed bytes in an external buffer 1, the fallback as buffer 0.
+    GltfBuilder gltf = meshoptScene(box(glm::vec3(1.0f)));
+    const Bytes expected = gltf.glb();
+    std::swap(gltf.json["buffers"][0], gltf.json["buffers"][1]);
+    gltf.json["buffers"][1] = {{"byteLength", gltf.binary.size()}, {"uri", dataUri(gltf.binary)}};
+    for (Json& view : gltf.json["bufferViews"]) {
+        view["buffer"] = 0;
+        view["extensions"]["EXT_meshopt_compression"]["buffer"] = 1;
+    }
+    const Bytes asset = textBytes(gltf.json.dump());
+    expectSameTriangles(worldTriangles(sceneOf(asset)), worldTriangles(sceneOf(expected)));
+    for (const Encoding encoding : everyEncoding) {
+        const Bytes glb = packed(asset, encoding);
+        EXPECT_EQ(GlbParts(glb).json["buffers"].size(), 2u);
+        expectSameShadows(readBack(glb), built(expected));
+    }
+}
+
+TEST(PackContent, AMissingImageIsNamed) {
+    const TempFolder folder;
+    GltfBuilder gltf = variedScene();
+    gltf.addImage({{"uri", "gone.png"}});
+    expectInputError([&] { packed(gltf.glb(), Encoding::none, {}, folder / "scene.glb"); },
+                     {"gone.png"});
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,104 @@
+#include "tests/support/input_error.hpp"
+#include "tests/support/meshopt_encoding.hpp"
+#include "tests/support/packing.hpp"
+#include "tests/support/scene_triangles.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+/// Packing with any encoding after packing with any other gives the bytes of packing once.
+void expectRepackable(const Bytes& asset) {
+    for (const Encoding first : everyEncoding)
+        for (const Encoding second : everyEncoding) {
+            SCOPED_TRACE(std::string(nameOf(first)) + ", then " + nameOf(second));
+            EXPECT_EQ(packed(packed(asset, first), second), packed(asset, second));
+        }
+}
+
+} // namespace
+
+TEST(Repack, PackingTwiceGivesTheSameBytes) {
+    for (const Encoding encoding : everyEncoding)
+        EXPECT_EQ(packed(variedScene().glb(), encoding), packed(variedScene().glb(), encoding));
+}
+
+TEST(Repack, APackedFilePacksToWhatItsSourcePacksTo) {
+    expectRepackable(variedScene().glb());
+}
+
+TEST(Repack, ABufferOfAnOddLengthKeepsItsLength) {
+    GltfBuilder gltf;
+    Shape shape = tetrahedron();
+    shape.indices.resize(3);
+    gltf.addMesh({{"attributes", {{"POSITION", gltf.addVectors(shape.positions)}}},
+                  {"indices", gltf.addIndices<std::uint8_t>(shape.indices)}});
+    gltf.addNode({{"mesh", 0}});
+    ASSERT_NE(gltf.binary.size() % 4, 0u);
+    expectRepackable(gltf.glb());
+}
+
+TEST(Repack, ExtensionsOfOthersStayWhereTheyWere) {
+    GltfBuilder gltf = variedScene();
+    gltf.useExtension("KHR_lights_punctual", false);
+    gltf.json["extensions"] = {{"KHR_lights_punctual", {{"lights", Json::array()}}}};
+    expectRepackable(gltf.glb());
+}
+
+TEST(Repack, SettingsOfTheFirstPackingDoNotMatter) {
+    const Bytes asset = variedScene().glb();
+    const Bytes masked = packed(asset, Encoding::expanded, {0.1, true});
+    EXPECT_EQ(packed(masked, Encoding::indexed), packed(asset, Encoding::indexed));
+}
+
+TEST(Repack, CompressedVerticesPackAgain) {
+    expectRepackable(meshoptScene(box(glm::vec3(1.0f))).glb());
+}
+
+TEST(Repack, AFileWhoseShadowDataWereMovedIsRefusedOrReadRightly) {
+    // As a tool that sorts buffer views might leave it: shadow data first, geometry behind.
+    const GltfBuilder source = variedScene();
+    GlbParts parts(packed(source.glb(), Encoding::expanded));
+    const std::size_t geometry = source.binary.size();
+    const std::size_t shadow = (parts.binary.size() + 3) / 4 * 4;
+    const Bytes before = parts.binary;
+    parts.binary.insert(parts.binary.end(), shadow - before.size(), 0);
+    parts.binary.insert(parts.binary.end(), before.begin(), before.begin() + geometry);
+    for (Json& view : parts.json["bufferViews"])
+        if (const auto offset = view["byteOffset"].get<std::size_t>(); offset < geometry)
+            view["byteOffset"] = offset + shadow;
+    parts.json["buffers"][0]["byteLength"] = parts.binary.size();
+    ASSERT_EQ(readBack(parts.glb()).size(), 3u);
+    Bytes again;
+    try {
+        again = packed(parts.glb(), Encoding::indexed);
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("rearranged"), std::string::npos);
+        return;
+    }
+    expectSameShadows(readBack(again), built(source.glb()));
+}
+
+TEST(Repack, AFileWithoutExtensionsUsedPacksAgain) {
+    GlbParts parts(packed(variedScene().glb(), Encoding::indexed));
+    parts.json.erase("extensionsUsed");
+    EXPECT_EQ(packed(parts.glb(), Encoding::indexed),
+              packed(variedScene().glb(), Encoding::indexed));
+}
+
+TEST(Repack, AFileWhoseBatchesAreGoneIsRefused) {
+    GlbParts parts(packed(variedScene().glb(), Encoding::indexed));
+    parts.json["extensions"][shadowExtensionName].erase("batches");
+    expectInputError([&] { packed(parts.glb(), Encoding::indexed); },
+                     {"test.glb", shadowExtensionName, "batches"});
+}
+
+TEST(Repack, AFileWithAViewBehindTheShadowDataIsRefused) {
+    GlbParts parts(packed(variedScene().glb(), Encoding::indexed));
+    parts.json["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 4}});
+    expectInputError([&] { packed(parts.glb(), Encoding::indexed); }, {"test.glb", "rearranged"});
+}
+
+} // namespace edgeshade::test
