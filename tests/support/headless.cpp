@@ -14,6 +14,7 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
     FrameView view =
         makeFrameView(loaded, {test.camera, test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;
+    view.drawnLights = test.drawnLights;
     if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);
     const GpuScene gpu = uploadScene(loaded, settings.layout, context.capabilities());
     Renderer renderer(settings, context.capabilities());

@@ -12,7 +12,8 @@ struct TestView {
     int height = 64;
     bool mask = false;
     DepthChoice depth{};
-    bool nearDiscard = true; ///< false: front caps are never cut, which is a fault
+    std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn
+    bool nearDiscard = true;         ///< false: front caps are never cut, which is a fault
 };
 
 /// A picture of the scene, RGBA rows top to bottom, drawn by a context of its own.
