@@ -37,8 +37,8 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
 
     Name names[2] = {};
     glGenRenderbuffers(2, names);
-    color_ = Owned<deleteRenderbuffer>(names[0]);
-    depthStencil_ = Owned<deleteRenderbuffer>(names[1]);
+    color_ = Renderbuffer(names[0]);
+    depthStencil_ = Renderbuffer(names[1]);
     glBindRenderbuffer(GL_RENDERBUFFER, color_.name());
     storage(GL_RENDERBUFFER, samples, GL_RGBA8_OES, width, height);
     glGetRenderbufferParameteriv(GL_RENDERBUFFER, 0x8CAB /* RENDERBUFFER_SAMPLES */, &samples_);
@@ -47,7 +47,7 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
 
     Name framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
-    framebuffer_ = Owned<deleteFramebuffer>(framebuffer);
+    framebuffer_ = Framebuffer(framebuffer);
     bind();
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.name());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,

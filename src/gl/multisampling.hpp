@@ -27,9 +27,9 @@ class MultisampledFramebuffer {
     using Blit = void (*)(int, int, int, int, int, int, int, int, unsigned, unsigned);
 
     Blit blit_ = nullptr;
-    Owned<deleteFramebuffer> framebuffer_;
-    Owned<deleteRenderbuffer> color_;
-    Owned<deleteRenderbuffer> depthStencil_;
+    Framebuffer framebuffer_;
+    Renderbuffer color_;
+    Renderbuffer depthStencil_;
     int width_ = 0;
     int height_ = 0;
     int samples_ = 0;
