@@ -20,6 +20,7 @@ namespace {
 using test::pointLight;
 using test::SceneBuilder;
 using test::sun;
+using test::yard;
 
 constexpr int width = 320, height = 240;
 
@@ -33,15 +34,6 @@ struct Extreme {
 
 void PrintTo(const Extreme& extreme, std::ostream* out) {
     *out << extreme.name;
-}
-
-SceneBuilder yard() {
-    return SceneBuilder()
-        .floor(5)
-        .box({-2, 0.5f, -1}, {-1, 2, 0})
-        .box({0.5f, 0.25f, 0.5f}, {1.5f, 1, 2})
-        .quad({-0.5f, 1, 0}, {0.5f, 1.2f, 0}, {0.4f, 2, 0.3f}, {-0.5f, 2, 0.1f})
-        .triangle({2, 0.1f, -2}, {3, 0.1f, -2}, {2.5f, 2.5f, -1.5f});
 }
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};

@@ -15,6 +15,7 @@ using test::Answer;
 using test::pointLight;
 using test::SceneBuilder;
 using test::sun;
+using test::yard;
 
 constexpr int width = 240, height = 180;
 
@@ -73,16 +74,6 @@ void expectRight(const Case& test) {
             EXPECT_LE(outcome.wrong, width * height / 500);
             EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
         }
-}
-
-/// Boxes on a floor, something from everywhere.
-SceneBuilder yard() {
-    return SceneBuilder()
-        .floor(5)
-        .box({-2, 0.5f, -1}, {-1, 2, 0})
-        .box({0.5f, 0.25f, 0.5f}, {1.5f, 1, 2})
-        .quad({-0.5f, 1, 0}, {0.5f, 1.2f, 0}, {0.4f, 2, 0.3f}, {-0.5f, 2, 0.1f})
-        .triangle({2, 0.1f, -2}, {3, 0.1f, -2}, {2.5f, 2.5f, -1.5f});
 }
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};

@@ -53,4 +53,13 @@ SceneBuilder& SceneBuilder::placedBy(const glm::dmat4& worldFromBatch) {
     return *this;
 }
 
+SceneBuilder yard() {
+    return SceneBuilder()
+        .floor(5)
+        .box({-2, 0.5f, -1}, {-1, 2, 0})
+        .box({0.5f, 0.25f, 0.5f}, {1.5f, 1, 2})
+        .quad({-0.5f, 1, 0}, {0.5f, 1.2f, 0}, {0.4f, 2, 0.3f}, {-0.5f, 2, 0.1f})
+        .triangle({2, 0.1f, -2}, {3, 0.1f, -2}, {2.5f, 2.5f, -1.5f});
+}
+
 } // namespace edgeshade::test

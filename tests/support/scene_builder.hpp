@@ -37,4 +37,7 @@ class SceneBuilder {
     Scene scene_;
 };
 
+/// Boxes, a sheet and a triangle over a floor of 10 x 10: something from everywhere.
+SceneBuilder yard();
+
 } // namespace edgeshade::test
