@@ -129,15 +129,4 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     return verdict;
 }
 
-bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict) {
-    if (verdict.coincident) return true;
-    for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) {
-            if (dx == 0 && dy == 0) continue;
-            const Answer moved = oracle.at(x + 0.5 + dx / 16.0, y + 0.5 + dy / 16.0);
-            if (!(moved == verdict.answer)) return true;
-        }
-    return false;
-}
-
 } // namespace edgeshade::lab

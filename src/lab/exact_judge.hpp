@@ -15,8 +15,4 @@ struct Verdict {
 /// on; about a millisecond each.
 Verdict judgeExactly(const Oracle& oracle, double x, double y);
 
-/// Whether the exact answer at a pixel's centre is a tie: it changes when the ray is moved by 1/16
-/// pixel in any of eight directions, or surfaces coincide there.
-bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict);
-
 } // namespace edgeshade::lab

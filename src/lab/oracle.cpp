@@ -14,12 +14,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Where the line origin + t * direction meets a triangle, in double (Moeller and Trumbore).
-struct Hit {
+struct Meeting {
     double t, u, v;
     bool inside() const { return u >= 0.0 && v >= 0.0 && u + v <= 1.0; }
 };
 
-Hit intersect(const EyeTriangle& triangle, const glm::dvec3& origin, const glm::dvec3& direction) {
+Meeting intersect(const EyeTriangle& triangle, const glm::dvec3& origin,
+                  const glm::dvec3& direction) {
     const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
     const glm::dvec3 p = glm::cross(direction, ac);
     const double determinant = glm::dot(ab, p);
@@ -151,44 +152,60 @@ bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
     return material.alphaMode == AlphaMode::mask && alphaAt_(triangle, u, v) < material.alphaCutoff;
 }
 
-Answer Oracle::at(double x, double y) const {
-    const glm::dvec3 direction = pixelDirection(question_, x, y);
-    double nearest = infinity;
-    std::uint32_t own = 0;
+void Oracle::visitSurfaces(const glm::dvec3& direction,
+                           const std::function<void(const Hit&)>& visit) const {
     tree_->traverse(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
         const EyeTriangle& triangle = triangles_[i];
         if (!triangle.visible) return false;
-        const Hit hit = intersect(triangle, glm::dvec3(0.0), direction);
-        if (hit.inside() && hit.t >= question_.near && hit.t < nearest &&
-            !isHole(triangle, hit.u, hit.v)) {
-            nearest = hit.t;
-            own = i;
-        }
+        const Meeting meeting = intersect(triangle, glm::dvec3(0.0), direction);
+        if (meeting.inside() && meeting.t >= question_.near &&
+            !isHole(triangle, meeting.u, meeting.v))
+            visit({i, meeting.t});
         return false;
     });
-    if (!std::isfinite(nearest)) return {};
+}
 
-    const EyeTriangle& surface = triangles_[own];
-    const glm::dvec3 point = nearest * direction;
+Answer Oracle::at(double x, double y) const {
+    Hit nearest{0, infinity};
+    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit) {
+        if (hit.depth < nearest.depth) nearest = hit;
+    });
+    return std::isfinite(nearest.depth) ? answerOn(nearest, x, y) : Answer();
+}
+
+std::vector<Oracle::Hit> Oracle::surfacesAt(double x, double y) const {
+    std::vector<Hit> hits;
+    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit) { hits.push_back(hit); });
+    return hits;
+}
+
+Answer Oracle::answerOn(const Hit& hit, double x, double y) const {
+    const EyeTriangle& surface = triangles_[hit.triangle];
+    const glm::dvec3 point = hit.depth * pixelDirection(question_, x, y);
     const glm::dvec3 normal = normalOf(surface);
     const double eyeSide = -glm::dot(normal, surface.a);
     Answer answer{true, 0};
     for (std::size_t i = 0; i < question_.lights.size(); ++i) {
         const glm::dvec4 light = lightFromEye(i);
         const double lightSide = glm::dot(normal, glm::dvec3(light) - surface.a * light.w);
-        bool blocked = surface.casts && eyeSide * lightSide < 0.0;
-        const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
-        if (!blocked)
-            tree_->traverse(point, towards, light.w == 0.0 ? infinity : 1.0, [&](std::uint32_t j) {
-                const EyeTriangle& other = triangles_[j];
-                if (j == own || !other.casts) return false;
-                const Hit hit = intersect(other, point, towards);
-                if (!hit.inside() || hit.t <= 0.0 || (light.w != 0.0 && hit.t >= 1.0)) return false;
-                return blocked = !isCoplanar(surface, other);
-            });
-        if (!blocked) answer.lit |= 1u << i;
+        const bool turnedAway = surface.casts && eyeSide * lightSide < 0.0;
+        if (!turnedAway && !isBlocked(hit.triangle, point, light)) answer.lit |= 1u << i;
     }
     return answer;
+}
+
+bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, const glm::dvec4& light) const {
+    const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
+    const bool isSun = light.w == 0.0;
+    bool blocked = false;
+    tree_->traverse(point, towards, isSun ? infinity : 1.0, [&](std::uint32_t i) {
+        const EyeTriangle& other = triangles_[i];
+        if (i == own || !other.casts) return false;
+        const Meeting meeting = intersect(other, point, towards);
+        if (!meeting.inside() || meeting.t <= 0.0 || (!isSun && meeting.t >= 1.0)) return false;
+        return blocked = !isCoplanar(triangles_[own], other);
+    });
+    return blocked;
 }
 
 std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const glm::dvec3& direction,

@@ -51,8 +51,21 @@ class Oracle {
     Oracle(const Oracle&) = delete;
     Oracle& operator=(const Oracle&) = delete;
 
-    /// The answer at a picture point. Thread-safe.
+    /// A surface on a ray.
+    struct Hit {
+        std::uint32_t triangle = 0;
+        double depth = 0.0; ///< along the viewing direction
+    };
+
+    /// The answer at a picture point. Thread-safe, as everything here is.
     Answer at(double x, double y) const;
+
+    /// All surfaces that can be seen along the ray of a picture point if nothing is before them.
+    std::vector<Hit> surfacesAt(double x, double y) const;
+
+    /// The answer for a point at `hit.depth` on the ray of a picture point, taken to lie on the
+    /// hit's triangle.
+    Answer answerOn(const Hit& hit, double x, double y) const;
 
     /// Indices of all triangles that the ray from `origin` along `direction` may touch for
     /// t > 0 (t < 1 if `segment`), rounding allowed for: candidates for a more exact judge.
@@ -68,6 +81,10 @@ class Oracle {
 
   private:
     struct Tree; ///< Embree's
+
+    void visitSurfaces(const glm::dvec3& direction,
+                       const std::function<void(const Hit&)>& visit) const;
+    bool isBlocked(std::uint32_t own, const glm::dvec3& point, const glm::dvec4& light) const;
 
     Question question_;
     AlphaAt alphaAt_;

@@ -1,5 +1,7 @@
 #include "src/lab/verdicts.hpp"
 
+#include "src/lab/tie.hpp"
+
 #include <algorithm>
 #include <array>
 #include <atomic>

@@ -1,0 +1,127 @@
+#include "src/lab/tie.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace edgeshade::lab {
+namespace {
+
+constexpr double grid = 1.0 / 16.0; // pixels
+
+/// The picture points around a pixel's centre.
+std::array<glm::dvec2, 8> movedPoints(const glm::dvec2& center) {
+    std::array<glm::dvec2, 8> points;
+    std::size_t count = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+            if (dx != 0 || dy != 0) points[count++] = center + grid * glm::dvec2(dx, dy);
+    return points;
+}
+
+glm::dvec3 normalOf(const EyeTriangle& triangle) {
+    return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+}
+
+/// How much a hit's depth changes at most as its triangle's plane is met 1/16 pixel aside.
+double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec2& at) {
+    const EyeTriangle& triangle = oracle.triangles()[hit.triangle];
+    const glm::dvec3 normal = normalOf(triangle);
+    const double offset = glm::dot(normal, triangle.a);
+    double change = 0.0;
+    for (const glm::dvec2& point : movedPoints(at)) {
+        const double depth =
+            offset / glm::dot(normal, pixelDirection(oracle.question(), point.x, point.y));
+        // Behind the eye, or nowhere: the plane is seen edge-on.
+        if (!(depth > 0.0)) return std::numeric_limits<double>::infinity();
+        change = std::max(change, std::abs(depth - hit.depth));
+    }
+    return change;
+}
+
+/// Whether a triangle could face the light otherwise if its corners lay on the grid.
+bool couldTurn(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light) {
+    const Question& question = oracle.question();
+    const double pixel =
+        2.0 * std::tan(glm::radians(0.5 * question.camera.fovDegrees)) / question.height;
+    const auto reach = [&](const glm::dvec3& corner) {
+        return grid * pixel * glm::length(corner); // a corner's own freedom, in scene units
+    };
+    const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+    const glm::dvec3 aL = glm::dvec3(light) - triangle.a * light.w;
+    const glm::dvec3 byB = glm::cross(ac, aL), byC = glm::cross(aL, ab);
+    const glm::dvec3 byA = -(byB + byC + light.w * glm::cross(ab, ac));
+    const double freedom = glm::length(byA) * reach(triangle.a) +
+                           glm::length(byB) * reach(triangle.b) +
+                           glm::length(byC) * reach(triangle.c);
+    return std::abs(glm::dot(glm::cross(ab, ac), aL)) <= freedom;
+}
+
+std::optional<Oracle::Hit> visibleAt(const Oracle& oracle, const glm::dvec2& at) {
+    const std::vector<Oracle::Hit> hits = oracle.surfacesAt(at.x, at.y);
+    const auto nearest = std::min_element(
+        hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.depth < b.depth; });
+    return nearest == hits.end() ? std::nullopt : std::optional(*nearest);
+}
+
+bool shareCorner(const EyeTriangle& first, const EyeTriangle& second) {
+    for (const glm::dvec3& p : {first.a, first.b, first.c})
+        for (const glm::dvec3& q : {second.a, second.b, second.c})
+            if (p == q) return true;
+    return false;
+}
+
+double lightSide(const EyeTriangle& triangle, const glm::dvec4& light) {
+    const glm::dvec3 normal = normalOf(triangle);
+    const double eyeSide = -glm::dot(normal, triangle.a);
+    return eyeSide * glm::dot(normal, glm::dvec3(light) - triangle.a * light.w);
+}
+
+/// Whether one of the surfaces ends before the other, as the eye sees it, or one faces a light and
+/// the other does not, so that a shadow volume begins between them.
+bool silhouetteBetween(const Oracle& oracle, const EyeTriangle& first, const EyeTriangle& second) {
+    if (!shareCorner(first, second)) return true;
+    for (std::size_t i = 0; i < oracle.question().lights.size(); ++i) {
+        const glm::dvec4 light = oracle.lightFromEye(i);
+        if ((lightSide(first, light) > 0.0) != (lightSide(second, light) > 0.0)) return true;
+    }
+    return false;
+}
+
+/// Whether the answer changes as the visible surface comes nearer or goes farther by as much as its
+/// own depth changes over 1/16 pixel.
+bool hangsOnDepth(const Oracle& oracle, const Oracle::Hit& visible, const glm::dvec2& center,
+                  const Answer& answer) {
+    const double change = depthChange(oracle, visible, center);
+    if (!std::isfinite(change)) return true;
+    for (double part = change; part > 1e-3 * change; part /= 4.0)
+        for (const double depth : {visible.depth - part, visible.depth + part})
+            if (!(oracle.answerOn({visible.triangle, depth}, center.x, center.y) == answer))
+                return true;
+    return false;
+}
+
+} // namespace
+
+bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict) {
+    if (verdict.coincident) return true;
+    const glm::dvec2 center(x + 0.5, y + 0.5);
+    const std::optional<Oracle::Hit> visible = visibleAt(oracle, center);
+    for (const glm::dvec2& point : movedPoints(center)) {
+        if (!(oracle.at(point.x, point.y) == verdict.answer)) return true;
+        const std::optional<Oracle::Hit> moved = visibleAt(oracle, point);
+        if (visible && moved && moved->triangle != visible->triangle &&
+            silhouetteBetween(oracle, oracle.triangles()[visible->triangle],
+                              oracle.triangles()[moved->triangle]))
+            return true;
+    }
+    if (!visible) return false;
+    for (std::size_t i = 0; i < oracle.question().lights.size(); ++i)
+        if (couldTurn(oracle, oracle.triangles()[visible->triangle], oracle.lightFromEye(i)))
+            return true;
+    return hangsOnDepth(oracle, *visible, center, verdict.answer);
+}
+
+} // namespace edgeshade::lab
