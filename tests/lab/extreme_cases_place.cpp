@@ -62,7 +62,7 @@ Extreme placed(const std::string& name, const std::string& provokes, const glm::
     return {.name = name,
             .provokes = provokes,
             .load = yardPlacedBy(matrix),
-            .lights = {pointLight(lamp)}};
+            .lights = {pointLight(glm::dvec3(matrix * glm::dvec4(lamp, 1.0)))}};
 }
 
 } // namespace

@@ -34,7 +34,14 @@ std::function<LoadedScene()> later(const std::function<SceneBuilder()>& draw, bo
 }
 
 SceneBuilder sliver(float aspect) {
-    return SceneBuilder().floor(6).triangle({-2, 1, 0}, {2, 1, 0.2f}, {2, 1 + 4 / aspect, 0.2f});
+    // One on its own, and one in the seam of a sheet, where a crack would show.
+    const glm::vec3 a(-1, 1.2f, 1), b(1, 1.5f, -1), c(1, 1.5f, -1 + 2.8f / aspect);
+    return SceneBuilder()
+        .floor(6)
+        .triangle({-2, 1, 0}, {2, 1, 0.2f}, {2, 1 + 4 / aspect, 0.2f})
+        .triangle(a, b, {-1, 1.3f, -1})
+        .triangle(a, c, b)
+        .triangle(a, {1, 1.4f, 1}, c);
 }
 
 SceneBuilder fan(int n) {

@@ -16,7 +16,7 @@ LoadedScene loaded(Scene scene, bool castMasked = false);
 std::function<LoadedScene()> later(const std::function<SceneBuilder()>& draw,
                                    bool castMasked = false);
 
-/// A triangle with a longest side `aspect` times its height.
+/// Triangles with a longest side `aspect` times their height: one alone, one within a sheet.
 SceneBuilder sliver(float aspect);
 
 /// `n` triangles around one upright edge.
