@@ -1,0 +1,38 @@
+#include "tests/lab/extreme.hpp"
+#include "tests/lab/extreme_scenes.hpp"
+
+namespace edgeshade::test {
+namespace {
+
+Extreme litFrom(const std::string& name, const std::string& provokes,
+                const std::vector<Light>& lights) {
+    return {.name = name, .provokes = provokes, .load = later(yard), .lights = lights};
+}
+
+/// Points and suns all around.
+std::vector<Light> eightLights() {
+    return {pointLight({0.3, 4, 0.7}),  pointLight({-4, 2, 3}),   pointLight({3, 1.2, -3}),
+            pointLight({-1.5, 0.2, 1}), pointLight({0, 12, 0.5}), sun({0.4, 1, 0.3}),
+            sun({-0.7, 0.5, 0.1}),      sun({0.1, 0.3, -1})};
+}
+
+} // namespace
+
+std::vector<Extreme> lightExtremes() {
+    const glm::dvec3 eye = Extreme().camera.from;
+    return {
+        litFrom("light at a vertex", "signs of exactly 0", {pointLight({1.5, 1, 2})}),
+        litFrom("light on an edge", "signs of exactly 0", {pointLight({1.5, 1, 1.1})}),
+        litFrom("light in a face's plane", "signs of exactly 0", {pointLight({4, 1, 3})}),
+        litFrom("light 1e-6 above a face", "signs next to 0", {pointLight({1, 1.000001, 1.2})}),
+        litFrom("light inside a closed mesh", "all outside in shadow",
+                {pointLight({-1.5, 1, -0.5})}),
+        litFrom("light at 1e9", "a point light like a sun", {pointLight({4e8, 1e9, 3e8})}),
+        litFrom("light at infinity", "points at infinity", {sun({0.4, 1, 0.3})}),
+        litFrom("sun in the floor's plane", "signs of exactly 0", {sun({1, 0, 0.3})}),
+        litFrom("light at the eye", "no shadow is seen", {pointLight(eye)}),
+        litFrom("8 lights", "counts and colours of several passes", eightLights()),
+    };
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,40 @@
+#include "tests/lab/extreme_check.hpp"
+#include "tests/support/emitted_chain.hpp"
+#include "tests/support/open_edges.hpp"
+
+namespace edgeshade::test {
+namespace {
+
+using namespace shader_arithmetic;
+
+constexpr std::size_t mostChainVertices = 600; // a chain takes memory by their square
+
+template <class Method>
+std::size_t openEdgesOfBatch(const BatchTopology& topology, const BatchShadow& shadow,
+                             const glm::vec4& light) {
+    std::size_t open = openEdgesOf<Method>(topology, shadow, light);
+    const auto& positions = topology.mesh.welded.positions;
+    if (positions.size() > mostChainVertices) return open;
+    const auto sides = expandSides(shadow.sides, 0, shadow.sides.recordCount());
+    const auto caps = expandCaps(shadow.caps, 0, shadow.caps.recordCount());
+    const Chain chain =
+        emittedChain<Method>(positions, sides, shadow.sides.vectorsPerRecord(), caps, light);
+    return open + !chain.isCycle();
+}
+
+} // namespace
+
+std::size_t openEdgesOf(const LoadedScene& scene, const std::vector<Light>& lights) {
+    BuildSeconds seconds;
+    const auto topology = buildTopology(scene.scene, scene.settings.castMasked, seconds);
+    std::size_t open = 0;
+    for (std::size_t b = 0; b < topology.size(); ++b)
+        for (const Light& light : lights) {
+            const glm::vec4 inBatch = lightInObject(light, scene.scene.batches[b].worldFromBatch);
+            open += openEdgesOfBatch<ReferenceEdge>(topology[b], scene.shadows[b], inBatch);
+            open += openEdgesOfBatch<ThreeEdge>(topology[b], scene.shadows[b], inBatch);
+        }
+    return open;
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,58 @@
+#include "src/gl/headless_context.hpp"
+#include "src/gl/objects.hpp"
+#include "src/render/frame.hpp"
+#include "tests/lab/extreme_check.hpp"
+
+#include <cmath>
+#include <GLES2/gl2.h>
+
+namespace edgeshade::test {
+namespace {
+
+/// Leaves a deeper depth buffer no more than `bits` of its steps: Mesa has no 16-bit depth with a
+/// stencil. Depths, the cleared one included, take the front of its range alone.
+void coarsenDepth(int bits, const gl::Capabilities& capabilities) {
+    if (capabilities.depthBits <= bits) return;
+    const float farthest = std::ldexp(1.0f, bits - capabilities.depthBits);
+    glDepthRangef(0.0f, farthest);
+    glClearDepthf(farthest);
+}
+
+} // namespace
+
+lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene, double& near) {
+    const gl::HeadlessContext context({extreme.width, extreme.height, 0, extreme.depthBits});
+    const gl::Capabilities& capabilities = context.capabilities();
+    coarsenDepth(extreme.depthBits, capabilities);
+    RenderSettings shadows, plain;
+    shadows.layout = plain.layout = bestLayout(capabilities);
+    plain.shadows = ShadowMethod::none;
+    FrameView frame = makeFrameView(
+        scene, {extreme.camera, extreme.width, extreme.height, extreme.lights, extreme.depth});
+    near = frame.near();
+    const GpuScene gpu = uploadScene(scene, shadows.layout, capabilities);
+    const auto draw = [&](const RenderSettings& settings,
+                          const std::vector<GroupedShadow>& groups = {}) {
+        Renderer(settings, capabilities).draw(gpu, frame, groups);
+        gl::requireNoError("drawing an extreme");
+        return context.readPixels();
+    };
+
+    lab::Pictures pictures;
+    {
+        const auto groups = uploadNeededGroups(scene, frame, shadows.layout);
+        pictures.image = draw(shadows, groups);
+        frame.mask = true;
+        pictures.mask = draw(shadows, groups);
+    }
+    frame.mask = false;
+    frame.drawnLights = 0;
+    pictures.ambient = draw(plain);
+    for (std::size_t i = 0; i < extreme.lights.size(); ++i) {
+        frame.drawnLights = 1u << i;
+        pictures.unshadowed.push_back(draw(plain));
+    }
+    return pictures;
+}
+
+} // namespace edgeshade::test
