@@ -3,6 +3,7 @@
 #include "preprocess/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace edgeshade {
@@ -193,6 +194,15 @@ FloatArray readFloats(const GltfDocument& document, int index, const std::string
                                at + c * componentSize, accessor.componentType, accessor.normalized);
                    });
     return array;
+}
+
+void requireFinite(const GltfDocument& document, const FloatArray& array,
+                   const std::string& field) {
+    for (std::size_t i = 0; i < array.values.size(); ++i)
+        if (!std::isfinite(array.values[i]))
+            throw InputError(document.where(field) + " holds " +
+                             (std::isnan(array.values[i]) ? "NaN" : "an infinite value") +
+                             " at element " + std::to_string(i / array.components) + ".");
 }
 
 std::vector<std::uint32_t> readIndices(const GltfDocument& document, int index,

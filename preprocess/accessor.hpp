@@ -20,6 +20,9 @@ struct FloatArray {
 /// "meshes[0].primitives[1].attributes.POSITION". Safe on untrusted input. Throws InputError.
 FloatArray readFloats(const GltfDocument& document, int accessor, const std::string& field);
 
+/// Throws InputError where the array, which `field` names, holds NaN or an infinite value.
+void requireFinite(const GltfDocument& document, const FloatArray& array, const std::string& field);
+
 /// Reads a SCALAR accessor of an unsigned component type. Throws InputError.
 std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessor,
                                        const std::string& field);

@@ -207,6 +207,7 @@ Batch makeBatch(const GltfDocument& document, int mover, const glm::dmat4& world
     Batch batch;
     batch.node = mover;
     batch.worldFromBatch = glm::translate(worldFromMover, origin);
+    batch.origin = origin;
     for (const Piece& piece : pieces) {
         if (batch.groups.empty() || batch.groups.back().material != piece.material)
             batch.groups.push_back(
@@ -224,6 +225,7 @@ Scene flattenScene(const GltfDocument& document, double weldTolerance) {
     Scene scene;
     scene.materials = readMaterials(document);
     const NodeWalk walk = walkNodes(document, scene.warnings);
+    scene.movers = walk.movers;
     PiecesByMover piecesByMover = gatherPieces(document, walk, scene);
     for (auto& [mover, pieces] : piecesByMover) {
         const glm::dmat4 worldFromMover = mover < 0 ? glm::dmat4(1.0) : walk.worldFromNode[mover];

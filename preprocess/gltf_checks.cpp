@@ -160,6 +160,7 @@ void checkAccessor(const JsonField& accessor, std::size_t viewCount) {
                        [&](const JsonField& view) { view.indexInto(viewCount, "bufferViews"); });
     checkWholeNumber(accessor, "byteOffset");
     accessor.member("count").wholeNumber();
+    accessor.ifPresent("normalized", [](const JsonField& flag) { flag.boolean(); });
     const JsonField componentType = accessor.member("componentType");
     if (componentType.index() < 5120 || componentType.index() > 5130)
         componentType.fail(" is " + std::to_string(componentType.index()) +
@@ -251,12 +252,41 @@ void checkSampler(const JsonField& sampler) {
         });
 }
 
-void checkAnimation(const JsonField& animation) {
-    animation.ifPresent("channels", [](const JsonField& channels) {
-        channels.forEachItem([](const JsonField& channel) {
-            channel.ifPresent("target", [](const JsonField& target) {
-                checkIndex(target, "node");
-                checkText(target, "path");
+void checkAnimationSampler(const JsonField& sampler, std::size_t accessorCount) {
+    sampler.member("input").indexInto(accessorCount, "accessors");
+    sampler.member("output").indexInto(accessorCount, "accessors");
+    sampler.ifPresent("interpolation", [](const JsonField& interpolation) {
+        const std::string text = interpolation.text();
+        if (text != "STEP" && text != "LINEAR" && text != "CUBICSPLINE")
+            interpolation.fail(" is '" + text + "', which is none of STEP, LINEAR, CUBICSPLINE");
+    });
+}
+
+/// Extensions may move things that are no nodes, and nodes in ways of their own.
+void checkAnimationTarget(const JsonField& target, std::size_t nodeCount) {
+    checkText(target, "path");
+    const auto node = target.find("node");
+    if (!node) return;
+    node->indexInto(nodeCount, "nodes");
+    const JsonField path = target.member("path");
+    constexpr std::array paths = {"translation", "rotation", "scale", "weights"};
+    if (!target.find("extensions") &&
+        std::find(paths.begin(), paths.end(), path.text()) == paths.end())
+        path.fail(" is '" + path.text() +
+                  "', which is none of translation, rotation, scale, weights");
+}
+
+void checkAnimation(const JsonField& animation, std::size_t nodeCount, std::size_t accessorCount) {
+    const std::size_t samplerCount = countOf(animation, "samplers");
+    animation.ifPresent("samplers", [&](const JsonField& samplers) {
+        samplers.forEachItem(
+            [&](const JsonField& sampler) { checkAnimationSampler(sampler, accessorCount); });
+    });
+    animation.ifPresent("channels", [&](const JsonField& channels) {
+        channels.forEachItem([&](const JsonField& channel) {
+            channel.member("sampler").indexInto(samplerCount, "samplers");
+            channel.ifPresent("target", [&](const JsonField& target) {
+                checkAnimationTarget(target, nodeCount);
             });
         });
     });
@@ -278,6 +308,7 @@ void checkSections(const JsonField& root) {
     const std::size_t viewCount = countOf(root, "bufferViews");
     const std::size_t accessorCount = countOf(root, "accessors");
     const std::size_t samplerCount = countOf(root, "samplers");
+    const std::size_t nodeCount = countOf(root, "nodes");
     checkSection(root, "buffers", checkBuffer);
     checkSection(root, "bufferViews",
                  [&](const JsonField& view) { checkBufferView(view, bufferCount); });
@@ -309,7 +340,9 @@ void checkSections(const JsonField& root) {
         image.ifPresent("bufferView",
                         [&](const JsonField& view) { view.indexInto(viewCount, "bufferViews"); });
     });
-    checkSection(root, "animations", checkAnimation);
+    checkSection(root, "animations", [&](const JsonField& animation) {
+        checkAnimation(animation, nodeCount, accessorCount);
+    });
     checkSection(root, "cameras", [](const JsonField&) {});
     checkIndex(root, "scene");
 }

@@ -14,8 +14,8 @@ nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::p
 /// takes an optional field of the wrong kind for a missing one, and a negative offset for 0.
 /// Throws an InputError that names the field and its value.
 ///
-/// What numbers refer to is checked here where it is a buffer, a view or a sampler; the rest where
-/// it is used.
+/// What numbers refer to is checked here where it is a buffer, a view or a sampler, and in
+/// animations; the rest where it is used.
 void requireSoundGltf(const nlohmann::ordered_json& json, const std::filesystem::path& path);
 
 } // namespace edgeshade

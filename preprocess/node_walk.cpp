@@ -1,33 +1,14 @@
 #include "preprocess/node_walk.hpp"
 
 #include "preprocess/error.hpp"
+#include "preprocess/node_transform.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <set>
 
 namespace edgeshade {
 namespace {
-
-/// A node's own transform (glTF 2.0, 3.5.3).
-glm::dmat4 localTransform(const tinygltf::Node& node) {
-    glm::dmat4 matrix(1.0);
-    if (node.matrix.size() == 16) {
-        for (glm::length_t i = 0; i < 16; ++i)
-            matrix[i / 4][i % 4] = node.matrix[i];
-        return matrix;
-    }
-    if (node.rotation.size() == 4)
-        matrix = glm::mat4_cast(
-            glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
-    if (node.scale.size() == 3)
-        for (glm::length_t c = 0; c < 3; ++c)
-            matrix[c] *= node.scale[c];
-    if (node.translation.size() == 3)
-        matrix[3] = glm::dvec4(node.translation[0], node.translation[1], node.translation[2], 1.0);
-    return matrix;
-}
 
 bool isFinite(const glm::dmat4& matrix) {
     for (glm::length_t c = 0; c < 4; ++c)
@@ -106,7 +87,7 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
         reached[visit.node] = true;
 
         const tinygltf::Node& node = nodes[visit.node];
-        const glm::dmat4 local = localTransform(node);
+        const glm::dmat4 local = restMatrix(node);
         const glm::dmat4 worldFromNode = visit.worldFromParent * local;
         if (!isFinite(worldFromNode))
             throw InputError(document.where(field) + " has a transform that is not finite.");
@@ -116,6 +97,7 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
         glm::dmat4 moverFromNode = visit.moverFromParent * local;
         if (animated.contains(visit.node)) {
             if (glm::determinant(glm::dmat3(worldFromNode)) != 0.0) {
+                walk.movers.push_back({visit.node, visit.mover, visit.moverFromParent, local});
                 mover = visit.node;
                 moverFromNode = glm::dmat4(1.0);
             } else {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/gltf_document.hpp"
-#include "preprocess/warnings.hpp"
+#include "preprocess/scene.hpp"
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -18,6 +18,7 @@ struct MeshNode {
 /// What walking the default scene finds.
 struct NodeWalk {
     std::vector<MeshNode> meshNodes;       ///< depth first, in the file's order
+    std::vector<Mover> movers;             ///< what moves by itself, those above first
     std::vector<glm::dmat4> worldFromNode; ///< of every node of the scene; identity elsewhere
 };
 

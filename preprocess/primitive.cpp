@@ -4,21 +4,11 @@
 #include "preprocess/draco_primitive.hpp"
 #include "preprocess/error.hpp"
 
-#include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <numeric>
 
 namespace edgeshade {
 namespace {
-
-void requireFinite(const GltfDocument& document, const FloatArray& array,
-                   const std::string& field) {
-    for (std::size_t i = 0; i < array.values.size(); ++i)
-        if (!std::isfinite(array.values[i]))
-            throw InputError(document.where(field) + " holds " +
-                             (std::isnan(array.values[i]) ? "NaN" : "an infinite value") +
-                             " at element " + std::to_string(i / array.components) + ".");
-}
 
 /// Reads attributes of one primitive from wherever they are.
 class AttributeReader {

@@ -30,6 +30,14 @@ struct SurfaceGroup {
     std::uint32_t indexCount = 0; ///< three a triangle
 };
 
+/// A node that an animation of the file moves, and how it hangs on the mover above it.
+struct Mover {
+    int node = -1;                   ///< in glTF
+    int above = -1;                  ///< nearest mover on the way to the root; -1: the world
+    glm::dmat4 aboveFromParent{1.0}; ///< the nodes between the two, which do not move
+    glm::dmat4 parentFromMover{1.0}; ///< at rest
+};
+
 /// Triangles that move together: all static nodes are one batch, every animated node another.
 ///
 /// Positions are floats relative to a local origin, so that survey coordinates keep their detail
@@ -37,6 +45,7 @@ struct SurfaceGroup {
 struct Batch {
     int node = -1;                    ///< the glTF node that moves it; -1: none, it is static
     glm::dmat4 worldFromBatch{1.0};   ///< at rest
+    glm::dvec3 origin{0.0};           ///< where 0 of `positions` is in the mover, or in the world
     std::vector<glm::vec3> positions; ///< no NaN, no infinity, no -0
     std::vector<glm::vec3> normals;   ///< unit length, or 0 for a triangle without area
     std::vector<glm::vec2> texcoords;
@@ -48,6 +57,7 @@ struct Batch {
 /// A glTF scene at rest, ready for drawing and for finding its edges.
 struct Scene {
     std::vector<Batch> batches;
+    std::vector<Mover> movers; ///< those above first; some move no batch of their own
     std::vector<Material> materials;
     Warnings warnings;
 

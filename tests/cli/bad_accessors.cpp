@@ -68,6 +68,8 @@ std::vector<BadInput> accessorRows() {
         withAccessor("AccessorTypeIsMissing", 0, "type", nullptr, {"type"}),
         withAccessor("AccessorOfUnknownComponentType", 0, "componentType", 5555, {"componentType"}),
         withAccessor("AccessorOfDoubles", 0, "componentType", 5130, {"componentType"}),
+        withAccessor("AccessorNormalizedIsText", 0, "normalized", "yes",
+                     {"accessors[0].normalized", "yes"}),
         withAccessor("PositionsOfTwoComponents", 0, "type", "VEC2", {"POSITION", "2 components"}),
         withAccessor("PositionsThatAreScalars", 0, "type", "SCALAR", {"POSITION"}),
         withAccessor("IndicesThatAreFloats", 3, "componentType", 5126, {"indices", "5126"}),

@@ -30,7 +30,8 @@ BadInput badText(const std::string& name, const std::string& text,
                  const std::vector<std::string>& words);
 
 /// A row whose input is a sound scene after `change`: a textured box, animated, of one material.
-/// Node 0, mesh 0, accessors 0 POSITION, 1 NORMAL, 2 TEXCOORD_0, 3 indices.
+/// Node 0, mesh 0, accessors 0 POSITION, 1 NORMAL, 2 TEXCOORD_0, 3 indices, 4 times, 5
+/// translations.
 BadInput badScene(const std::string& name, const std::function<void(GltfBuilder&)>& change,
                   const std::vector<std::string>& words);
 
@@ -46,6 +47,7 @@ std::vector<BadInput> badJson();
 std::vector<BadInput> badFiles();
 std::vector<BadInput> badAccessors();
 std::vector<BadInput> badNodes();
+std::vector<BadInput> badAnimations();
 std::vector<BadInput> badImages();
 std::vector<BadInput> badCompression();
 std::vector<BadInput> badShadowData();

@@ -14,8 +14,8 @@ constexpr std::size_t mostMemory = std::size_t{1} << 30; // a small file must no
 
 std::vector<BadInput> wholeTable() {
     std::vector<BadInput> table;
-    for (const auto& part : {badContainers, badJson, badFiles, badAccessors, badNodes, badImages,
-                             badCompression, badShadowData})
+    for (const auto& part : {badContainers, badJson, badFiles, badAccessors, badNodes,
+                             badAnimations, badImages, badCompression, badShadowData})
         for (BadInput& row : part())
             table.push_back(std::move(row));
     return table;

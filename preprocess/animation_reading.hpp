@@ -1,0 +1,15 @@
+#pragma once
+
+#include "preprocess/animation.hpp"
+#include "preprocess/gltf_document.hpp"
+#include "preprocess/warnings.hpp"
+
+#include <optional>
+
+namespace edgeshade {
+
+/// Reads the first animation that moves nodes (glTF 2.0, 3.11); null if there is none. Channels of
+/// morph weights and of extensions are left aside. Safe on untrusted input. Throws InputError.
+std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings);
+
+} // namespace edgeshade

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "src/render/frame.hpp"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace edgeshade::viewer {
+
+/// How one side of the split is drawn.
+struct SideSettings {
+    ShadowMethod shadows = ShadowMethod::volumes;
+    int mapSize = 2048;
+    MultiplicityMethod multiplicity = MultiplicityMethod::referenceEdge;
+};
+
+enum class DebugView { none, volumes };
+
+/// Everything that a viewer shows and a user can change: what the address bar keeps.
+struct ViewState {
+    Camera camera;
+    std::vector<Light> lights; ///< at least one once a scene is shown
+    std::size_t chosenLight = 0;
+    float ambient = 0.35f;
+    SideSettings left;    ///< of the whole picture where there is no split
+    SideSettings right;
+    bool split = false;
+    double splitAt = 0.5; ///< share of the width, 0..1
+    DebugView debug = DebugView::none;
+    bool showLights = true; ///< handles that lights are dragged by
+    bool playing = false;
+    double speed = 1.0;   ///< of the animation, 0.1..10
+    double time = 0.0;    ///< of the animation, seconds
+};
+
+/// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [[x,y,z,w], …],
+///  "chosen_light": 0, "ambient": 0.35, "left": {"shadows": "volumes|map|none", "map_size": 2048,
+///  "multiplicity": "reference-edge"}, "right": {…}, "split": false, "split_at": 0.5,
+///  "debug": "none|volumes", "show_lights": true, "playing": false, "speed": 1, "time": 0}
+nlohmann::ordered_json toJson(const ViewState& state);
+
+/// `base` with the keys that `changes` has. Throws Error(usage) that names the key and the value if
+/// one is unknown, not finite or out of range; nothing is changed then.
+ViewState changed(const ViewState& base, const nlohmann::ordered_json& changes);
+
+} // namespace edgeshade::viewer
