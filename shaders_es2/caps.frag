@@ -13,7 +13,7 @@ uniform sampler2D u_texture;
 uniform float u_alphaScale;
 uniform float u_alphaCutoff; // above any alpha: nothing of the caster is in the depth buffer
 uniform float u_frontCapAtInfinity;
-varying vec2 v_texcoord;
+varying vec3 v_holes;
 varying float v_isBack;
 #endif
 #ifdef PROBE
@@ -27,7 +27,8 @@ void main() {
 #endif
 #ifdef ALPHA_TEST
     // Where the caster is solid its front cap counts at infinity, in its holes where it is.
-    bool solid = texture2D(u_texture, v_texcoord).a * u_alphaScale >= u_alphaCutoff;
+    float alpha = u_alphaScale * v_holes.z * texture2D(u_texture, v_holes.xy).a;
+    bool solid = alpha >= u_alphaCutoff;
     if (v_isBack < 0.5 && solid != (u_frontCapAtInfinity > 0.5)) discard;
 #endif
 #ifdef PROBE

@@ -2,7 +2,7 @@
 // section 2; thesis, Algorithm 11).
 //
 // Variants: INSTANCED as in sides.vert; NEAR_DISCARD, the front cap is cut where its triangle was
-// clipped by the near plane; ALPHA_TEST, texture coordinates for casters with holes, with
+// clipped by the near plane; ALPHA_TEST, texture coordinates and alpha for casters with holes, with
 // u_frontCapAtInfinity saying which front cap is drawn; PROBE, for tests.
 #include "record_layout.glsl"
 #include "multiplicity.glsl"
@@ -15,8 +15,9 @@ attribute vec4 a_capA; // not instanced: w = v
 attribute vec4 a_capB;
 attribute vec4 a_capC;
 #ifdef ALPHA_TEST
-attribute vec4 a_texcoordAB; // xy: A's, zw: B's
-attribute vec4 a_texcoordC;  // xy: C's, zw: unused
+attribute vec4 a_holesA; // xy: texture coordinates, z: the vertex colour's alpha
+attribute vec4 a_holesB;
+attribute vec4 a_holesC;
 #endif
 
 uniform vec4 u_light; // in object space
@@ -30,7 +31,7 @@ varying vec2 v_clipZW;
 #ifdef ALPHA_TEST
 uniform float u_frontCapAtInfinity; // 1: both caps, the front one at infinity; 0: the front one
                                     // alone, where it is
-varying vec2 v_texcoord;
+varying vec3 v_holes;
 varying float v_isBack;
 #endif
 #ifdef PROBE
@@ -60,7 +61,7 @@ void main() {
     bool shifted = front;
     bool drawn = facing != 0.0;
 #ifdef ALPHA_TEST
-    v_texcoord = isA ? a_texcoordAB.xy : (isC ? a_texcoordC.xy : a_texcoordAB.zw);
+    v_holes = isA ? a_holesA.xyz : (isC ? a_holesC.xyz : a_holesB.xyz);
     v_isBack = front ? 0.0 : 1.0;
     shifted = front && u_frontCapAtInfinity > 0.5;
     drawn = drawn && (front || u_frontCapAtInfinity > 0.5);

@@ -19,12 +19,14 @@ class Studio {
     Studio(const LoadedScene& loaded, int width, int height)
         : loaded_(loaded), context_({width, height}) {}
 
-    std::vector<std::uint8_t> draw(const RenderSettings& settings, const FrameView& view) {
-        Renderer renderer(settings, context_.capabilities());
-        const auto groups = settings.shadows == ShadowMethod::volumes
-                                ? uploadNeededGroups(loaded_, view, settings.layout)
-                                : std::vector<GroupedShadow>();
-        renderer.draw(sceneFor(settings.layout), view, groups);
+    /// A renderer for this studio's context.
+    Renderer rendererFor(const RenderSettings& settings) const {
+        return Renderer(settings, context_.capabilities());
+    }
+
+    std::vector<std::uint8_t> draw(Renderer& renderer, const FrameView& view,
+                                   const std::vector<GroupedShadow>& groups) {
+        renderer.draw(sceneFor(renderer.settings().layout), view, groups);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();
     }
@@ -73,42 +75,80 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
     return judged;
 }
 
-/// The program's pictures without shadows, which the oracle's picture is put together from.
-void drawUnshadowed(Studio& studio, RenderSettings plain, FrameView frame, Pictures& pictures) {
-    plain.shadows = ShadowMethod::none;
-    frame.drawnLights = 0;
-    pictures.ambient = studio.draw(plain, frame);
-    pictures.unshadowed.clear();
-    for (std::size_t i = 0; i < frame.lights.size(); ++i) {
-        frame.drawnLights = 1u << i;
-        pictures.unshadowed.push_back(studio.draw(plain, frame));
-    }
-}
+/// Draws and judges contenders' pictures, view by view.
+class Jury {
+  public:
+    Jury(const LoadedScene& loaded, const CompareTask& task)
+        : loaded_(loaded), task_(task), studio_(loaded, task.width, task.height),
+          alphaAt_(textureAlpha(loaded)) {}
 
-Comparison compareOne(Studio& studio, const RenderSettings& settings,
-                      std::optional<int> depthSlices, JudgedView& judged, Pictures& pictures) {
-    FrameView frame = judged.frame;
-    frame.slices = divideDepth(frame.near(), frame.farthestDepth, depthSlices);
-    drawUnshadowed(studio, settings, frame, pictures);
-    pictures.image = studio.draw(settings, frame);
-    frame.mask = true;
-    pictures.mask = studio.draw(settings, frame);
-    return compareWithOracle(*judged.oracle, judged.answers, pictures);
-}
+    /// Moves on to another view.
+    void see(const LabView& view) {
+        judged_ = judge(loaded_, task_, view, alphaAt_);
+        pictures_ = {};
+        unshadowed_.reset();
+    }
+
+    Comparison compare(Renderer& renderer, std::optional<int> depthSlices) {
+        FrameView frame = frameWith(depthSlices);
+        drawUnshadowed(renderer.settings(), frame);
+        const auto groups = renderer.settings().shadows == ShadowMethod::volumes
+                                ? uploadNeededGroups(loaded_, frame, renderer.settings().layout)
+                                : std::vector<GroupedShadow>();
+        pictures_.image = studio_.draw(renderer, frame, groups);
+        frame.mask = true;
+        pictures_.mask = studio_.draw(renderer, frame, groups);
+        return compareWithOracle(*judged_.oracle, judged_.answers, pictures_);
+    }
+
+    const std::vector<std::uint8_t>& image() const { return pictures_.image; }
+    const Studio& studio() const { return studio_; }
+
+  private:
+    FrameView frameWith(std::optional<int> depthSlices) const {
+        FrameView frame = judged_.frame;
+        frame.slices = divideDepth(frame.near(), frame.farthestDepth, depthSlices);
+        return frame;
+    }
+
+    /// The program's pictures without shadows, which the oracle's picture is put together from.
+    /// Contenders with the same slices and ambient light
+    /// share them.
+    void drawUnshadowed(RenderSettings plain, FrameView frame) {
+        const auto key = std::pair(frame.slices.size(), plain.ambient);
+        if (unshadowed_ == key) return;
+        unshadowed_ = key;
+        plain.shadows = ShadowMethod::none;
+        Renderer renderer = studio_.rendererFor(plain);
+        frame.drawnLights = 0;
+        pictures_.ambient = studio_.draw(renderer, frame, {});
+        pictures_.unshadowed.clear();
+        for (std::size_t i = 0; i < frame.lights.size(); ++i) {
+            frame.drawnLights = 1u << i;
+            pictures_.unshadowed.push_back(studio_.draw(renderer, frame, {}));
+        }
+    }
+
+    const LoadedScene& loaded_;
+    const CompareTask& task_;
+    Studio studio_;
+    AlphaAt alphaAt_;
+    JudgedView judged_;
+    Pictures pictures_;
+    std::optional<std::pair<std::size_t, float>> unshadowed_; ///< slices, ambient of the pictures
+};
 
 /// The bias with the fewest wrong pixels over the first views.
-float tunedBias(Studio& studio, const LoadedScene& loaded, const CompareTask& task,
-                const Contender& contender, const AlphaAt& alphaAt) {
-    RenderSettings settings = contender.settings;
-    settings.layout = studio.layoutFor(settings.layout);
+float tunedBias(Jury& jury, const CompareTask& task, const RenderSettings& contender,
+                std::optional<int> depthSlices) {
     std::array<std::size_t, mapBiases.size()> wrong{};
     for (std::size_t v = 0; v < std::min(tuningViews, task.views.size()); ++v) {
-        JudgedView judged = judge(loaded, task, task.views[v], alphaAt);
-        Pictures pictures;
+        jury.see(task.views[v]);
         for (std::size_t b = 0; b < mapBiases.size(); ++b) {
+            RenderSettings settings = contender;
             settings.map.biasTexels = mapBiases[b];
-            wrong[b] += compareOne(studio, settings, contender.depthSlices, judged, pictures)
-                            .counts.wrongImagePixels;
+            Renderer renderer = jury.studio().rendererFor(settings);
+            wrong[b] += jury.compare(renderer, depthSlices).counts.wrongImagePixels;
         }
     }
     return mapBiases[std::min_element(wrong.begin(), wrong.end()) - wrong.begin()];
@@ -119,37 +159,38 @@ float tunedBias(Studio& studio, const LoadedScene& loaded, const CompareTask& ta
 std::vector<CompareResult>
 compareAll(const LoadedScene& loaded, const CompareTask& task,
            const std::function<void(double, const std::string&)>& progress) {
-    Studio studio(loaded, task.width, task.height);
-    const AlphaAt alphaAt = textureAlpha(loaded);
+    Jury jury(loaded, task);
     std::vector<CompareResult> results;
+    std::vector<Renderer> renderers;
     for (const Contender& contender : task.contenders) {
         CompareResult& result = results.emplace_back();
         result.name = contender.name;
         result.settings = contender.settings;
-        result.settings.layout = studio.layoutFor(contender.settings.layout);
+        result.settings.layout = jury.studio().layoutFor(contender.settings.layout);
         if (contender.tuneMapBias) {
             progress(0.0, "tuning the bias of " + contender.name);
-            result.settings.map.biasTexels = tunedBias(studio, loaded, task, contender, alphaAt);
+            result.settings.map.biasTexels =
+                tunedBias(jury, task, result.settings, contender.depthSlices);
         }
+        renderers.push_back(jury.studio().rendererFor(result.settings));
     }
 
     const double steps = static_cast<double>(task.views.size() * results.size());
     std::size_t done = 0;
     for (std::size_t v = 0; v < task.views.size(); ++v) {
-        JudgedView judged = judge(loaded, task, task.views[v], alphaAt);
-        Pictures pictures;
+        jury.see(task.views[v]);
         for (std::size_t c = 0; c < results.size(); ++c) {
             CompareResult& result = results[c];
             progress(static_cast<double>(done++) / steps,
                      "view " + task.views[v].name + ", " + result.name);
-            const Comparison comparison = compareOne(
-                studio, result.settings, task.contenders[c].depthSlices, judged, pictures);
+            const Comparison comparison =
+                jury.compare(renderers[c], task.contenders[c].depthSlices);
             const bool worst =
                 result.views == 0 || comparison.counts.wrongImagePixels >
                                          result.byView[result.worstView].wrongImagePixels;
             if (worst) {
                 result.worstView = v;
-                result.heatmap = heatmap(pictures.image, comparison.kinds, task.width, task.height);
+                result.heatmap = heatmap(jury.image(), comparison.kinds, task.width, task.height);
             }
             result.counts += comparison.counts;
             result.byView.push_back(comparison.counts);

@@ -13,22 +13,58 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where the line origin + t * direction meets a triangle, in double (Moeller and Trumbore).
+/// Some units of rounding, for sums of a few products.
+constexpr double rounding = 1e-14;
+
+double magnitude(const glm::dvec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+/// Where the line origin + t * direction meets a triangle, in double (Moeller and Trumbore), with
+/// bounds of the error.
 struct Meeting {
     double t, u, v;
+    double tError, uError, vError;
+
     bool inside() const { return u >= 0.0 && v >= 0.0 && u + v <= 1.0; }
+    /// Whether inside() is beyond doubt.
+    bool certain() const {
+        const bool out = u < -uError || v < -vError || u + v > 1.0 + uError + vError;
+        const bool in = u > uError && v > vError && u + v < 1.0 - uError - vError;
+        return out || in;
+    }
 };
 
-Meeting intersect(const EyeTriangle& triangle, const glm::dvec3& origin,
+/// `originError`: how far off the origin, and with it the direction, may be.
+Meeting intersect(const EyeTriangle& triangle, const glm::dvec3& origin, double originError,
                   const glm::dvec3& direction) {
     const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
     const glm::dvec3 p = glm::cross(direction, ac);
     const double determinant = glm::dot(ab, p);
-    if (determinant == 0.0) return {infinity, -1.0, -1.0};
     const glm::dvec3 s = origin - triangle.a;
+    const double lengthAb = magnitude(ab), lengthAc = magnitude(ac), lengthS = magnitude(s),
+                 reach = magnitude(direction);
+    const double detError = (rounding * reach + originError) * lengthAb * lengthAc;
+    if (std::abs(determinant) <= detError) {
+        // Seen edge-on: nothing is certain, unless the plane is far from the line.
+        const double away = std::abs(glm::dot(s, glm::cross(ab, ac)));
+        const bool clear =
+            away > (rounding * lengthS + originError) * lengthAb * lengthAc && determinant == 0.0;
+        return {infinity, -1.0, -1.0, 0.0, clear ? 0.0 : infinity, clear ? 0.0 : infinity};
+    }
     const glm::dvec3 q = glm::cross(s, ab);
-    return {glm::dot(ac, q) / determinant, glm::dot(s, p) / determinant,
-            glm::dot(direction, q) / determinant};
+    const double t = glm::dot(ac, q) / determinant, u = glm::dot(s, p) / determinant,
+                 v = glm::dot(direction, q) / determinant;
+    const double usable = std::abs(determinant) - detError;
+    const double cross = rounding * lengthS * reach + originError * (lengthS + reach);
+    const double relative = detError / usable;
+    return {t,
+            u,
+            v,
+            (rounding * lengthS + originError) * lengthAb * lengthAc / usable +
+                std::abs(t) * relative,
+            cross * lengthAc / usable + std::abs(u) * relative,
+            cross * lengthAb / usable + std::abs(v) * relative};
 }
 
 glm::dvec3 normalOf(const EyeTriangle& triangle) {
@@ -41,6 +77,17 @@ bool isCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
     return glm::dot(normal, other.a - surface.a) == 0.0 &&
            glm::dot(normal, other.b - surface.a) == 0.0 &&
            glm::dot(normal, other.c - surface.a) == 0.0;
+}
+
+/// Whether rounding could hide that `other` lies in the plane of `surface`, or make it seem so.
+bool isNearlyCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
+    const glm::dvec3 normal = normalOf(surface);
+    const double area = magnitude(surface.b - surface.a) * magnitude(surface.c - surface.a);
+    for (const glm::dvec3& corner : {other.a, other.b, other.c}) {
+        const glm::dvec3 offset = corner - surface.a;
+        if (std::abs(glm::dot(normal, offset)) > rounding * area * magnitude(offset)) return false;
+    }
+    return true;
 }
 
 /// A ray on its way through Embree, with what the filter decides by.
@@ -153,58 +200,95 @@ bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
 }
 
 void Oracle::visitSurfaces(const glm::dvec3& direction,
-                           const std::function<void(const Hit&)>& visit) const {
+                           const std::function<void(const Hit&, bool certain)>& visit) const {
     tree_->traverse(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
         const EyeTriangle& triangle = triangles_[i];
         if (!triangle.visible) return false;
-        const Meeting meeting = intersect(triangle, glm::dvec3(0.0), direction);
-        if (meeting.inside() && meeting.t >= question_.near &&
-            !isHole(triangle, meeting.u, meeting.v))
-            visit({i, meeting.t});
+        const Meeting meeting = intersect(triangle, glm::dvec3(0.0), 0.0, direction);
+        const bool hit = meeting.inside() && meeting.t >= question_.near &&
+                         !isHole(triangle, meeting.u, meeting.v);
+        // The edge of a hole is texture filtering's matter, which has no error bound.
+        const bool certain =
+            meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
+            question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
+        if (hit || !certain) visit({i, hit ? meeting.t : infinity, meeting.tError}, certain);
         return false;
     });
 }
 
-Answer Oracle::at(double x, double y) const {
-    Hit nearest{0, infinity};
-    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit) {
-        if (hit.depth < nearest.depth) nearest = hit;
+Oracle::Checked Oracle::checkedAt(double x, double y) const {
+    Hit nearest{0, infinity, 0.0};
+    double second = infinity; // the least depth that another surface may have
+    bool certain = true;
+    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit, bool sure) {
+        certain = certain && sure;
+        const bool closer = hit.depth < nearest.depth;
+        const Hit& farther = closer ? nearest : hit;
+        second = std::min(second, farther.depth - farther.error);
+        if (closer) nearest = hit;
     });
-    return std::isfinite(nearest.depth) ? answerOn(nearest, x, y) : Answer();
+    if (!std::isfinite(nearest.depth)) return {{}, certain};
+    Checked checked = checkedOn(nearest, x, y);
+    checked.certain = checked.certain && certain && nearest.depth + nearest.error < second;
+    return checked;
 }
 
 std::vector<Oracle::Hit> Oracle::surfacesAt(double x, double y) const {
     std::vector<Hit> hits;
-    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit) { hits.push_back(hit); });
+    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit, bool) {
+        if (std::isfinite(hit.depth)) hits.push_back(hit);
+    });
     return hits;
 }
 
-Answer Oracle::answerOn(const Hit& hit, double x, double y) const {
+Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
     const EyeTriangle& surface = triangles_[hit.triangle];
-    const glm::dvec3 point = hit.depth * pixelDirection(question_, x, y);
+    const glm::dvec3 direction = pixelDirection(question_, x, y);
+    const glm::dvec3 point = hit.depth * direction;
+    const double pointError = (hit.error + rounding * hit.depth) * magnitude(direction);
     const glm::dvec3 normal = normalOf(surface);
+    const double area = magnitude(surface.b - surface.a) * magnitude(surface.c - surface.a);
     const double eyeSide = -glm::dot(normal, surface.a);
-    Answer answer{true, 0};
+    Checked checked{{true, 0}, true};
+    checked.certain = std::abs(eyeSide) > rounding * area * magnitude(surface.a);
     for (std::size_t i = 0; i < question_.lights.size(); ++i) {
         const glm::dvec4 light = lightFromEye(i);
-        const double lightSide = glm::dot(normal, glm::dvec3(light) - surface.a * light.w);
+        const glm::dvec3 towards = glm::dvec3(light) - surface.a * light.w;
+        const double lightSide = glm::dot(normal, towards);
+        const double reach = magnitude(glm::dvec3(light)) + magnitude(surface.a) * light.w;
+        if (std::abs(lightSide) <= rounding * area * reach) checked.certain = false;
         const bool turnedAway = surface.casts && eyeSide * lightSide < 0.0;
-        if (!turnedAway && !isBlocked(hit.triangle, point, light)) answer.lit |= 1u << i;
+        if (!turnedAway && !isBlocked(hit.triangle, point, pointError, light, checked.certain))
+            checked.answer.lit |= 1u << i;
     }
-    return answer;
+    return checked;
 }
 
-bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, const glm::dvec4& light) const {
+bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError,
+                       const glm::dvec4& light, bool& certain) const {
     const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
     const bool isSun = light.w == 0.0;
-    bool blocked = false;
+    const double directionError = isSun ? 0.0 : rounding * magnitude(glm::dvec3(light));
+    bool blocked = false, surelyBlocked = false, sure = true;
     tree_->traverse(point, towards, isSun ? infinity : 1.0, [&](std::uint32_t i) {
         const EyeTriangle& other = triangles_[i];
         if (i == own || !other.casts) return false;
-        const Meeting meeting = intersect(other, point, towards);
-        if (!meeting.inside() || meeting.t <= 0.0 || (!isSun && meeting.t >= 1.0)) return false;
-        return blocked = !isCoplanar(triangles_[own], other);
+        const Meeting meeting = intersect(other, point, pointError + directionError, towards);
+        const bool between = meeting.t > 0.0 && (isSun || meeting.t < 1.0);
+        const bool surelyPlaced = std::abs(meeting.t) > meeting.tError &&
+                                  (isSun || std::abs(meeting.t - 1.0) > meeting.tError);
+        if (!meeting.certain() || (meeting.inside() && !surelyPlaced)) sure = false;
+        if (!meeting.inside() || !between) return false;
+        if (isNearlyCoplanar(triangles_[own], other)) {
+            sure = false;
+            blocked = blocked || !isCoplanar(triangles_[own], other);
+            return false;
+        }
+        blocked = true;
+        surelyBlocked = meeting.certain() && surelyPlaced;
+        return surelyBlocked;
     });
+    certain = certain && (surelyBlocked || sure);
     return blocked;
 }
 

@@ -55,17 +55,27 @@ class Oracle {
     struct Hit {
         std::uint32_t triangle = 0;
         double depth = 0.0; ///< along the viewing direction
+        double error = 0.0; ///< bound of the rounding in `depth`
+    };
+
+    /// An answer, and whether no rounding on the way to it can have changed it.
+    struct Checked {
+        Answer answer;
+        bool certain = true;
     };
 
     /// The answer at a picture point. Thread-safe, as everything here is.
-    Answer at(double x, double y) const;
+    Answer at(double x, double y) const { return checkedAt(x, y).answer; }
+    Checked checkedAt(double x, double y) const;
 
     /// All surfaces that can be seen along the ray of a picture point if nothing is before them.
     std::vector<Hit> surfacesAt(double x, double y) const;
 
     /// The answer for a point at `hit.depth` on the ray of a picture point, taken to lie on the
     /// hit's triangle.
-    Answer answerOn(const Hit& hit, double x, double y) const;
+    Answer answerOn(const Hit& hit, double x, double y) const {
+        return checkedOn(hit, x, y).answer;
+    }
 
     /// Indices of all triangles that the ray from `origin` along `direction` may touch for
     /// t > 0 (t < 1 if `segment`), rounding allowed for: candidates for a more exact judge.
@@ -83,8 +93,10 @@ class Oracle {
     struct Tree; ///< Embree's
 
     void visitSurfaces(const glm::dvec3& direction,
-                       const std::function<void(const Hit&)>& visit) const;
-    bool isBlocked(std::uint32_t own, const glm::dvec3& point, const glm::dvec4& light) const;
+                       const std::function<void(const Hit&, bool certain)>& visit) const;
+    Checked checkedOn(const Hit& hit, double x, double y) const;
+    bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError,
+                   const glm::dvec4& light, bool& certain) const;
 
     Question question_;
     AlphaAt alphaAt_;

@@ -98,7 +98,7 @@ bool hangsOnDepth(const Oracle& oracle, const Oracle::Hit& visible, const glm::d
     if (!std::isfinite(change)) return true;
     for (double part = change; part > 1e-3 * change; part /= 4.0)
         for (const double depth : {visible.depth - part, visible.depth + part})
-            if (!(oracle.answerOn({visible.triangle, depth}, center.x, center.y) == answer))
+            if (!(oracle.answerOn({visible.triangle, depth, 0.0}, center.x, center.y) == answer))
                 return true;
     return false;
 }

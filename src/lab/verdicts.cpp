@@ -114,13 +114,16 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
         return wrong;
     };
 
-    // Judge every disagreement again; what is settled now is nobody's error.
+    // Judge every disagreement that rounding may have caused again; what is settled now is nobody's
+    // error.
     const std::vector<std::size_t> suspects = wrongPixels();
     std::vector<Verdict> verdicts(suspects.size());
     onAllCores(suspects.size(), [&](std::size_t s) {
         const std::size_t i = suspects[s];
-        verdicts[s] = judgeExactly(oracle, static_cast<double>(i % width) + 0.5,
-                                   static_cast<double>(i / width) + 0.5);
+        const double x = static_cast<double>(i % width) + 0.5;
+        const double y = static_cast<double>(i / width) + 0.5;
+        const Oracle::Checked checked = oracle.checkedAt(x, y);
+        verdicts[s] = checked.certain ? Verdict{checked.answer} : judgeExactly(oracle, x, y);
     });
     for (std::size_t s = 0; s < suspects.size(); ++s)
         answers[suspects[s]] = verdicts[s].answer;

@@ -41,7 +41,8 @@ struct Comparison {
 };
 
 /// Counts where the pictures disagree with the answers. Every pixel on which they do is judged
-/// again exactly, and `answers` is corrected, before anything is counted.
+/// again, exactly unless rounding can't have changed the answer, and `answers` is corrected, before
+/// anything is counted.
 Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
                              const Pictures& pictures);
 

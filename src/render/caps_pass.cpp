@@ -72,11 +72,11 @@ void CapsPass::draw(const ShadowBuffers& shadow, const std::vector<Material>& ma
     }
 }
 
-void CapsPass::drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, bool texcoords) {
+void CapsPass::drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, bool holes) {
     const bool copied = layout_ == SidesLayout::notInstanced;
     const std::size_t copies = copied ? VERTICES_PER_CAP_PAIR : 1;
     const std::size_t recordBytes = CapsData::vectorsPerRecord * sizeof(glm::vec4) * copies;
-    const std::size_t texcoordBytes = 2 * sizeof(glm::vec4) * copies;
+    const std::size_t holeBytes = 3 * sizeof(glm::vec4) * copies;
     for (const RecordChunk& chunk : shadow.caps) {
         const std::size_t first = std::max<std::size_t>(chunk.firstRecord, group.firstCap);
         const std::size_t end = std::min<std::size_t>(chunk.firstRecord + chunk.recordCount,
@@ -86,7 +86,7 @@ void CapsPass::drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, 
         if (!copied) binding.add(corners_, 2, GL_FLOAT, false, sizeof(glm::vec2), 0, false);
         binding.addRecords(chunk.buffer, CapsData::vectorsPerRecord,
                            (first - chunk.firstRecord) * recordBytes, !copied);
-        if (texcoords) binding.addRecords(shadow.capTexcoords, 2, first * texcoordBytes, !copied);
+        if (holes) binding.addRecords(shadow.capHoles, 3, first * holeBytes, !copied);
         const auto count = static_cast<int>(end - first);
         if (copied)
             glDrawArrays(GL_TRIANGLES, 0, count * VERTICES_PER_CAP_PAIR);

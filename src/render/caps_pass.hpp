@@ -23,7 +23,7 @@ class CapsPass {
 
   private:
     gl::Program& program(const CapsVariant& variant);
-    void drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, bool texcoords);
+    void drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, bool holes);
 
     MultiplicityMethod method_;
     SidesLayout layout_;

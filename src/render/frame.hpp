@@ -45,6 +45,8 @@ class Renderer {
     void draw(const GpuScene& scene, const FrameView& view,
               const std::vector<GroupedShadow>& groups = {});
 
+    const RenderSettings& settings() const { return settings_; }
+
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 

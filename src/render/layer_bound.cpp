@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace edgeshade {
 namespace {
 
-constexpr int deepest = 12;                  // halvings of a face's side
-constexpr std::size_t mostWork = 50'000'000; // pairs of a triangle and a cell: about a second
+constexpr int deepest = 12; // halvings of a face's side
+// Pairs of a triangle and a cell that are looked at closely; about a second for 50 million.
+constexpr std::size_t leastWork = 50'000'000;
+constexpr std::size_t workPerTriangle = 40;
 constexpr double rounding = 1e-12;
 
 /// A convex cone of three rays, as seen from the light; for a sun, points (x, y, 1) of the plane
@@ -49,6 +52,31 @@ struct Cell {
                  {face, u, u1, v, v1}}};
     }
 };
+
+/// Where a triangle may lie on a face, in the face's u and v; everywhere if it reaches behind it.
+struct Outline {
+    double u0 = -INFINITY, u1 = INFINITY, v0 = -INFINITY, v1 = INFINITY;
+
+    bool misses(const Cell& cell) const {
+        return u1 < cell.u0 || u0 > cell.u1 || v1 < cell.v0 || v0 > cell.v1;
+    }
+};
+
+Outline outlineOn(const glm::dmat3& face, const TriangleCone& triangle) {
+    constexpr double margin = 1e-9; // against rounding
+    Outline outline{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (const glm::dvec3& ray : triangle.rays) {
+        const glm::dvec3 on = ray * face;
+        if (!(on.z > margin * glm::length(ray))) return {};
+        const double u = on.x / on.z, v = on.y / on.z;
+        const double reach = margin * (1.0 + std::abs(u) + std::abs(v));
+        outline.u0 = std::min(outline.u0, u - reach);
+        outline.u1 = std::max(outline.u1, u + reach);
+        outline.v0 = std::min(outline.v0, v - reach);
+        outline.v1 = std::max(outline.v1, v + reach);
+    }
+    return outline;
+}
 
 double magnitude(const glm::dvec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
@@ -139,20 +167,37 @@ using Members = std::vector<std::uint32_t>; ///< indices of cones
 class Divider {
   public:
     Divider(const std::vector<TriangleCone>& cones, std::size_t limit)
-        : cones_(cones), limit_(limit) {}
+        : cones_(cones), limit_(limit),
+          mostWork_(std::max(leastWork, workPerTriangle * cones.size())) {}
 
+    /// Divides a whole face.
+    void divideFace(const Cell& cell) {
+        outlines_.clear();
+        outlines_.reserve(cones_.size());
+        for (const TriangleCone& cone : cones_)
+            outlines_.push_back(outlineOn(cell.face, cone));
+        Members all(cones_.size());
+        std::iota(all.begin(), all.end(), 0u);
+        divide(cell, all, 0);
+    }
+
+    std::size_t most() const { return most_; }
+    const std::vector<Members>& crowded() const { return crowded_; }
+
+  private:
     void divide(const Cell& cell, const Members& parents, int depth) {
         const auto corners = cell.corners();
         const auto sides = cell.sides();
         Members members;
         std::size_t covering = 0;
         for (const std::uint32_t i : parents) {
+            if (outlines_[i].misses(cell)) continue;
+            ++work_;
             if (!mayTouch(cones_[i], corners, sides)) continue;
             members.push_back(i);
             covering += covers(cones_[i], corners);
         }
-        work_ += parents.size();
-        const bool hopeless = covering > limit_ || depth == deepest || work_ > mostWork;
+        const bool hopeless = covering > limit_ || depth == deepest || work_ > mostWork_;
         if (members.size() <= limit_ || hopeless) {
             most_ = std::max(most_, members.size());
             if (members.size() > limit_) crowded_.push_back(std::move(members));
@@ -162,14 +207,12 @@ class Divider {
             divide(quarter, members, depth + 1);
     }
 
-    std::size_t most() const { return most_; }
-    const std::vector<Members>& crowded() const { return crowded_; }
-
-  private:
     const std::vector<TriangleCone>& cones_;
     const std::size_t limit_;
+    const std::size_t mostWork_;
+    std::vector<Outline> outlines_; ///< of all cones on the face that is being divided
     std::size_t most_ = 0;
-    std::size_t work_ = 0; ///< pairs of a triangle and a cell looked at
+    std::size_t work_ = 0; ///< pairs of a triangle and a cell looked at closely
     std::vector<Members> crowded_;
 };
 
@@ -208,12 +251,9 @@ LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light, 
     if (bound.most <= limit) return bound;
 
     const std::vector<TriangleCone> cones = conesFrom(scene, castMasked, light);
-    Members all(cones.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i)
-        all[i] = i;
     Divider divider(cones, limit);
     for (const Cell& cell : firstCells(cones, light.position.w == 0.0))
-        divider.divide(cell, all, 0);
+        divider.divideFace(cell);
     bound.most = divider.most();
     if (bound.most > limit) assignGroups(divider.crowded(), cones.size(), limit, bound);
     return bound;

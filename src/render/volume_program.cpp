@@ -44,7 +44,8 @@ gl::Program makeCapsProgram(MultiplicityMethod method, SidesLayout layout,
     if (variant.nearDiscard) defines.push_back("NEAR_DISCARD");
     if (variant.alphaTest) defines.push_back("ALPHA_TEST");
     std::vector<std::string> attributes = {"a_capA", "a_capB", "a_capC"};
-    if (variant.alphaTest) attributes.insert(attributes.end(), {"a_texcoordAB", "a_texcoordC"});
+    if (variant.alphaTest)
+        attributes.insert(attributes.end(), {"a_holesA", "a_holesB", "a_holesC"});
     return {shaders::caps_vert, shaders::caps_frag, defines,
             withCorner(layout, std::move(attributes), extraAttributes)};
 }

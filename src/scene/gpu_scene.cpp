@@ -18,7 +18,7 @@ GpuScene uploadScene(const LoadedScene& loaded, SidesLayout layout,
         std::vector<glm::vec4> texcoords;
         if (loaded.settings.castMasked) {
             const Casters casters = castersOf(batch, scene.materials, true);
-            texcoords = capTexcoords(batch, casters, weldCasters(batch, casters));
+            texcoords = capHoles(batch, casters, weldCasters(batch, casters));
         }
         gpu.batches.push_back({batch.worldFromBatch, uploadSurfaces(batch),
                                uploadShadow(loaded.shadows[i], texcoords, layout)});

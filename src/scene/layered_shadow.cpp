@@ -39,7 +39,7 @@ CasterGroupShadow groupShadow(const Scene& scene, bool castMasked,
     for (std::size_t i = 0; i < topology.size(); ++i) {
         result.shadows.push_back(buildShadow(topology[i], maxMultiplicity));
         result.texcoords.push_back(
-            castMasked ? capTexcoords(scene.batches[i], castersOfBatch[i], topology[i].mesh)
+            castMasked ? capHoles(scene.batches[i], castersOfBatch[i], topology[i].mesh)
                        : std::vector<glm::vec4>());
     }
     return result;

@@ -3,6 +3,7 @@
 #include "preprocess/flatten.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgeshade {
 
@@ -25,22 +26,23 @@ LoadedScene loadScene(const std::filesystem::path& path,
     return loaded;
 }
 
-std::vector<glm::vec4> capTexcoords(const Batch& batch, const Casters& casters,
-                                    const CasterMesh& mesh) {
-    std::vector<glm::vec4> texcoords;
-    texcoords.reserve(2 * mesh.welded.triangles.size());
+std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters,
+                                const CasterMesh& mesh) {
+    std::vector<glm::vec4> holes;
+    holes.reserve(3 * mesh.welded.triangles.size());
     for (std::size_t t = 0; t < mesh.welded.triangles.size(); ++t) {
         const Triangle& triangle = mesh.welded.triangles[t];
         std::array<std::size_t, 3> corners = {0, 1, 2};
         std::sort(corners.begin(), corners.end(),
                   [&](std::size_t a, std::size_t b) { return triangle[a] < triangle[b]; });
-        glm::vec2 uv[3];
-        for (std::size_t c = 0; c < 3; ++c)
-            uv[c] = batch.texcoords[casters.indices[3 * mesh.welded.source[t] + corners[c]]];
-        texcoords.emplace_back(uv[0], uv[1]);
-        texcoords.emplace_back(uv[2], 0.0f, 0.0f);
+        for (const std::size_t corner : corners) {
+            const std::uint32_t vertex = casters.indices[3 * mesh.welded.source[t] + corner];
+            // Rounded as the surfaces' colours are.
+            const float alpha = std::round(batch.colors[vertex].a * 255.0f) / 255.0f;
+            holes.emplace_back(batch.texcoords[vertex], alpha, 0.0f);
+        }
     }
-    return texcoords;
+    return holes;
 }
 
 } // namespace edgeshade

@@ -19,9 +19,8 @@ struct LoadedScene {
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted);
 
-/// Texture coordinates for the caps of a batch whose casters have holes: two vec4s a cap, (A, B)
-/// and (C, 0), in the order of the sorted triangle.
-std::vector<glm::vec4> capTexcoords(const Batch& batch, const Casters& casters,
-                                    const CasterMesh& mesh);
+/// What tells the holes of a batch's caps: three vec4s a cap, one a corner of the sorted triangle,
+/// (u, v, alpha of the vertex colour, 0).
+std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters, const CasterMesh& mesh);
 
 } // namespace edgeshade

@@ -57,24 +57,23 @@ std::vector<glm::vec4> copiedForEveryVertex(const std::vector<glm::vec4>& texcoo
 } // namespace
 
 std::size_t ShadowBuffers::bytes() const {
-    std::size_t total = capTexcoords.size();
+    std::size_t total = capHoles.size();
     for (const auto* chunks : {&sides, &caps})
         for (const RecordChunk& chunk : *chunks)
             total += chunk.buffer.size();
     return total;
 }
 
-ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capTexcoords,
+ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capHoles,
                            SidesLayout layout) {
     ShadowBuffers buffers;
     buffers.maxMultiplicity = shadow.sides.maxMultiplicity;
     buffers.groups = shadow.groups;
     uploadSides(shadow.sides, layout, buffers.sides);
     uploadCaps(shadow.caps, layout, buffers.caps);
-    if (!capTexcoords.empty())
-        buffers.capTexcoords = gl::vertexBuffer<glm::vec4>(layout == SidesLayout::notInstanced
-                                                               ? copiedForEveryVertex(capTexcoords)
-                                                               : capTexcoords);
+    if (!capHoles.empty())
+        buffers.capHoles = gl::vertexBuffer<glm::vec4>(
+            layout == SidesLayout::notInstanced ? copiedForEveryVertex(capHoles) : capHoles);
     return buffers;
 }
 

@@ -27,13 +27,13 @@ struct ShadowBuffers {
     std::vector<RecordChunk> sides; ///< one when instanced; else as many as keep buffers small
     std::vector<RecordChunk> caps;  ///< likewise
     std::vector<CasterGroup> groups;
-    gl::Buffer capTexcoords; ///< two vec4s a cap, copied six times when not instanced; or empty
+    gl::Buffer capHoles; ///< three vec4s a cap, copied six times when not instanced; or empty
 
     std::size_t bytes() const;
 };
 
-/// Uploads sides and caps; `capTexcoords` (see scene/load.hpp) may be empty.
-ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capTexcoords,
+/// Uploads sides and caps; `capHoles` (see scene/load.hpp) may be empty.
+ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capHoles,
                            SidesLayout layout);
 
 } // namespace edgeshade

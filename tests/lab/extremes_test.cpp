@@ -13,7 +13,7 @@
 namespace edgeshade::test {
 namespace {
 
-constexpr std::size_t mostWrongBeyond1px = 1;
+constexpr std::size_t mostWrongBeyond1px = 0;
 
 std::vector<Extreme> extremes(bool long_) {
     std::vector<Extreme> all;

@@ -4,6 +4,7 @@
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 namespace edgeshade {
@@ -90,6 +91,38 @@ TEST(Oracle, AgreesWithBruteForceAndWithItsExactJudge) {
                                                        static_cast<double>(i / 120) + 0.5);
         ASSERT_EQ(verdict.answer, wanted) << "pixel " << i;
     }
+}
+
+// The bound of rounding must hold where it is least likely to: lights in planes and on edges, far
+// from the origin, rays through vertices and along edges.
+TEST(Oracle, WhatItCallsCertainIsExactlyTrue) {
+    std::size_t certain = 0, all = 0;
+    for (const Light& light : {pointLight({0.3, 4, 0.7}), pointLight({1.5, 1, 2}),
+                               pointLight({4, 1, 3}), test::sun({1, 0, 0.3})}) {
+        for (const double away : {0.0, 1e6}) {
+            const glm::dvec3 offset(away, 0.5 * away, -away);
+            const Scene scene =
+                test::yard().placedBy(glm::translate(glm::dmat4(1.0), offset)).scene();
+            lab::Question question;
+            question.scene = &scene;
+            question.camera = {glm::dvec3(5, 1, 4) + offset, glm::dvec3(0, 1, 1) + offset, 60.0};
+            question.lights = {{light.position + glm::dvec4(offset * light.position.w, 0.0)}};
+            question.width = 32;
+            question.height = 24;
+            const Oracle oracle(question, solid);
+            for (int i = 0; i < 32 * 24; ++i) {
+                // Centres, and points of the grid between them.
+                const double x = i % 32 + 0.5 * (i % 2), y = i / 32 + 0.5 * (i % 3 == 0);
+                const Oracle::Checked checked = oracle.checkedAt(x, y);
+                ++all;
+                if (!checked.certain) continue;
+                ++certain;
+                ASSERT_EQ(checked.answer, lab::judgeExactly(oracle, x, y).answer)
+                    << "at " << x << ", " << y;
+            }
+        }
+    }
+    EXPECT_GT(certain, all / 2);
 }
 
 } // namespace
