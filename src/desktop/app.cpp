@@ -5,6 +5,7 @@
 #include "src/desktop/screenshot.hpp"
 #include "src/desktop/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -39,6 +40,7 @@ App::App(const WindowRequest& request, const viewer::ViewerSettings& settings,
 void App::connect() {
     GLFWwindow* window = window_.handle();
     glfwSetWindowUserPointer(window, this);
+    glfwGetCursorPos(window, &cursor_.x, &cursor_.y);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
         appOf(w).onKey(key, action, modifiers);
     });
@@ -51,9 +53,7 @@ void App::connect() {
                              [](GLFWwindow* w, double x, double y) { appOf(w).onMove(x, y); });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
         App& app = appOf(w);
-        double x = 0.0, y = 0.0;
-        glfwGetCursorPos(w, &x, &y);
-        const viewer::Pointer at = app.pointerAt(x, y);
+        const viewer::Pointer at = app.pointer();
         app.guarded([&] { app.viewer_.wheel(at.x, at.y, notches); });
     });
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
@@ -168,18 +168,16 @@ void App::onCharacter(unsigned character) {
     });
 }
 
-viewer::Pointer App::pointerAt(double x, double y) const {
+viewer::Pointer App::pointer() const {
     int windowWidth = 1, windowHeight = 1;
     glfwGetWindowSize(window_.handle(), &windowWidth, &windowHeight);
-    viewer::Pointer pointer = pressed_;
-    pointer.x = x * width_ / std::max(1, windowWidth);
-    pointer.y = y * height_ / std::max(1, windowHeight);
-    return pointer;
+    viewer::Pointer result = pressed_;
+    result.x = cursor_.x * width_ / std::max(1, windowWidth);
+    result.y = cursor_.y * height_ / std::max(1, windowHeight);
+    return result;
 }
 
 void App::onButton(int button, int action, int modifiers) {
-    double x = 0.0, y = 0.0;
-    glfwGetCursorPos(window_.handle(), &x, &y);
     // A mouse is one pointer: what its first button began goes on until all are up.
     if (action == GLFW_PRESS && buttonsDown_++ > 0) return;
     if (action == GLFW_RELEASE && (buttonsDown_ == 0 || --buttonsDown_ > 0)) return;
@@ -191,14 +189,15 @@ void App::onButton(int button, int action, int modifiers) {
     }
     guarded([&] {
         if (action == GLFW_PRESS)
-            viewer_.pointerDown(pointerAt(x, y));
+            viewer_.pointerDown(pointer());
         else
-            viewer_.pointerUp(pointerAt(x, y));
+            viewer_.pointerUp(pointer());
     });
 }
 
 void App::onMove(double x, double y) {
-    guarded([&] { viewer_.pointerMove(pointerAt(x, y)); });
+    cursor_ = {x, y};
+    guarded([&] { viewer_.pointerMove(pointer()); });
 }
 
 void App::onDrop(const std::filesystem::path& path) {

@@ -40,7 +40,7 @@ class App {
     void onButton(int button, int action, int modifiers);
     void onMove(double x, double y);
     void onDrop(const std::filesystem::path& path);
-    viewer::Pointer pointerAt(double x, double y) const;
+    viewer::Pointer pointer() const; ///< where the cursor is, with what pressed_ says
     std::string figures() const;
 
     Window window_;
@@ -50,6 +50,9 @@ class App {
     int width_ = 1; ///< of the picture, pixels
     int height_ = 1;
     float scale_ = 1.0f; ///< of the display's contents
+    /// In window units, as of the event that is looked at: asked for, GLFW says where it is by now,
+    /// which during a slow frame is elsewhere.
+    glm::dvec2 cursor_{0.0};
     int buttonsDown_ = 0;
     viewer::Pointer pressed_; ///< as the first button went down
     bool showsHelp_ = false;

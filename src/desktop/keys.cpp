@@ -74,20 +74,23 @@ std::optional<Command> commandForKey(int key, int modifiers) {
 }
 
 std::string helpText() {
-    return "drag            orbit            arrows\n"
-           "right drag      pan              Shift+arrows\n"
-           "wheel           zoom             + -, Page Up, Page Down\n"
-           "drag a handle   move a light     Ctrl+arrows, Ctrl+Page Up, Page Down\n"
-           "Ctrl+drag       move the chosen light from anywhere\n"
-           "\n"
-           "F, Home   see the whole scene    R   camera and lights as at first\n"
-           "L  next light     N  new light     Delete  remove it     U  point or sun\n"
-           "T  hide or show the handles of lights\n"
-           "M  next kind of shadows            V  show the volumes\n"
-           "S  two kinds side by side; drag the line between them, or , and .\n"
-           "Space  play or stop     [ ]  slower, faster\n"
-           "I  figures     P, F12  save the picture     H, ?  this help     Esc  end\n"
-           "Drop a .gltf or .glb file here to see it.";
+    return "drag, arrows\torbit\n"
+           "right drag, Shift+arrows\tpan\n"
+           "wheel, + -, Page Up, Page Down\tzoom\n"
+           "drag a handle, Ctrl+drag, Ctrl+arrows\tmove a light\n"
+           "Ctrl+Page Up, Page Down\tmove it farther, nearer\n"
+           "L / N / Delete\tnext / new / remove light\n"
+           "U\tpoint light or sun\n"
+           "T\tshow or hide the lights' handles\n"
+           "F, Home / R\tsee everything / start again\n"
+           "M\tvolumes, map, none\n"
+           "S / , .\ttwo kinds side by side / move the line\n"
+           "V\tshow the volumes\n"
+           "Space / [ ]\tplay / slower, faster\n"
+           "I\tfigures\n"
+           "P, F12\tsave the picture\n"
+           "H, ? / Esc\tthis help / end\n"
+           "drop a .gltf or .glb file\tsee it";
 }
 
 } // namespace edgeshade::desktop

@@ -12,7 +12,7 @@ std::optional<viewer::Command> commandForCharacter(unsigned character);
 /// What a GLFW key with GLFW modifiers does that types no character.
 std::optional<viewer::Command> commandForKey(int key, int modifiers);
 
-/// All keys and what they do, a line each.
+/// All keys, a tab, and what they do, a line each.
 std::string helpText();
 
 } // namespace edgeshade::desktop
