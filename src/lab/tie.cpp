@@ -66,11 +66,12 @@ std::optional<Oracle::Hit> visibleAt(const Oracle& oracle, const glm::dvec2& at)
     return nearest == hits.end() ? std::nullopt : std::optional(*nearest);
 }
 
-bool shareCorner(const EyeTriangle& first, const EyeTriangle& second) {
+bool shareEdge(const EyeTriangle& first, const EyeTriangle& second) {
+    int shared = 0;
     for (const glm::dvec3& p : {first.a, first.b, first.c})
         for (const glm::dvec3& q : {second.a, second.b, second.c})
-            if (p == q) return true;
-    return false;
+            shared += p == q;
+    return shared >= 2;
 }
 
 double lightSide(const EyeTriangle& triangle, const glm::dvec4& light) {
@@ -79,10 +80,10 @@ double lightSide(const EyeTriangle& triangle, const glm::dvec4& light) {
     return eyeSide * glm::dot(normal, glm::dvec3(light) - triangle.a * light.w);
 }
 
-/// Whether one of the surfaces ends before the other, as the eye sees it, or one faces a light and
+/// Whether the surfaces are not joined, so that one ends before the other, or one faces a light and
 /// the other does not, so that a shadow volume begins between them.
 bool silhouetteBetween(const Oracle& oracle, const EyeTriangle& first, const EyeTriangle& second) {
-    if (!shareCorner(first, second)) return true;
+    if (!shareEdge(first, second)) return true;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);
         if ((lightSide(first, light) > 0.0) != (lightSide(second, light) > 0.0)) return true;

@@ -8,8 +8,9 @@ namespace edgeshade::lab {
 /// that GLES 2 lets a device put vertices on (SUBPIXEL_BITS >= 4):
 /// * surfaces coincide there;
 /// * the answer changes as the ray is moved by 1/16 pixel in one of eight directions;
-/// * a silhouette passes within 1/16 pixel: the eye's, where the visible surface ends before
-///   another, or the light's, where a shadow volume's side touches the surface that it begins on;
+/// * a silhouette passes within 1/16 pixel: the eye's, where the visible surface ends and is not
+///   joined by an edge to what follows, or the light's, where a shadow volume's side touches the
+///   surface that it begins on;
 /// * the answer changes as the visible surface is moved in depth by no more than its own depth
 ///   changes over 1/16 pixel, or as its corners are moved that far (it turns over to the light).
 bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict);
