@@ -86,6 +86,7 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
 void Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
                             const ShadowMapLookup* map) {
     for (const GpuBatch& batch : pass.scene.batches) {
+        if (batch.hidden) continue;
         BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
         if (map) batchView.mapFromObject = glm::mat4(map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
@@ -158,6 +159,7 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const ShadowOfB
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
         const GpuBatch& batch = pass.scene.batches[i];
+        if (batch.hidden) continue;
         const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
         // A mirroring transform turns every winding over.
         const GLenum front = batchView.mirrored ? GL_BACK : GL_FRONT;
@@ -203,7 +205,8 @@ void Renderer::drawBlended(const Pass& pass) {
     std::vector<Item> items;
     for (const GpuBatch& batch : pass.scene.batches)
         for (const SurfaceChunk& chunk : batch.surfaces) {
-            if (pass.scene.materials[chunk.material].alphaMode != AlphaMode::blend) continue;
+            const bool blends = pass.scene.materials[chunk.material].alphaMode == AlphaMode::blend;
+            if (!blends || batch.hidden) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
             items.push_back({glm::distance(center, pass.view.camera.from), &chunk,
                              batchViewOf(batch, pass.view, pass.slice)});

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <optional>
 
 namespace edgeshade {
 namespace {
 
-constexpr int deepest = 12; // halvings of a face's side
+constexpr int gridDepth = 9; // halvings of a face's side counted at once
+constexpr int deepest = 12;  // halvings at most
 // Pairs of a triangle and a cell that are looked at closely; about a second for 50 million.
 constexpr std::size_t leastWork = 50'000'000;
 constexpr std::size_t workPerTriangle = 40;
@@ -163,28 +166,126 @@ std::vector<Cell> firstCells(const std::vector<TriangleCone>& cones, bool sun) {
 
 using Members = std::vector<std::uint32_t>; ///< indices of cones
 
-/// Divides cells until their members are few enough; hands the last ones to `crowded`.
+/// A face in equal cells, and how many outlines may touch each.
+class OutlineGrid {
+  public:
+    static constexpr int side = 1 << gridDepth;
+
+    OutlineGrid(const Cell& face, const std::vector<Outline>& outlines)
+        : face_(face), counts_((side + 1) * (side + 1), 0) {
+        // Each outline adds to its four corners; the sums from the first corner are the counts.
+        for (const Outline& outline : outlines) {
+            const auto range = rangeOf(outline);
+            if (!range) continue;
+            at(range->i0, range->j0) += 1;
+            at(range->i1 + 1, range->j0) -= 1;
+            at(range->i0, range->j1 + 1) -= 1;
+            at(range->i1 + 1, range->j1 + 1) += 1;
+        }
+        for (int j = 0; j <= side; ++j)
+            for (int i = 1; i <= side; ++i)
+                at(i, j) += at(i - 1, j);
+        for (int j = 1; j <= side; ++j)
+            for (int i = 0; i <= side; ++i)
+                at(i, j) += at(i, j - 1);
+    }
+
+    struct Range {
+        int i0, i1, j0, j1; ///< cells, last ones included
+    };
+
+    /// The cells that an outline may touch; nothing if it misses the face.
+    std::optional<Range> rangeOf(const Outline& outline) const {
+        if (outline.misses(face_)) return std::nullopt;
+        return Range{column(outline.u0), column(outline.u1), row(outline.v0), row(outline.v1)};
+    }
+
+    std::size_t count(int i, int j) const {
+        return static_cast<std::size_t>(counts_[static_cast<std::size_t>(j) * (side + 1) + i]);
+    }
+
+    Cell cell(int i, int j) const {
+        return {face_.face, face_.u0 + (face_.u1 - face_.u0) * i / side,
+                face_.u0 + (face_.u1 - face_.u0) * (i + 1) / side,
+                face_.v0 + (face_.v1 - face_.v0) * j / side,
+                face_.v0 + (face_.v1 - face_.v0) * (j + 1) / side};
+    }
+
+  private:
+    int& at(int i, int j) { return counts_[static_cast<std::size_t>(j) * (side + 1) + i]; }
+    int column(double u) const { return place((u - face_.u0) / (face_.u1 - face_.u0)); }
+    int row(double v) const { return place((v - face_.v0) / (face_.v1 - face_.v0)); }
+    static int place(double share) {
+        return static_cast<int>(std::clamp(share * side, 0.0, side - 1.0));
+    }
+
+    Cell face_;
+    std::vector<int> counts_;
+};
+
+/// The part of a face that outlines reach.
+Cell reachedPart(const Cell& face, const std::vector<Outline>& outlines) {
+    Outline all{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (const Outline& outline : outlines) {
+        if (outline.misses(face)) continue;
+        all.u0 = std::min(all.u0, outline.u0);
+        all.u1 = std::max(all.u1, outline.u1);
+        all.v0 = std::min(all.v0, outline.v0);
+        all.v1 = std::max(all.v1, outline.v1);
+    }
+    return {face.face, std::max(face.u0, all.u0), std::min(face.u1, all.u1),
+            std::max(face.v0, all.v0), std::min(face.v1, all.v1)};
+}
+
+/// Divides faces until cells' members are few enough; keeps the others as `crowded`.
 class Divider {
   public:
     Divider(const std::vector<TriangleCone>& cones, std::size_t limit)
         : cones_(cones), limit_(limit),
           mostWork_(std::max(leastWork, workPerTriangle * cones.size())) {}
 
-    /// Divides a whole face.
-    void divideFace(const Cell& cell) {
+    /// Counts outlines in a grid at once, then looks closely where they are many.
+    void divideFace(const Cell& whole) {
         outlines_.clear();
         outlines_.reserve(cones_.size());
         for (const TriangleCone& cone : cones_)
-            outlines_.push_back(outlineOn(cell.face, cone));
-        Members all(cones_.size());
-        std::iota(all.begin(), all.end(), 0u);
-        divide(cell, all, 0);
+            outlines_.push_back(outlineOn(whole.face, cone));
+        const Cell face = reachedPart(whole, outlines_);
+        if (!(face.u0 < face.u1) || !(face.v0 < face.v1)) return divideWhole(whole);
+
+        const OutlineGrid grid(face, outlines_);
+        std::map<std::pair<int, int>, Members> many; // by row and column
+        for (int j = 0; j < OutlineGrid::side; ++j)
+            for (int i = 0; i < OutlineGrid::side; ++i)
+                if (grid.count(i, j) > limit_)
+                    many[{j, i}];
+                else
+                    most_ = std::max(most_, grid.count(i, j));
+        if (many.size() > mostCellsApart) return divideWhole(face);
+        for (std::uint32_t t = 0; t < outlines_.size() && !many.empty(); ++t) {
+            const auto range = grid.rangeOf(outlines_[t]);
+            if (!range) continue;
+            auto cell = many.lower_bound({range->j0, range->i0});
+            for (; cell != many.end() && cell->first.first <= range->j1; ++cell)
+                if (cell->first.second >= range->i0 && cell->first.second <= range->i1)
+                    cell->second.push_back(t);
+        }
+        for (const auto& [place, members] : many)
+            divide(grid.cell(place.second, place.first), members, gridDepth);
     }
 
     std::size_t most() const { return most_; }
     const std::vector<Members>& crowded() const { return crowded_; }
 
   private:
+    static constexpr std::size_t mostCellsApart = 256;
+
+    void divideWhole(const Cell& face) {
+        Members all(cones_.size());
+        std::iota(all.begin(), all.end(), 0u);
+        divide(face, all, 0);
+    }
+
     void divide(const Cell& cell, const Members& parents, int depth) {
         const auto corners = cell.corners();
         const auto sides = cell.sides();

@@ -120,6 +120,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
 void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view,
                                 const glm::dmat4& clipFromMap, bool masksCast) {
     for (const GpuBatch& batch : scene.batches) {
+        if (batch.hidden) continue;
         const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
         for (const SurfaceChunk& chunk : batch.surfaces) {
             const Material& material = scene.materials[chunk.material];

@@ -15,13 +15,13 @@ GpuScene uploadScene(const LoadedScene& loaded, SidesLayout layout,
     GpuScene gpu{{}, scene.materials, Textures(loaded.document, scene.materials, capabilities)};
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const Batch& batch = scene.batches[i];
-        std::vector<glm::vec4> texcoords;
+        std::vector<glm::vec4> holes;
         if (loaded.settings.castMasked) {
             const Casters casters = castersOf(batch, scene.materials, true);
-            texcoords = capHoles(batch, casters, weldCasters(batch, casters));
+            holes = capHoles(batch, casters, weldCasters(batch, casters));
         }
-        gpu.batches.push_back({batch.worldFromBatch, uploadSurfaces(batch),
-                               uploadShadow(loaded.shadows[i], texcoords, layout)});
+        gpu.batches.push_back({batch.worldFromBatch, false, uploadSurfaces(batch),
+                               uploadShadow(loaded.shadows[i], holes, layout)});
     }
     return gpu;
 }
@@ -34,7 +34,7 @@ GroupedShadow uploadGroups(const LoadedScene& loaded, std::span<const std::uint3
             groupShadow(loaded.scene, loaded.settings.castMasked, groupOf, g);
         auto& group = groups.emplace_back();
         for (std::size_t i = 0; i < built.shadows.size(); ++i)
-            group.push_back(uploadShadow(built.shadows[i], built.texcoords[i], layout));
+            group.push_back(uploadShadow(built.shadows[i], built.holes[i], layout));
     }
     return groups;
 }

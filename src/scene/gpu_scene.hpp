@@ -11,6 +11,7 @@ namespace edgeshade {
 /// One batch on the GPU.
 struct GpuBatch {
     glm::dmat4 worldFromBatch{1.0};
+    bool hidden = false; ///< not drawn and without a shadow: scaled to nothing
     std::vector<SurfaceChunk> surfaces;
     ShadowBuffers shadow;
 

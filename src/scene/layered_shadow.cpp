@@ -38,9 +38,9 @@ CasterGroupShadow groupShadow(const Scene& scene, bool castMasked,
     const int maxMultiplicity = sceneMultiplicity(topology);
     for (std::size_t i = 0; i < topology.size(); ++i) {
         result.shadows.push_back(buildShadow(topology[i], maxMultiplicity));
-        result.texcoords.push_back(
-            castMasked ? capHoles(scene.batches[i], castersOfBatch[i], topology[i].mesh)
-                       : std::vector<glm::vec4>());
+        result.holes.push_back(castMasked
+                                   ? capHoles(scene.batches[i], castersOfBatch[i], topology[i].mesh)
+                                   : std::vector<glm::vec4>());
     }
     return result;
 }

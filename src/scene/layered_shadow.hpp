@@ -9,7 +9,7 @@ namespace edgeshade {
 /// when all other triangles are taken away, closed by itself.
 struct CasterGroupShadow {
     std::vector<BatchShadow> shadows;              ///< one a batch
-    std::vector<std::vector<glm::vec4>> texcoords; ///< capHoles() of each
+    std::vector<std::vector<glm::vec4>> holes; ///< capHoles() of each
 };
 
 /// Builds the group's shadow data. `groupOf`: the group of each casting triangle, in the order of

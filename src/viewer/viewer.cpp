@@ -11,6 +11,7 @@
 #include "src/viewer/silhouettes.hpp"
 #include "src/viewer/volume_tint_pass.hpp"
 
+#include "preprocess/animation_reading.hpp"
 #include "preprocess/stopwatch.hpp"
 
 #include <cmath>
@@ -57,7 +58,8 @@ struct Viewer::Parts {
     Interaction interaction;
     FrameClock clock;
     std::optional<LoadedScene> loaded;
-    std::unique_ptr<Gpu> gpu; ///< null: the context is lost
+    std::optional<Animation> animation; ///< of the loaded scene
+    std::unique_ptr<Gpu> gpu;           ///< null: the context is lost
     bool dirty = true;
     bool timed = false; ///< somebody asked for statistics
     RecentMean frameMs, planMs;
@@ -97,9 +99,17 @@ void Viewer::Parts::adopt(const ViewState& next) {
 
 /// Places the batches as the animation has them at the state's time.
 void Viewer::Parts::applyPose() {
-    if (!loaded || !gpu || !gpu->scene) return;
-    for (std::size_t i = 0; i < gpu->scene->batches.size(); ++i)
-        gpu->scene->batches[i].worldFromBatch = loaded->scene.batches[i].worldFromBatch;
+    if (!loaded) return;
+    std::vector<Batch>& batches = loaded->scene.batches;
+    std::vector<std::optional<glm::dmat4>> pose;
+    if (animation) pose = poseAt(*animation, loaded->scene, state.time);
+    for (std::size_t i = 0; i < batches.size(); ++i) {
+        const bool hidden = animation && !pose[i];
+        if (animation && pose[i]) batches[i].worldFromBatch = *pose[i];
+        if (!gpu || !gpu->scene) continue;
+        gpu->scene->batches[i].worldFromBatch = batches[i].worldFromBatch;
+        gpu->scene->batches[i].hidden = hidden;
+    }
     sceneMoved();
 }
 
@@ -173,9 +183,13 @@ Viewer::~Viewer() = default;
 
 void Viewer::show(LoadedScene scene) {
     Parts& parts = *parts_;
+    std::optional<Animation> animation = readAnimation(scene.document, scene.scene.warnings);
     std::optional<GpuScene> uploaded;
     if (parts.gpu) uploaded = uploadScene(scene, parts.gpu->layout, parts.gpu->capabilities);
     parts.loaded = std::move(scene);
+    parts.animation = std::move(animation);
+    parts.state.time = 0.0;
+    parts.state.playing = false;
     if (parts.gpu) parts.gpu->scene = std::move(uploaded);
     parts.interaction = Interaction();
     parts.sceneMoved();
@@ -224,7 +238,7 @@ void Viewer::run(Command command) {
 }
 
 double Viewer::animationSeconds() const {
-    return 0.0;
+    return parts_->animation ? parts_->animation->duration : 0.0;
 }
 
 bool Viewer::frame(double now) {

@@ -25,10 +25,12 @@ void VolumeTintPass::draw(const GpuScene& scene, const FrameView& view, const Li
     glDepthMask(GL_TRUE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    for (std::size_t i = 0; i < scene.batches.size(); ++i)
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        if (scene.batches[i].hidden) continue;
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             surfaces_.draw(scene, scene.batches[i], batchViews[i], view.camera.from,
                            SurfaceShading(), kind);
+    }
 
     glDepthMask(GL_FALSE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
@@ -36,6 +38,7 @@ void VolumeTintPass::draw(const GpuScene& scene, const FrameView& view, const Li
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const GpuBatch& batch = scene.batches[i];
+        if (batch.hidden) continue;
         const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
         sides_.draw(batch.shadow, lightHere, batchViews[i].clipFromObject);
         glDisable(GL_DEPTH_TEST);
