@@ -1,4 +1,5 @@
-// Caps write the stencil alone. Fragments go where the caster itself has none.
+// Caps write the stencil alone. Fragments go where the caster itself has none. TINT: the
+// vec4 that debug views colour them with.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -32,6 +33,8 @@ void main() {
 #endif
 #ifdef PROBE
     gl_FragColor = v_color;
+#elif defined(TINT)
+    gl_FragColor = TINT;
 #else
     gl_FragColor = vec4(1.0);
 #endif

@@ -1,4 +1,5 @@
-// Sides write the stencil alone; the colour is there for the probe.
+// Sides write the stencil alone; the colour is there for the probe, and for TINT,
+// the vec4 that debug views colour them with.
 precision mediump float;
 #ifdef PROBE
 varying vec4 v_color;
@@ -7,6 +8,8 @@ varying vec4 v_color;
 void main() {
 #ifdef PROBE
     gl_FragColor = v_color;
+#elif defined(TINT)
+    gl_FragColor = TINT;
 #else
     gl_FragColor = vec4(1.0);
 #endif

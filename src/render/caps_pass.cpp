@@ -29,8 +29,8 @@ std::vector<CasterGroup> mergedOpaque(const std::vector<CasterGroup>& groups,
 } // namespace
 
 CapsPass::CapsPass(MultiplicityMethod method, SidesLayout layout,
-                   std::optional<gl::Instancing> instancing)
-    : method_(method), layout_(layout), instancing_(instancing) {
+                   std::optional<gl::Instancing> instancing, std::vector<std::string> defines)
+    : method_(method), layout_(layout), instancing_(instancing), defines_(std::move(defines)) {
     std::vector<glm::vec2> corners;
     for (int vertex = 0; vertex < VERTICES_PER_CAP_PAIR; ++vertex)
         corners.emplace_back(static_cast<float>(vertex), 0.0f);
@@ -40,7 +40,8 @@ CapsPass::CapsPass(MultiplicityMethod method, SidesLayout layout,
 gl::Program& CapsPass::program(const CapsVariant& variant) {
     auto found = programs_.find(variant);
     if (found == programs_.end())
-        found = programs_.emplace(variant, makeCapsProgram(method_, layout_, variant)).first;
+        found =
+            programs_.emplace(variant, makeCapsProgram(method_, layout_, variant, defines_)).first;
     return found->second;
 }
 

@@ -11,9 +11,10 @@ namespace edgeshade {
 /// Draws the caps of shadow volumes; what they do to the stencil is the caller's state.
 class CapsPass {
   public:
-    /// `instancing` must be there unless the layout is notInstanced.
+    /// `instancing` must be there unless the layout is notInstanced. `defines`: of the shaders, see
+    /// caps.frag.
     CapsPass(MultiplicityMethod method, SidesLayout layout,
-             std::optional<gl::Instancing> instancing);
+             std::optional<gl::Instancing> instancing, std::vector<std::string> defines = {});
 
     /// Draws one batch. `light` and `clipFromObject` are in the batch's space. `nearDiscard`: some
     /// caster may cross the near plane.
@@ -28,6 +29,7 @@ class CapsPass {
     MultiplicityMethod method_;
     SidesLayout layout_;
     std::optional<gl::Instancing> instancing_;
+    std::vector<std::string> defines_;
     gl::Buffer corners_; ///< v of the six vertices of a record
     std::map<CapsVariant, gl::Program> programs_;
 };

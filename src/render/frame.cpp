@@ -13,7 +13,17 @@ namespace {
 /// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
 constexpr double sliceOverlap = 1.0001;
 
-BatchView viewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice) {
+const gl::Capabilities& requireInstancing(const RenderSettings& settings,
+                                          const gl::Capabilities& capabilities) {
+    if (settings.layout != SidesLayout::notInstanced && !capabilities.instancing)
+        throw Error(ExitStatus::unavailable,
+                    "This GL has no instanced drawing; '--instancing off' does without.");
+    return capabilities;
+}
+
+} // namespace
+
+BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice) {
     const double aspect = static_cast<double>(view.width) / view.height;
     const glm::dmat4 clipFromWorld =
         clipFromView(view.camera, aspect, slice.near) * viewFromWorld(view.camera);
@@ -25,16 +35,6 @@ BatchView viewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice&
     result.mirrored = batch.mirrored();
     return result;
 }
-
-const gl::Capabilities& requireInstancing(const RenderSettings& settings,
-                                          const gl::Capabilities& capabilities) {
-    if (settings.layout != SidesLayout::notInstanced && !capabilities.instancing)
-        throw Error(ExitStatus::unavailable,
-                    "This GL has no instanced drawing; '--instancing off' does without.");
-    return capabilities;
-}
-
-} // namespace
 
 SidesLayout bestLayout(const gl::Capabilities& capabilities) {
     return capabilities.instancing ? SidesLayout::instanced : SidesLayout::notInstanced;
@@ -86,7 +86,7 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
 void Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
                             const ShadowMapLookup* map) {
     for (const GpuBatch& batch : pass.scene.batches) {
-        BatchView batchView = viewOf(batch, pass.view, pass.slice);
+        BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
         if (map) batchView.mapFromObject = glm::mat4(map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             surfaces_.draw(pass.scene, batch, batchView, pass.view.camera.from, shading, kind);
@@ -158,7 +158,7 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const ShadowOfB
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
         const GpuBatch& batch = pass.scene.batches[i];
-        const BatchView batchView = viewOf(batch, pass.view, pass.slice);
+        const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
         // A mirroring transform turns every winding over.
         const GLenum front = batchView.mirrored ? GL_BACK : GL_FRONT;
         const GLenum back = batchView.mirrored ? GL_FRONT : GL_BACK;
@@ -206,7 +206,7 @@ void Renderer::drawBlended(const Pass& pass) {
             if (pass.scene.materials[chunk.material].alphaMode != AlphaMode::blend) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
             items.push_back({glm::distance(center, pass.view.camera.from), &chunk,
-                             viewOf(batch, pass.view, pass.slice)});
+                             batchViewOf(batch, pass.view, pass.slice)});
         }
     std::stable_sort(items.begin(), items.end(),
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });

@@ -15,7 +15,7 @@ namespace edgeshade {
 
 enum class ShadowMethod { volumes, map, none };
 
-/// How frames are drawn; fixed for a renderer.
+/// How frames are drawn; fixed for a renderer, but for `ambient`.
 struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::referenceEdge;
@@ -44,6 +44,8 @@ class Renderer {
     /// them, else empty; an empty vector where no light needs any.
     void draw(const GpuScene& scene, const FrameView& view,
               const std::vector<GroupedShadow>& groups = {});
+
+    void setAmbient(float ambient) { settings_.ambient = ambient; }
 
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
@@ -79,6 +81,9 @@ class Renderer {
 /// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
                                               SidesLayout layout);
+
+/// Where the view's camera sees a batch from, drawn with the slice's depth range.
+BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice);
 
 /// The layout that suits the context: instanced where it can, else not.
 SidesLayout bestLayout(const gl::Capabilities& capabilities);

@@ -8,8 +8,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t stencilLimit = 255; // the largest count of an 8-bit stencil
-constexpr double slicePays = 64.0;        // ratio of depths from which one more slice is worth it
+constexpr double slicePays = 64.0; // ratio of depths from which one more slice is worth it
 constexpr int mostSlices = 8;
 
 } // namespace
@@ -37,12 +36,20 @@ std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<
 }
 
 FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request) {
+    FrameView view = makeFrameView(loaded, request, worldBounds(loaded.scene));
+    for (const Light& light : request.lights)
+        view.layers.push_back(
+            boundLayers(loaded.scene, loaded.settings.castMasked, light, stencilLimit));
+    return view;
+}
+
+FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request, const Box& bounds) {
     FrameView view;
     view.camera = request.camera;
     view.width = request.width;
     view.height = request.height;
     view.lights = request.lights;
-    view.bounds = worldBounds(loaded.scene);
+    view.bounds = bounds;
     const double aspect = static_cast<double>(request.width) / request.height;
     DepthRange range;
     for (const Batch& batch : loaded.scene.batches) {
@@ -56,9 +63,6 @@ FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request) 
         request.depth.near.value_or(fittedNear(range.nearest, view.bounds.diagonal()));
     view.farthestDepth = range.farthest;
     view.slices = divideDepth(near, range.farthest, request.depth.slices);
-    for (const Light& light : request.lights)
-        view.layers.push_back(
-            boundLayers(loaded.scene, loaded.settings.castMasked, light, stencilLimit));
     return view;
 }
 

@@ -50,9 +50,15 @@ struct FrameView {
     double near() const { return slices.back().near; }
 };
 
+constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit stencil
+
 /// Works out the near plane, the depth slices and the stencil layers. Takes time linear in the
 /// triangles.
 FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request);
+
+/// The same without layers, for callers that draw many frames: they keep the scene's `bounds`, and
+/// groups of casters (boundLayers(), uploadGroups()) for as long as neither scene nor lights move.
+FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request, const Box& bounds);
 
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: nothing for as
 /// many as pay.

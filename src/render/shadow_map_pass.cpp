@@ -29,16 +29,24 @@ bool hasSurfaces(const GpuScene& scene) {
                        [](const GpuBatch& batch) { return !batch.surfaces.empty(); });
 }
 
-/// The framebuffer that was bound is bound again, whatever happens in between.
+/// The framebuffer that was bound is bound again, whatever happens in between; so is the scissor,
+/// which cuts the picture and not the map.
 class FramebufferKeeper {
   public:
-    FramebufferKeeper() { glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name_); }
-    ~FramebufferKeeper() { glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(name_)); }
+    FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
+        glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name_);
+        glDisable(GL_SCISSOR_TEST);
+    }
+    ~FramebufferKeeper() {
+        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(name_));
+        if (scissor_) glEnable(GL_SCISSOR_TEST);
+    }
     FramebufferKeeper(const FramebufferKeeper&) = delete;
     FramebufferKeeper& operator=(const FramebufferKeeper&) = delete;
 
   private:
     GLint name_ = 0;
+    bool scissor_;
 };
 
 } // namespace

@@ -18,8 +18,8 @@ class ShadowMapPass {
     ShadowMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
 
     /// Draws the light's map of all casters, from both sides. `bounds`: the scene's in the world.
-    /// The framebuffer stays bound; viewport, depth, stencil and blending state are left changed.
-    /// The map is valid until the next call.
+    /// The framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
+    /// state are left changed. The map is valid until the next call.
     ShadowMapLookup draw(const GpuScene& scene, const Box& bounds, const Light& light);
 
     /// Of the maps that were needed so far.

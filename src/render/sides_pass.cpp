@@ -6,8 +6,8 @@
 namespace edgeshade {
 
 SidesPass::SidesPass(MultiplicityMethod method, SidesLayout layout,
-                     std::optional<gl::Instancing> instancing)
-    : method_(method), layout_(layout), instancing_(instancing) {
+                     std::optional<gl::Instancing> instancing, std::vector<std::string> defines)
+    : method_(method), layout_(layout), instancing_(instancing), defines_(std::move(defines)) {
     std::vector<glm::vec2> corners;
     for (int side = 0; side < LARGEST_RECORD_MULTIPLICITY; ++side)
         for (int vertex = 0; vertex < VERTICES_PER_SIDE; ++vertex)
@@ -21,7 +21,7 @@ void SidesPass::draw(const ShadowBuffers& shadow, const glm::vec4& light,
     if (program == programs_.end())
         program = programs_
                       .emplace(shadow.maxMultiplicity,
-                               makeSidesProgram(method_, shadow.maxMultiplicity, layout_))
+                               makeSidesProgram(method_, shadow.maxMultiplicity, layout_, defines_))
                       .first;
     program->second.use();
     program->second.set("u_light", light);

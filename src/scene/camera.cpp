@@ -38,10 +38,14 @@ glm::dmat4 clipFromView(const Camera& camera, double aspect, double near) {
 }
 
 Camera framingCamera(const Box& box, double fovDegrees, double aspect) {
+    return framingCamera(box, fovDegrees, aspect, glm::normalize(glm::dvec3(0.55, 0.45, 1.0)));
+}
+
+Camera framingCamera(const Box& box, double fovDegrees, double aspect,
+                     const glm::dvec3& direction) {
     constexpr double margin = 1.06;
     const double tangentY = tangentOfHalfFov(fovDegrees) / margin;
     const double tangentX = tangentY * aspect;
-    const glm::dvec3 direction = glm::normalize(glm::dvec3(0.55, 0.45, 1.0));
     Camera camera{box.center() + direction, box.center(), fovDegrees};
     const glm::dmat4 view = viewFromWorld(camera);
 
@@ -55,7 +59,7 @@ Camera framingCamera(const Box& box, double fovDegrees, double aspect) {
         distance = std::max({distance, offset.z + std::abs(offset.x) / tangentX,
                              offset.z + std::abs(offset.y) / tangentY});
     }
-    camera.from = box.center() + distance * direction;
+    camera.from = box.center() + distance * glm::normalize(direction);
     return camera;
 }
 

@@ -24,4 +24,7 @@ glm::dmat4 clipFromView(const Camera& camera, double aspect, double near);
 /// A camera that sees the whole box from slightly above.
 Camera framingCamera(const Box& box, double fovDegrees, double aspect);
 
+/// A camera that sees the whole box from `direction`, which points from the box to the eye.
+Camera framingCamera(const Box& box, double fovDegrees, double aspect, const glm::dvec3& direction);
+
 } // namespace edgeshade

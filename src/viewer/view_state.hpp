@@ -14,7 +14,15 @@ struct SideSettings {
     MultiplicityMethod multiplicity = MultiplicityMethod::referenceEdge;
 };
 
-enum class DebugView { none, volumes };
+enum class DebugView {
+    none,
+    volumes, ///< the chosen light's shadow volumes, tinted
+};
+
+// Ranges of the animation's speed and time.
+inline constexpr double slowest = 0.1;
+inline constexpr double fastest = 10.0;
+inline constexpr double longestTime = 1e9;
 
 /// Everything that a viewer shows and a user can change: what the address bar keeps.
 struct ViewState {
@@ -22,15 +30,15 @@ struct ViewState {
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
     float ambient = 0.35f;
-    SideSettings left;    ///< of the whole picture where there is no split
-    SideSettings right;
+    SideSettings left; ///< of the whole picture where there is no split
+    SideSettings right{ShadowMethod::map};
     bool split = false;
     double splitAt = 0.5; ///< share of the width, 0..1
     DebugView debug = DebugView::none;
     bool showLights = true; ///< handles that lights are dragged by
     bool playing = false;
-    double speed = 1.0;   ///< of the animation, 0.1..10
-    double time = 0.0;    ///< of the animation, seconds
+    double speed = 1.0; ///< of the animation, slowest..fastest
+    double time = 0.0;  ///< of the animation, seconds
 };
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [[x,y,z,w], …],

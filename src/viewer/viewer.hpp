@@ -22,20 +22,44 @@ struct Pointer {
 
 /// What keys do, whatever keys a platform gives them.
 enum class Command {
-    orbitLeft, orbitRight, orbitUp, orbitDown,
-    panLeft, panRight, panUp, panDown,
-    zoomIn, zoomOut,
-    fit, reset,
-    lightLeft, lightRight, lightUp, lightDown, lightNearer, lightFarther,
-    nextLight, addLight, removeLight, toggleSun,
-    nextShadows, toggleSplit, splitLeft, splitRight,
-    toggleDebug, toggleLights, togglePlaying, slower, faster,
+    orbitLeft,
+    orbitRight,
+    orbitUp,
+    orbitDown,
+    panLeft,
+    panRight,
+    panUp,
+    panDown,
+    zoomIn,
+    zoomOut,
+    fit,
+    reset,
+    lightLeft,
+    lightRight,
+    lightUp,
+    lightDown,
+    lightNearer,
+    lightFarther,
+    nextLight,
+    addLight,
+    removeLight,
+    toggleSun,
+    nextShadows, ///< of the whole picture, or of the right side of a split
+    toggleSplit,
+    splitLeft,
+    splitRight,
+    toggleDebug,
+    toggleLights,
+    togglePlaying,
+    slower,
+    faster,
 };
 
-/// What was measured of the frames drawn lately; stages are 0 where they were not timed.
+/// What was measured of the frames drawn lately, and what they were made of. Times are means over
+/// the last frames, 0 before the first.
 struct FrameStats {
-    double frameMs = 0.0;
-    double planMs = 0.0;   ///< of it, on the CPU before drawing
+    double frameMs = 0.0; ///< until the picture was there
+    double planMs = 0.0;  ///< of it, on the CPU before drawing
     std::size_t triangles = 0;
     std::size_t edges = 0;
     std::size_t records = 0;
@@ -44,14 +68,24 @@ struct FrameStats {
     std::size_t mapBytes = 0;
 };
 
+/// {"frame_ms", "plan_ms", "triangles", "edges", "records", "silhouettes", "shadow_bytes",
+///  "map_bytes"}
 nlohmann::ordered_json toJson(const FrameStats& stats);
+
+/// What a viewer draws with beyond what its state can change.
+struct ViewerSettings {
+    RenderSettings render; ///< without shadows, multiplicity, map.size, ambient and layout
+    std::optional<SidesLayout> layout; ///< nothing: the best that the context has
+    DepthChoice depth;
+};
 
 /// One viewer, the same in a window and in a browser: state, camera and light control, animation,
 /// split and debug views. Needs a current GLES 2 / WebGL 1 context with depth and stencil; draws
 /// into the framebuffer bound when frame() is called. Knows nothing of windows and events.
 class Viewer {
   public:
-    explicit Viewer(const gl::Capabilities& capabilities);
+    /// Throws Error(unavailable) if the GL can't.
+    explicit Viewer(const gl::Capabilities& capabilities, const ViewerSettings& settings = {});
     ~Viewer();
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
@@ -64,7 +98,8 @@ class Viewer {
     void resize(int width, int height, double pixelRatio);
 
     const ViewState& state() const;
-    /// The state becomes `changed(state(), changes)`. Throws as it does.
+    /// The state becomes `changed(state(), changes)`. Throws as it does, and Error(unavailable) for
+    /// settings that the GL can't draw; nothing is changed then.
     void change(const nlohmann::ordered_json& changes);
 
     void pointerDown(const Pointer& pointer);
@@ -85,11 +120,15 @@ class Viewer {
     /// Whether the next frame() would draw, so that a loop can sleep.
     bool wantsFrame() const;
 
+    /// From the first call on frames are timed until they are finished, which keeps the CPU waiting
+    /// for the GPU.
     FrameStats stats() const;
 
-    /// The context was lost: everything on the GPU is forgotten without a GL call. restore() makes
-    /// it anew in a context that is current again.
+    /// The context was lost: everything on the GPU is forgotten, and nothing is drawn until
+    /// restoreGpu() has made it anew in a context that is current again. The lost context should
+    /// still be the current one; deleting has no effect in it.
     void forgetGpu();
+    /// Throws Error; there is nothing on the GPU then.
     void restoreGpu(const gl::Capabilities& capabilities);
 
   private:

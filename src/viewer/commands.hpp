@@ -1,0 +1,14 @@
+#pragma once
+
+#include "src/viewer/stage.hpp"
+#include "src/viewer/viewer.hpp"
+
+namespace edgeshade::viewer {
+
+/// The state after a command. Lights and settings beyond their ends stay where they are.
+ViewState after(Command command, const ViewState& state, const Stage& stage);
+
+/// A view of the whole scene from slightly above, with one sun; settings stay.
+ViewState framed(const ViewState& state, const Stage& stage);
+
+} // namespace edgeshade::viewer

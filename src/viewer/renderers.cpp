@@ -1,0 +1,41 @@
+#include "src/viewer/renderers.hpp"
+
+namespace edgeshade::viewer {
+
+/// What makes no difference is left out, so that settings which draw alike share a renderer.
+Renderers::Key Renderers::keyOf(const SideSettings& side) {
+    const bool map = side.shadows == ShadowMethod::map;
+    const bool volumes = side.shadows == ShadowMethod::volumes;
+    return {side.shadows, map ? side.mapSize : 0,
+            volumes ? side.multiplicity : MultiplicityMethod::referenceEdge};
+}
+
+Renderer& Renderers::of(const SideSettings& side, float ambient) {
+    std::unique_ptr<Renderer>& renderer = renderers_[keyOf(side)];
+    if (!renderer) {
+        RenderSettings settings = base_;
+        settings.shadows = side.shadows;
+        settings.multiplicity = side.multiplicity;
+        settings.map.size = side.mapSize;
+        renderer = std::make_unique<Renderer>(settings, capabilities_);
+    }
+    renderer->setAmbient(ambient);
+    return *renderer;
+}
+
+void Renderers::dropUnusedMaps(const ViewState& state) {
+    std::erase_if(renderers_, [&](const auto& entry) {
+        const bool used =
+            entry.first == keyOf(state.left) || (state.split && entry.first == keyOf(state.right));
+        return !used && std::get<ShadowMethod>(entry.first) == ShadowMethod::map;
+    });
+}
+
+std::size_t Renderers::mapBytes() const {
+    std::size_t total = 0;
+    for (const auto& [key, renderer] : renderers_)
+        if (renderer) total += renderer->mapBytes();
+    return total;
+}
+
+} // namespace edgeshade::viewer

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "src/viewer/view_state.hpp"
+
+#include <map>
+#include <memory>
+
+namespace edgeshade::viewer {
+
+/// Renderers by the settings that they draw: compiled once, at hand when a user switches back.
+class Renderers {
+  public:
+    /// `base`: all settings that SideSettings doesn't have; its layout is used as it is.
+    Renderers(const RenderSettings& base, const gl::Capabilities& capabilities)
+        : base_(base), capabilities_(capabilities) {}
+
+    /// Throws Error(unavailable) if the GL can't, as for a map that is too large.
+    Renderer& of(const SideSettings& side, float ambient);
+
+    /// Gives back the shadow maps of renderers that the state doesn't use.
+    void dropUnusedMaps(const ViewState& state);
+
+    /// Of all shadow maps that are kept.
+    std::size_t mapBytes() const;
+
+  private:
+    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod>;
+    static Key keyOf(const SideSettings& side);
+
+    RenderSettings base_;
+    gl::Capabilities capabilities_;
+    std::map<Key, std::unique_ptr<Renderer>> renderers_;
+};
+
+} // namespace edgeshade::viewer

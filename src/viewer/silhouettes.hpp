@@ -1,0 +1,18 @@
+#pragma once
+
+#include "src/scene/light.hpp"
+#include "src/scene/load.hpp"
+
+namespace edgeshade::viewer {
+
+/// The scene's edges: all of them, and those that cast a side in a light.
+struct EdgeCounts {
+    std::size_t records = 0;
+    std::size_t edges = 0;
+    std::size_t silhouettes = 0; ///< edges with non-zero multiplicity (method, section 1)
+};
+
+/// Counts in double, for people: the vertex shader alone judges what is drawn.
+EdgeCounts countEdges(const LoadedScene& loaded, const Light& light);
+
+} // namespace edgeshade::viewer

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "src/viewer/light_handles.hpp"
+
+#include <functional>
+
+namespace edgeshade::viewer {
+
+/// What interaction needs to know of the scene and the picture.
+struct Stage {
+    Box bounds; ///< of the scene in the world
+    int width = 1;
+    int height = 1;
+    double pixelRatio = 1.0;
+    /// The first surface on a ray; may be empty: none.
+    std::function<std::optional<glm::dvec3>(const Ray&)> firstHit;
+
+    double aspect() const { return static_cast<double>(width) / height; }
+    /// The scene's size; 1 where it has none.
+    double size() const { return bounds.diagonal() > 0.0 ? bounds.diagonal() : 1.0; }
+    PictureView viewOf(const Camera& camera) const {
+        return {camera, static_cast<double>(width), static_cast<double>(height)};
+    }
+    LightHandles handles() const { return LightHandles(bounds); }
+};
+
+} // namespace edgeshade::viewer

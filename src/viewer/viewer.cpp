@@ -1,0 +1,289 @@
+#include "src/viewer/viewer.hpp"
+
+#include "src/viewer/caster_groups.hpp"
+#include "src/viewer/commands.hpp"
+#include "src/viewer/frame_clock.hpp"
+#include "src/viewer/handle_drawing.hpp"
+#include "src/viewer/interaction.hpp"
+#include "src/viewer/overlay_pass.hpp"
+#include "src/viewer/pick.hpp"
+#include "src/viewer/renderers.hpp"
+#include "src/viewer/silhouettes.hpp"
+#include "src/viewer/volume_tint_pass.hpp"
+
+#include "preprocess/stopwatch.hpp"
+
+#include <cmath>
+#include <GLES2/gl2.h>
+
+namespace edgeshade::viewer {
+namespace {
+
+/// Waits until the GL has drawn. glFinish is not waited for in browsers, a read-back is.
+void waitForPicture() {
+    std::uint8_t pixel[4];
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+}
+
+} // namespace
+
+/// The viewer's insides: what is on the GPU can be thrown away and made anew from the rest.
+struct Viewer::Parts {
+    struct Gpu {
+        Gpu(const gl::Capabilities& capabilities_, const RenderSettings& settings)
+            : capabilities(capabilities_), layout(settings.layout),
+              renderers(settings, capabilities_) {}
+
+        VolumeTintPass& tintOf(MultiplicityMethod method) {
+            if (!tint || tintMethod != method)
+                tint = std::make_unique<VolumeTintPass>(method, layout, capabilities.instancing);
+            tintMethod = method;
+            return *tint;
+        }
+
+        gl::Capabilities capabilities;
+        SidesLayout layout;
+        Renderers renderers;
+        OverlayPass overlay;
+        std::unique_ptr<VolumeTintPass> tint; ///< made when it is first asked for
+        MultiplicityMethod tintMethod = MultiplicityMethod::referenceEdge;
+        CasterGroups groups;
+        std::optional<GpuScene> scene;
+    };
+
+    ViewerSettings settings;
+    ViewState state;
+    Stage stage;
+    Interaction interaction;
+    FrameClock clock;
+    std::optional<LoadedScene> loaded;
+    std::unique_ptr<Gpu> gpu; ///< null: the context is lost
+    bool dirty = true;
+    bool timed = false; ///< somebody asked for statistics
+    RecentMean frameMs, planMs;
+    std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< of that light
+
+    std::unique_ptr<Gpu> makeGpu(const gl::Capabilities& capabilities) const;
+    void adopt(const ViewState& next);
+    void applyPose();
+    void sceneMoved();
+    void draw();
+    void drawSide(const SideSettings& side, const FrameView& view,
+                  const std::vector<GroupedShadow>& groups);
+    const EdgeCounts& edgesNow();
+};
+
+std::unique_ptr<Viewer::Parts::Gpu>
+Viewer::Parts::makeGpu(const gl::Capabilities& capabilities) const {
+    RenderSettings render = settings.render;
+    render.layout = settings.layout.value_or(bestLayout(capabilities));
+    auto made = std::make_unique<Gpu>(capabilities, render);
+    if (loaded) made->scene = uploadScene(*loaded, render.layout, capabilities);
+    return made;
+}
+
+/// Makes what the next state needs before it becomes the state, so that a refusal changes nothing.
+void Viewer::Parts::adopt(const ViewState& next) {
+    if (gpu) {
+        gpu->renderers.of(next.left, next.ambient);
+        if (next.split) gpu->renderers.of(next.right, next.ambient);
+        gpu->renderers.dropUnusedMaps(next);
+    }
+    const bool posed = next.time != state.time;
+    state = next;
+    if (posed) applyPose();
+    dirty = true;
+}
+
+/// Places the batches as the animation has them at the state's time.
+void Viewer::Parts::applyPose() {
+    if (!loaded || !gpu || !gpu->scene) return;
+    for (std::size_t i = 0; i < gpu->scene->batches.size(); ++i)
+        gpu->scene->batches[i].worldFromBatch = loaded->scene.batches[i].worldFromBatch;
+    sceneMoved();
+}
+
+/// Forgets what was worked out for the batches where they were.
+void Viewer::Parts::sceneMoved() {
+    stage.bounds = worldBounds(loaded->scene);
+    edgeCounts.reset();
+    if (gpu) gpu->groups.forget();
+    dirty = true;
+}
+
+const EdgeCounts& Viewer::Parts::edgesNow() {
+    const Light& light = state.lights[state.chosenLight];
+    if (!edgeCounts || edgeCounts->first != light.position)
+        edgeCounts.emplace(light.position, countEdges(*loaded, light));
+    return edgeCounts->second;
+}
+
+void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
+                             const std::vector<GroupedShadow>& groups) {
+    gpu->renderers.of(side, state.ambient).draw(*gpu->scene, view, groups);
+    if (state.debug == DebugView::volumes && side.shadows == ShadowMethod::volumes)
+        gpu->tintOf(side.multiplicity).draw(*gpu->scene, view, state.lights[state.chosenLight]);
+}
+
+void Viewer::Parts::draw() {
+    Stopwatch watch;
+    FrameRequest request;
+    request.camera = state.camera;
+    request.width = stage.width;
+    request.height = stage.height;
+    request.lights = state.lights;
+    request.depth = settings.depth;
+    const FrameView view = makeFrameView(*loaded, request, stage.bounds);
+    const bool volumes = state.left.shadows == ShadowMethod::volumes ||
+                         (state.split && state.right.shadows == ShadowMethod::volumes);
+    const std::vector<GroupedShadow> none;
+    const auto& groups = volumes ? gpu->groups.of(state.lights, *loaded, gpu->layout) : none;
+    const double planSeconds = watch.lap();
+
+    if (!state.split) {
+        drawSide(state.left, view, groups);
+    } else {
+        const int at = static_cast<int>(std::lround(state.splitAt * stage.width));
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, 0, at, stage.height);
+        if (at > 0) drawSide(state.left, view, groups);
+        glScissor(at, 0, stage.width - at, stage.height);
+        if (at < stage.width) drawSide(state.right, view, groups);
+        glDisable(GL_SCISSOR_TEST);
+        gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
+    }
+    if (state.showLights)
+        gpu->overlay.draw(handleTriangles(state, stage), stage.width, stage.height);
+    gl::requireNoError("drawing the view");
+    if (timed) waitForPicture();
+    planMs.add(1e3 * planSeconds);
+    frameMs.add(1e3 * (planSeconds + watch.lap()));
+}
+
+Viewer::Viewer(const gl::Capabilities& capabilities, const ViewerSettings& settings)
+    : parts_(std::make_unique<Parts>()) {
+    parts_->settings = settings;
+    parts_->stage.firstHit = [parts = parts_.get()](const Ray& ray) {
+        return parts->loaded ? firstHit(parts->loaded->scene, ray) : std::nullopt;
+    };
+    parts_->gpu = parts_->makeGpu(capabilities);
+}
+
+Viewer::~Viewer() = default;
+
+void Viewer::show(LoadedScene scene) {
+    Parts& parts = *parts_;
+    std::optional<GpuScene> uploaded;
+    if (parts.gpu) uploaded = uploadScene(scene, parts.gpu->layout, parts.gpu->capabilities);
+    parts.loaded = std::move(scene);
+    if (parts.gpu) parts.gpu->scene = std::move(uploaded);
+    parts.interaction = Interaction();
+    parts.sceneMoved();
+    parts.state = framed(parts.state, parts.stage);
+    parts.applyPose();
+}
+
+bool Viewer::hasScene() const {
+    return parts_->loaded.has_value();
+}
+
+void Viewer::resize(int width, int height, double pixelRatio) {
+    parts_->stage.width = std::max(1, width);
+    parts_->stage.height = std::max(1, height);
+    parts_->stage.pixelRatio = pixelRatio > 0.0 ? pixelRatio : 1.0;
+    invalidate();
+}
+
+const ViewState& Viewer::state() const {
+    return parts_->state;
+}
+
+void Viewer::change(const nlohmann::ordered_json& changes) {
+    parts_->adopt(changed(parts_->state, changes));
+}
+
+void Viewer::pointerDown(const Pointer& pointer) {
+    parts_->adopt(parts_->interaction.down(pointer, parts_->state, parts_->stage));
+}
+
+void Viewer::pointerMove(const Pointer& pointer) {
+    if (const auto next = parts_->interaction.move(pointer, parts_->state, parts_->stage))
+        parts_->adopt(*next);
+}
+
+void Viewer::pointerUp(const Pointer& pointer) {
+    parts_->interaction.up(pointer);
+}
+
+void Viewer::wheel(double x, double y, double notches) {
+    parts_->adopt(parts_->interaction.wheel({x, y}, notches, parts_->state, parts_->stage));
+}
+
+void Viewer::run(Command command) {
+    parts_->adopt(after(command, parts_->state, parts_->stage));
+}
+
+double Viewer::animationSeconds() const {
+    return 0.0;
+}
+
+bool Viewer::frame(double now) {
+    Parts& parts = *parts_;
+    if (parts.clock.advance(now, animationSeconds(), parts.state)) parts.applyPose();
+    if (!parts.dirty || !parts.gpu) return false;
+    parts.dirty = false;
+    if (parts.loaded) {
+        parts.draw();
+    } else {
+        const glm::vec3& color = parts.settings.render.background;
+        glClearColor(color.r, color.g, color.b, 1.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    return true;
+}
+
+void Viewer::invalidate() {
+    parts_->dirty = true;
+}
+
+bool Viewer::wantsFrame() const {
+    const bool plays = parts_->state.playing && animationSeconds() > 0.0;
+    return parts_->gpu && (parts_->dirty || plays);
+}
+
+FrameStats Viewer::stats() const {
+    Parts& parts = *parts_;
+    parts.timed = true;
+    FrameStats stats;
+    if (!parts.loaded) return stats;
+    stats.frameMs = parts.frameMs.mean();
+    stats.planMs = parts.planMs.mean();
+    stats.triangles = parts.loaded->scene.triangleCount();
+    const EdgeCounts& counts = parts.edgesNow();
+    stats.edges = counts.edges;
+    stats.records = counts.records;
+    stats.silhouettes = counts.silhouettes;
+    if (parts.gpu && parts.gpu->scene) stats.shadowBytes = parts.gpu->scene->shadowBytes();
+    if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
+    return stats;
+}
+
+void Viewer::forgetGpu() {
+    parts_->gpu.reset();
+}
+
+void Viewer::restoreGpu(const gl::Capabilities& capabilities) {
+    parts_->gpu.reset();
+    parts_->gpu = parts_->makeGpu(capabilities);
+    parts_->applyPose();
+    invalidate();
+}
+
+nlohmann::ordered_json toJson(const FrameStats& stats) {
+    return {{"frame_ms", stats.frameMs},         {"plan_ms", stats.planMs},
+            {"triangles", stats.triangles},      {"edges", stats.edges},
+            {"records", stats.records},          {"silhouettes", stats.silhouettes},
+            {"shadow_bytes", stats.shadowBytes}, {"map_bytes", stats.mapBytes}};
+}
+
+} // namespace edgeshade::viewer

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "src/render/caps_pass.hpp"
+#include "src/render/frame_view.hpp"
+#include "src/render/sides_pass.hpp"
+#include "src/render/surface_pass.hpp"
+
+namespace edgeshade::viewer {
+
+/// A debug view: tints the picture by one light's shadow volumes, sides orange where they stand in
+/// front of what is visible, caps blue wherever they are drawn (all of them lie at infinity).
+class VolumeTintPass {
+  public:
+    /// `instancing` must be there unless the layout is notInstanced.
+    VolumeTintPass(MultiplicityMethod method, SidesLayout layout,
+                   std::optional<gl::Instancing> instancing);
+
+    /// Blends over the current framebuffer. Draws depth anew: of several depth slices only the
+    /// nearest is left in the buffer.
+    void draw(const GpuScene& scene, const FrameView& view, const Light& light);
+
+  private:
+    SurfacePass surfaces_;
+    SidesPass sides_;
+    CapsPass caps_;
+};
+
+} // namespace edgeshade::viewer
