@@ -102,11 +102,12 @@ export class EdgeshadeViewer extends HTMLElement {
   /**
    * Loads an address, or files of which one is a scene, and shows it. Rejects with an Error whose
    * message is a sentence; the scene before then stays. Resolves with null where a newer load took
-   * over. `state` is applied before the first frame.
+   * over. `home` is the view that reset() goes back to, of `src` by default what the attributes say;
+   * `state` is applied on top of it before the first frame.
    */
   load(
     source: string | URL | File | Iterable<SceneFile>,
-    options?: { state?: ViewChanges },
+    options?: { home?: ViewChanges; state?: ViewChanges },
   ): Promise<LoadDetail | null>;
 
   /** Changes the state, or throws an Error whose message is a sentence and changes nothing. */

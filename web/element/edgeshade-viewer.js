@@ -33,7 +33,7 @@ export class EdgeshadeViewer extends HTMLElement {
   #viewer = null; // null: not started, or it can't be
   #lost = false;
   #stopWatching = () => {};
-  #applied = false; // the attributes were applied to a scene
+  #home = null; // changes that reset() goes back to; null: what the attributes say
 
   constructor() {
     super();
@@ -93,7 +93,7 @@ export class EdgeshadeViewer extends HTMLElement {
     return this.#viewer?.animationSeconds() ?? 0;
   }
 
-  async load(source, { state } = {}) {
+  async load(source, { home, state } = {}) {
     const clicked = performance.now();
     try {
       const wanted = this.#sourceOf(source);
@@ -102,7 +102,7 @@ export class EdgeshadeViewer extends HTMLElement {
       this.setAttribute('aria-busy', 'true');
       this.#tellProgress('download', 0);
       const scene = await this.#loader.load(wanted, (...step) => this.#tellProgress(...step));
-      return await this.#show(scene, wanted, state, clicked);
+      return await this.#show(scene, wanted, { home, state }, clicked);
     } catch (error) {
       if (error instanceof Superseded) return null;
       this.#doneLoading();
@@ -122,6 +122,7 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#touch(() => {
       const problem = this.#viewer.run(command);
       if (problem) throw new Error(problem);
+      if (command === 'reset') this.#goHome();
     });
   }
 
@@ -131,7 +132,6 @@ export class EdgeshadeViewer extends HTMLElement {
 
   reset() {
     this.run('reset');
-    if (this.#applied) this.#applyAttributes();
   }
 
   async screenshot() {
@@ -195,7 +195,7 @@ export class EdgeshadeViewer extends HTMLElement {
 
   // ---- showing a scene -------------------------------------------------------------------------
 
-  async #show(scene, source, state, clicked) {
+  async #show(scene, source, { home, state }, clicked) {
     const milliseconds = { ...scene.milliseconds };
     let since = performance.now();
     const lap = (stage) => {
@@ -208,8 +208,10 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#upload(scene.bytes);
     lap('upload');
     this.#tellProgress('draw');
+    const isOfSrc = source.given !== undefined && source.given === this.getAttribute('src');
+    this.#home = home ?? (isOfSrc ? null : {});
+    this.#goHome();
     if (state) this.#changeOrSay(state);
-    else if (source.given !== undefined && source.given === this.getAttribute('src')) this.#applyAttributes();
     this.#makeCurrent();
     this.#viewer.frame(performance.now() / 1000);
     lap('draw');
@@ -237,8 +239,12 @@ export class EdgeshadeViewer extends HTMLElement {
     if (problem) throw new Error(problem);
   }
 
+  #goHome() {
+    if (this.#home) this.#changeOrSay(this.#home);
+    else this.#applyAttributes();
+  }
+
   #applyAttributes(names = viewAttributes) {
-    this.#applied = true;
     try {
       const light = names.some((name) => name === 'light' || name === 'sun');
       this.change(changesFromAttributes((name) =>

@@ -35,9 +35,9 @@ connectSheet($('panel'), $('sheet'));
 
 // ---- loading -----------------------------------------------------------------------------------
 
-async function show(source, next, state) {
+async function show(source, next, views) {
   try {
-    const detail = await viewer.load(source, { state });
+    const detail = await viewer.load(source, views);
     if (!detail) return false;
     model = next ?? { file: detail.name };
     loaded = detail;
@@ -56,11 +56,11 @@ function showFiles(files) {
   const fits = wantedForFile && files.some((file) => file.name === wantedForFile.file);
   const state = fits ? wantedForFile.changes : undefined;
   wantedForFile = null;
-  return show(files, null, state);
+  return show(files, null, { state });
 }
 
 function showSample(changes) {
-  return show(sample.url, { url: sample.url }, { ...sample.view, ...changes });
+  return show(sample.url, { url: sample.url }, { home: sample.view, state: changes });
 }
 
 async function showAddress() {
@@ -71,7 +71,7 @@ async function showAddress() {
     viewer.say(`This address shows '${asked.file}', which lies on a device and not on a server: ` +
       'drop that file here, and the view is as it was.');
   } else if (asked?.url && asked.url !== sample.url) {
-    await show(asked.url, asked, changes);
+    await show(asked.url, asked, { state: changes });
   } else {
     await showSample(changes);
   }
@@ -124,9 +124,6 @@ reducedMotion.addEventListener('change', () => {
 
 // ---- buttons that are the page's own -----------------------------------------------------------
 
-$('reset').addEventListener('click', () => {
-  if (model?.url === sample.url) viewer.change(sample.view);
-});
 $('screenshot').addEventListener('click', async () => {
   try {
     const link = document.createElement('a');

@@ -1,0 +1,100 @@
+// What is drawn is what the native program draws.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { compare, picture } from './support/pictures.mjs';
+import { repository } from './support/server.mjs';
+
+const shared = useBrowser();
+const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
+const camera = ['--camera-from', '-2.6,3.6,10.2', '--camera-to', '0.2,1.3,-0.2', '--ambient', '0.4'];
+
+/** The native program's picture of the sample at 800x500. */
+function rendered(options) {
+  const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
+  try {
+    const png = join(folder, 'native.png');
+    execFileSync(program, ['render', join(repository, 'assets/pavilion.glb'), png,
+      '--size', '800x500', ...camera, ...options], { stdio: 'pipe' });
+    return readFileSync(png);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+async function requireAlike(page, options) {
+  const { pixels, different, colors } = await compare(page, await picture(page), rendered(options));
+  console.log(`${options.join(' ')}: ${different} of ${pixels} pixels differ`);
+  assert.ok(colors > 500, `a picture, not a plain surface (${colors} colours)`);
+  assert.ok(different <= 0.002 * pixels, `${different} of ${pixels} pixels differ`);
+}
+
+const change = (page, changes) =>
+  page.evaluate((value) => document.querySelector('edgeshade-viewer').change(value), changes);
+
+test('the first frame of the sample equals the native picture', async () => {
+  const page = await shared.open('/tests/plain.html');
+  await requireAlike(page, ['--sun', '-0.62,0.62,-0.30']);
+  await shared.check(page);
+});
+
+test('point lights, two lights, maps and no shadows equal the native pictures', async () => {
+  const page = await shared.open('/tests/plain.html');
+  await change(page, { lights: [[1.5, 2.2, 2.0, 1]] });
+  await requireAlike(page, ['--light', '1.5,2.2,2.0']);
+  await change(page, { lights: [[-0.62, 0.62, -0.3, 0], [0.5, 1, 0.4, 0]] });
+  await requireAlike(page, ['--sun', '-0.62,0.62,-0.30', '--sun', '0.5,1,0.4']);
+  await change(page, { lights: [[-0.62, 0.62, -0.3, 0]], left: { shadows: 'map', map_size: 1024 } });
+  await requireAlike(page, ['--sun', '-0.62,0.62,-0.30', '--shadows', 'map', '--map-size', '1024']);
+  await change(page, { left: { shadows: 'none' } });
+  await requireAlike(page, ['--sun', '-0.62,0.62,-0.30', '--shadows', 'none']);
+  await shared.check(page);
+});
+
+/** A context with the least that WebGL 1 promises; what goes beyond it throws. */
+function leastWebGl() {
+  const type = WebGLRenderingContext.prototype;
+  const { getParameter, vertexAttribPointer, drawElements } = type;
+  type.getExtension = () => null;
+  type.getSupportedExtensions = () => [];
+  type.getParameter = function (name) {
+    if (name === this.MAX_VERTEX_ATTRIBS) return 8;
+    return getParameter.call(this, name);
+  };
+  type.vertexAttribPointer = function (index, ...rest) {
+    if (index >= 8) throw new Error(`attribute ${index}`);
+    return vertexAttribPointer.call(this, index, ...rest);
+  };
+  type.drawElements = function (mode, count, kind, offset) {
+    if (kind === this.UNSIGNED_INT) throw new Error('32-bit indices');
+    return drawElements.call(this, mode, count, kind, offset);
+  };
+}
+
+test('8 attributes, no instancing and no 32-bit indices give the same picture', async () => {
+  const page = await shared.open('/tests/plain.html', { init: leastWebGl });
+  await requireAlike(page, ['--sun', '-0.62,0.62,-0.30']);
+  await shared.check(page);
+});
+
+test('a browser without WebGL, or without a stencil, says so', async () => {
+  for (const [init, pattern] of [
+    [() => { HTMLCanvasElement.prototype.getContext = () => null; }, /gives no WebGL/],
+    [() => {
+      const { getContextAttributes } = WebGLRenderingContext.prototype;
+      WebGLRenderingContext.prototype.getContextAttributes = function () {
+        return { ...getContextAttributes.call(this), stencil: false };
+      };
+    }, /without a stencil buffer/],
+  ]) {
+    const page = await shared.open('/', { init, scene: false });
+    const { waitForNotice } = await import('./support/browser.mjs');
+    await waitForNotice(page, pattern);
+    await shared.check(page);
+  }
+});
