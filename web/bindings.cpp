@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <emscripten/bind.h>
+#define GL_GLEXT_PROTOTYPES // their declarations
 #include <GLES2/gl2.h>
 #include <GLES2/gl2ext.h>
 #include <memory>
