@@ -6,9 +6,13 @@ export function watchPictureSize(canvas, onSize) {
   const report = () => {
     const ratio = window.devicePixelRatio || 1;
     const exact = box?.devicePixelContentBoxSize?.[0];
-    const width = exact ? exact.inlineSize : Math.round(canvas.clientWidth * ratio);
-    const height = exact ? exact.blockSize : Math.round(canvas.clientHeight * ratio);
-    onSize(Math.max(1, width), Math.max(1, height), ratio);
+    const pixels = (length, told) => {
+      const about = length * ratio;
+      // What is told is exact, but of the screen, which a page may be shown smaller than.
+      return Math.max(1, told && Math.abs(told - about) < 2 ? told : Math.round(about));
+    };
+    onSize(pixels(canvas.clientWidth, exact?.inlineSize),
+      pixels(canvas.clientHeight, exact?.blockSize), ratio);
   };
   const observer = new ResizeObserver((entries) => {
     box = entries[entries.length - 1];

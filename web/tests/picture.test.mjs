@@ -6,21 +6,21 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { useBrowser } from './support/browser.mjs';
+import { stateOf, useBrowser, waitForNotice } from './support/browser.mjs';
 import { compare, picture } from './support/pictures.mjs';
 import { repository } from './support/server.mjs';
 
 const shared = useBrowser();
 const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
-const camera = ['--camera-from', '-2.6,3.6,10.2', '--camera-to', '0.2,1.3,-0.2', '--ambient', '0.4'];
 
-/** The native program's picture of the sample at 800x500. */
-function rendered(options) {
+/** The native program's picture of the sample from the same eye. */
+function rendered({ from, to, fov }, options) {
   const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
   try {
     const png = join(folder, 'native.png');
     execFileSync(program, ['render', join(repository, 'assets/pavilion.glb'), png,
-      '--size', '800x500', ...camera, ...options], { stdio: 'pipe' });
+      '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
+      '--ambient', '0.4', ...options], { stdio: 'pipe' });
     return readFileSync(png);
   } finally {
     rmSync(folder, { recursive: true });
@@ -28,7 +28,8 @@ function rendered(options) {
 }
 
 async function requireAlike(page, options) {
-  const { pixels, different, colors } = await compare(page, await picture(page), rendered(options));
+  const native = rendered((await stateOf(page)).camera, options);
+  const { pixels, different, colors } = await compare(page, await picture(page), native);
   console.log(`${options.join(' ')}: ${different} of ${pixels} pixels differ`);
   assert.ok(colors > 500, `a picture, not a plain surface (${colors} colours)`);
   assert.ok(different <= 0.002 * pixels, `${different} of ${pixels} pixels differ`);
@@ -93,7 +94,6 @@ test('a browser without WebGL, or without a stencil, says so', async () => {
     }, /without a stencil buffer/],
   ]) {
     const page = await shared.open('/', { init, scene: false });
-    const { waitForNotice } = await import('./support/browser.mjs');
     await waitForNotice(page, pattern);
     await shared.check(page);
   }
