@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { settled, stateOf, useBrowser } from './support/browser.mjs';
+import { settled, smallPage, stateOf, useBrowser } from './support/browser.mjs';
 
 const shared = useBrowser();
 const distance = ({ from, to }) => Math.hypot(...from.map((value, i) => value - to[i]));
@@ -23,7 +23,7 @@ async function swipe(page, paths) {
 }
 
 test('one finger orbits, two pinch', async () => {
-  const page = await shared.open('/', { hasTouch: true, size: { width: 390, height: 844 } });
+  const page = await shared.open(smallPage, { hasTouch: true, size: { width: 390, height: 844 } });
   await page.evaluate(() => document.querySelector('#viewer').change({ show_lights: false }));
   const before = (await stateOf(page)).camera;
   await swipe(page, [[[120, 300], [240, 330]]]);

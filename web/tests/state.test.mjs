@@ -35,7 +35,7 @@ test('the address brings back what was set, in a new page', async () => {
   await page.evaluate((changes) => document.querySelector('#viewer').change(changes), view);
   await page.waitForFunction(() => location.hash.includes('right=map'));
   const hash = await page.evaluate(() => location.hash);
-  assert.match(hash, /^#model=assets\/pavilion\.glb&camera=3,4\.25,8,/);
+  assert.match(hash, /^#model=tests\/small\.gltf&camera=3,4\.25,8,/);
   await shared.check(page);
 
   const again = await shared.open(`/${hash}`);
@@ -47,7 +47,7 @@ test('the address brings back what was set, in a new page', async () => {
 });
 
 test('an address in words that make no sense starts without them and says so', async () => {
-  const page = await shared.open('/#camera=1,2,banana&light=0,1,0,0&split=0.5&shadows=fog');
+  const page = await shared.open('/#model=tests/small.gltf&camera=1,2,banana&light=0,1,0,0&split=0.5&shadows=fog');
   await waitForNotice(page, /camera.*banana/);
   await waitForNotice(page, /fog/);
   await shared.check(page);
@@ -55,7 +55,7 @@ test('an address in words that make no sense starts without them and says so', a
 
 test('an address typed anew is followed', async () => {
   const page = await shared.open();
-  await page.evaluate(() => { location.hash = '#model=assets/pavilion.glb&ambient=0.75'; });
+  await page.evaluate(() => { location.hash = '#model=tests/small.gltf&ambient=0.75'; });
   await page.waitForFunction(() => document.querySelector('#viewer').state.ambient > 0.7);
   await loaded(page);
   await shared.check(page);
@@ -79,7 +79,7 @@ test('the panel changes the picture\'s state', async () => {
   await page.keyboard.press('ArrowRight');
   assert.ok((await stateOf(page)).split_at > before);
   await page.click('#figures summary');
-  await page.waitForFunction(() => /Triangles26,991/.test(document.querySelector('#stats').textContent));
+  await page.waitForFunction(() => /Triangles36/.test(document.querySelector('#stats').textContent));
   await shared.check(page);
 });
 
@@ -98,7 +98,7 @@ test('the animation plays, pauses and keeps its speed', async () => {
 test('the picture button saves a PNG', async () => {
   const page = await shared.open();
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#screenshot')]);
-  assert.equal(download.suggestedFilename(), 'pavilion.png');
+  assert.equal(download.suggestedFilename(), 'small.png');
   await shared.check(page);
 });
 

@@ -5,10 +5,21 @@ import { after, before } from 'node:test';
 import { chromium } from 'playwright-core';
 import { serve } from './server.mjs';
 
+/** The page with a scene of 36 triangles. */
+export const smallPage = '/#model=tests/small.gltf';
+
 const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
   '--js-flags=--expose-gc'];
+
+/** Software draws several times as fast without. */
+function withoutAntialiasing() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (type, options) {
+    return getContext.call(this, type, type === 'webgl' ? { ...options, antialias: false } : options);
+  };
+}
 
 /**
  * Call at the top of a test file. open(path, options) gives a page that has loaded its scene;
@@ -28,7 +39,7 @@ export function useBrowser() {
     await shared.server?.close();
   });
 
-  shared.open = async (path = '/', { size = { width: 1000, height: 640 }, init, scene = true, ...context } = {}) => {
+  shared.open = async (path = smallPage, { size = { width: 800, height: 500 }, init, scene = true, ...context } = {}) => {
     const made = await shared.browser.newContext({ viewport: size, ...context });
     const page = await made.newPage();
     page.setDefaultTimeout(60000);
@@ -37,6 +48,7 @@ export function useBrowser() {
       if (['error', 'warning'].includes(message.type())) page.reports.push(message.text());
     });
     page.on('pageerror', (error) => page.reports.push(String(error)));
+    await page.addInitScript(withoutAntialiasing);
     if (init) await page.addInitScript(init);
     await page.goto(shared.server.address + path);
     if (scene) await loaded(page);

@@ -4,6 +4,7 @@ import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { smallGltf } from './scenes.mjs';
 
 export const repository = fileURLToPath(new URL('../../../', import.meta.url));
 const roots = {
@@ -25,6 +26,10 @@ function fileOf(url) {
 /** {address, close()} */
 export async function serve() {
   const server = createServer((request, response) => {
+    if (request.url === '/tests/small.gltf') {
+      response.writeHead(200, { 'content-type': types['.gltf'] }).end(smallGltf());
+      return;
+    }
     const file = fileOf(request.url);
     if (!file || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404).end();
