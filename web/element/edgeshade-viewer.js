@@ -207,6 +207,7 @@ export class EdgeshadeViewer extends HTMLElement {
     lap('wait');
     this.#upload(scene.bytes);
     lap('upload');
+    this.#notices.clear();
     this.#tellProgress('draw');
     const isOfSrc = source.given !== undefined && source.given === this.getAttribute('src');
     this.#home = home ?? (isOfSrc ? null : {});
@@ -217,7 +218,6 @@ export class EdgeshadeViewer extends HTMLElement {
     lap('draw');
     await nextFrame();
     this.#doneLoading();
-    this.#notices.clear();
     for (const warning of scene.warnings.slice(0, 2)) this.say(warning);
     const { name, triangles, fileBytes, warnings } = scene;
     const detail = { name, triangles, fileBytes, warnings, milliseconds,

@@ -7,7 +7,7 @@ import { useBrowser } from './support/browser.mjs';
 const shared = useBrowser();
 
 test('50 loads in a row leave memory flat', async () => {
-  const page = await shared.open('/', { size: { width: 320, height: 240 } });
+  const page = await shared.open('/', { size: { width: 120, height: 160 } });
   const session = await page.context().newCDPSession(page);
   /** Bytes of JavaScript's heap and of the page's own WebAssembly memory. */
   const used = async () => {

@@ -103,7 +103,7 @@ test('the picture button saves a PNG', async () => {
 });
 
 test('words and numbers survive the address', () => {
-  const state = { ...view, left: { shadows: 'map', map_size: 4096 }, playing: false, time: 1.5 };
+  const state = { ...view, left: { shadows: 'map', map_size: 4096 }, time: 1.5 };
   const { model, changes, problems } = readHash(hashOf({ url: 'a b/ü&#.glb' }, state));
   assert.deepEqual(model, { url: 'a b/ü&#.glb' });
   assert.deepEqual(problems, []);
