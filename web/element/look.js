@@ -20,9 +20,9 @@ export const look = `
   .stage { display: inline-block; margin: .6rem; padding: .2rem .6rem; border-radius: .4rem;
     background: var(--edgeshade-surface); color: var(--edgeshade-ink);
     font-variant-numeric: tabular-nums; }
-  .notices { position: absolute; left: 0; right: 0; bottom: 0; display: grid; gap: .5rem;
-    justify-items: center; padding: .8rem; pointer-events: none;
-    padding-bottom: var(--edgeshade-notices-bottom, .8rem); }
+  .notices { position: absolute; inset: var(--edgeshade-notices-inset, auto 0 0); display: grid; gap: .5rem;
+    justify-items: center; padding: .8rem;
+    pointer-events: none; }
   .notice { display: flex; gap: .8rem; align-items: start; max-width: 34rem; padding: .6rem .8rem;
     border-radius: .5rem; pointer-events: auto; background: var(--edgeshade-surface);
     color: var(--edgeshade-ink); border-left: 4px solid var(--edgeshade-accent);

@@ -122,7 +122,7 @@ export function connectControls(viewer) {
     }
     show.split(state.split);
     $('right-side').hidden = !state.split;
-    document.querySelector('.left-title').textContent = state.split ? 'Left side' : 'Method';
+    document.querySelector('.left-title').textContent = state.split ? 'Left' : 'Method';
     show.debug(state.debug !== 'none');
     const seconds = viewer.animationSeconds;
     $('animation').hidden = !(seconds > 0);

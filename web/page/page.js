@@ -6,22 +6,13 @@ import { connectDivider } from './divider.js';
 import { acceptFiles } from './drop.js';
 import { connectFigures } from './figures.js';
 import { connectKeyHelp } from './key-help.js';
+import { sampleUrl, sampleView } from './sample.js';
 import { connectSheet } from './sheet.js';
 import { hashOf, readHash } from './url-state.js';
 
 const $ = (id) => document.getElementById(id);
 const viewer = $('viewer');
 const reducedMotion = matchMedia('(prefers-reduced-motion: reduce)');
-
-// How the scene that ships looks best.
-const sample = {
-  url: 'assets/pavilion.glb',
-  view: {
-    camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 },
-    lights: [[-0.62, 0.62, -0.3, 0]],
-    ambient: 0.4,
-  },
-};
 
 let model = null; // what is shown: {url} or {file}
 let loaded = null; // the detail of its load
@@ -60,7 +51,11 @@ function showFiles(files) {
 }
 
 function showSample(changes) {
-  return show(sample.url, { url: sample.url }, { home: sample.view, state: changes });
+  const { width, height } = viewer.getBoundingClientRect();
+  const panel = $('panel').getBoundingClientRect();
+  const covered = panel.left > 0 ? (width - panel.left) / width : 0; // a sheet lies below the picture
+  const home = sampleView(width / height, covered);
+  return show(sampleUrl, { url: sampleUrl }, { home, state: changes });
 }
 
 async function showAddress() {
@@ -70,7 +65,7 @@ async function showAddress() {
     await showSample({});
     viewer.say(`This address shows '${asked.file}', which lies on a device and not on a server: ` +
       'drop that file here, and the view is as it was.');
-  } else if (asked?.url && asked.url !== sample.url) {
+  } else if (asked?.url && asked.url !== sampleUrl) {
     await show(asked.url, asked, { state: changes });
   } else {
     await showSample(changes);
