@@ -60,7 +60,9 @@ void addTextOption(CLI::App& verb, const std::string& name, const std::string& t
 } // namespace
 
 void addViewOptions(CLI::App& verb, ViewOptions& options) {
-    addTextOption(verb, "--size", "WxH", "Picture size in pixels (1920x1080)",
+    addTextOption(verb, "--size", "WxH",
+                  "Picture size in pixels (" + std::to_string(options.width) + "x" +
+                      std::to_string(options.height) + ")",
                   [&](const std::string& text) { sizeFrom(text, options); });
     addTextOption(
         verb, "--camera-from", "X,Y,Z", "Where the eye is (frames the scene)",

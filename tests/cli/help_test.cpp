@@ -15,7 +15,7 @@ void expectHelp(const std::vector<std::string>& arguments, const std::string& wo
 } // namespace
 
 TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
-    for (const char* word : {"pack", "info", "render", "compare", "Exit status"})
+    for (const char* word : {"pack", "info", "render", "compare", "view", "Exit status"})
         expectHelp({"--help"}, word);
 }
 

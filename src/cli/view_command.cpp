@@ -1,0 +1,119 @@
+#include "src/cli/commands.hpp"
+
+#include "preprocess/error.hpp"
+
+#ifdef EDGESHADE_HAS_WINDOW
+#include "src/cli/draw_settings.hpp"
+#include "src/cli/options.hpp"
+#include "src/cli/report.hpp"
+#include "src/desktop/app.hpp"
+
+#include <memory>
+#endif
+
+namespace edgeshade::cli {
+#ifdef EDGESHADE_HAS_WINDOW
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct WindowOptions {
+    std::string input; ///< empty: none yet
+    std::string screenshot;
+    ViewOptions view;
+    CasterOptions casters;
+    DrawSettings settings;
+    int samples = 0;
+};
+
+Json vectorJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// Camera, lights and the left side as typed.
+Json stateFrom(const WindowOptions& options, const Scene& scene) {
+    const FrameRequest request = requestFor(options.view, scene);
+    Json lights = Json::array();
+    for (const Light& light : request.lights)
+        lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
+    const RenderSettings& render = options.settings.render;
+    viewer::ViewState state;
+    state.left = {render.shadows, render.map.size, render.multiplicity};
+    state.ambient = render.ambient;
+    const Json all = viewer::toJson(state);
+    return {{"camera",
+             {{"from", vectorJson(request.camera.from)},
+              {"to", vectorJson(request.camera.to)},
+              {"fov", request.camera.fovDegrees}}},
+            {"lights", lights},
+            {"ambient", all["ambient"]},
+            {"left", all["left"]}};
+}
+
+void view(const WindowOptions& options) {
+    requireConsistent(options.settings);
+    const auto load = [&](const std::filesystem::path& path) {
+        LoadedScene loaded = loadScene(path, options.casters.wanted());
+        printWarnings(loaded.scene.warnings.sentences());
+        return loaded;
+    };
+    std::optional<LoadedScene> loaded;
+    Json state;
+    if (!options.input.empty()) {
+        loaded = load(options.input);
+        state = stateFrom(options, loaded->scene);
+    }
+
+    viewer::ViewerSettings settings;
+    settings.render = options.settings.render;
+    settings.depth = options.view.depth;
+    settings.depth.slices = options.settings.depthSlices;
+    if (options.settings.instancing != InstancingChoice::automatic)
+        settings.layout = layoutFor(options.settings.instancing, {});
+    const std::string name = std::filesystem::path(options.input).filename().string();
+    desktop::App app({name.empty() ? "edgeshade" : name + " - edgeshade", options.view.width,
+                      options.view.height, options.samples},
+                     settings, load);
+    if (loaded) {
+        app.viewer().show(std::move(*loaded));
+        app.viewer().change(state);
+    }
+    if (options.screenshot.empty())
+        app.run();
+    else
+        app.saveScreenshot(options.screenshot);
+}
+
+} // namespace
+
+void addViewCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand(
+        "view", "Show a scene in a window; H there lists the keys, files can be dropped onto it");
+    const auto options = std::make_shared<WindowOptions>();
+    options->view.width = 1280;
+    options->view.height = 720;
+    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
+    verb->add_option("--screenshot", options->screenshot,
+                     "Draw one picture in the window, save it and end")
+        ->type_name("OUT.png")
+        ->needs(verb->get_option("FILE"));
+    addViewOptions(*verb, options->view);
+    addDrawOptions(*verb, options->settings);
+    verb->add_option("--samples", options->samples, "Samples a pixel for antialiasing (0: none)")
+        ->check(CLI::Range(0, 64))
+        ->type_name("N");
+    addCasterOptions(*verb, options->casters);
+    verb->callback([options] { view(*options); });
+}
+#else
+void addViewCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand("view", "Show a scene in a window (not built in)");
+    verb->prefix_command();
+    verb->callback([] {
+        throw Error(ExitStatus::unavailable,
+                    "This edgeshade was built without GLFW, so it has no 'view'.");
+    });
+}
+#endif
+
+} // namespace edgeshade::cli

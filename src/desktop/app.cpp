@@ -1,0 +1,227 @@
+#include "src/desktop/app.hpp"
+
+#include "preprocess/error.hpp"
+#include "src/desktop/keys.hpp"
+#include "src/desktop/screenshot.hpp"
+#include "src/desktop/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace edgeshade::desktop {
+namespace {
+
+using viewer::PointerButton;
+
+App& appOf(GLFWwindow* window) {
+    return *static_cast<App*>(glfwGetWindowUserPointer(window));
+}
+
+PointerButton buttonFrom(int button) {
+    if (button == GLFW_MOUSE_BUTTON_RIGHT) return PointerButton::secondary;
+    if (button == GLFW_MOUSE_BUTTON_MIDDLE) return PointerButton::middle;
+    return PointerButton::primary;
+}
+
+} // namespace
+
+App::App(const WindowRequest& request, const viewer::ViewerSettings& settings,
+         std::function<LoadedScene(const std::filesystem::path&)> load)
+    : window_(request), viewer_(window_.capabilities(), settings), load_(std::move(load)) {
+    connect();
+    fitToWindow();
+}
+
+void App::connect() {
+    GLFWwindow* window = window_.handle();
+    glfwSetWindowUserPointer(window, this);
+    glfwGetCursorPos(window, &cursor_.x, &cursor_.y);
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
+        appOf(w).onKey(key, action, modifiers);
+    });
+    glfwSetCharCallback(window,
+                        [](GLFWwindow* w, unsigned character) { appOf(w).onCharacter(character); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+        appOf(w).onButton(button, action, modifiers);
+    });
+    glfwSetCursorPosCallback(window,
+                             [](GLFWwindow* w, double x, double y) { appOf(w).onMove(x, y); });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double notches) {
+        App& app = appOf(w);
+        const viewer::Pointer at = app.pointer();
+        app.guarded([&] { app.viewer_.wheel(at.x, at.y, notches); });
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        if (count > 0) appOf(w).onDrop(paths[0]);
+    });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { appOf(w).fitToWindow(); });
+    glfwSetWindowContentScaleCallback(window,
+                                      [](GLFWwindow* w, float, float) { appOf(w).fitToWindow(); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { appOf(w).viewer_.invalidate(); });
+}
+
+void App::fitToWindow() {
+    glfwGetFramebufferSize(window_.handle(), &width_, &height_);
+    float scaleY = 1.0f;
+    glfwGetWindowContentScale(window_.handle(), &scale_, &scaleY);
+    viewer_.resize(width_, height_, scale_);
+}
+
+void App::run() {
+    while (!glfwWindowShouldClose(window_.handle())) {
+        if (viewer_.wantsFrame()) guarded([&] { draw(); });
+        if (viewer_.wantsFrame())
+            glfwPollEvents();
+        else
+            glfwWaitEvents();
+    }
+}
+
+void App::draw() {
+    if (width_ == 0 || height_ == 0) { // an icon
+        glfwWaitEvents();
+        return;
+    }
+    if (!viewer_.frame(glfwGetTime())) return;
+    const float size = std::max(1.0f, std::round(1.6f * scale_));
+    const float gap = 8.0f * size;
+    viewer::OverlayTriangles text;
+    const auto add = [&](const std::string& lines, float y) {
+        const auto more = textTriangles(lines, gap, y, size);
+        text.insert(text.end(), more.begin(), more.end());
+    };
+    const std::string figuresNow = showsFigures_ ? figures() : "";
+    if (showsFigures_) add(figuresNow, gap);
+    if (showsHelp_)
+        add(helpText(), gap + (showsFigures_ ? textHeight(figuresNow, size) + gap : 0.0f));
+    const std::string line = message_.empty() && !viewer_.hasScene()
+                                 ? "Drop a .gltf or .glb file here. H: help"
+                                 : message_;
+    if (!line.empty()) add(line, static_cast<float>(height_) - textHeight(line, size) - gap);
+    overlay_.draw(text, width_, height_);
+    glfwSwapBuffers(window_.handle());
+}
+
+void App::say(const std::string& message) {
+    message_ = message;
+    viewer_.invalidate();
+}
+
+/// An error in the middle of the loop becomes a line: what was on show stays.
+template <class Action>
+void App::guarded(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        std::cerr << "edgeshade: " << error.what() << std::endl;
+        say(error.what());
+    }
+}
+
+void App::saveScreenshot(const std::filesystem::path& path) {
+    const bool hadHandles = viewer_.state().showLights;
+    viewer_.change({{"show_lights", false}});
+    viewer_.frame(glfwGetTime());
+    const Bytes png = screenshotPng(width_, height_);
+    viewer_.change({{"show_lights", hadHandles}});
+    writeFile(path, png);
+}
+
+void App::onKey(int key, int action, int modifiers) {
+    if (action == GLFW_RELEASE) return;
+    guarded([&] {
+        if (key == GLFW_KEY_ESCAPE && showsHelp_) {
+            showsHelp_ = false;
+            viewer_.invalidate();
+        } else if (key == GLFW_KEY_ESCAPE) {
+            glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+        } else if (key == GLFW_KEY_F12 && action == GLFW_PRESS) {
+            onCharacter('p');
+        } else if (const auto command = commandForKey(key, modifiers)) {
+            viewer_.run(*command);
+        }
+    });
+}
+
+void App::onCharacter(unsigned character) {
+    if (character >= 'A' && character <= 'Z') character += 'a' - 'A';
+    message_.clear();
+    guarded([&] {
+        if (character == 'h' || character == '?') {
+            showsHelp_ = !showsHelp_;
+        } else if (character == 'i') {
+            showsFigures_ = !showsFigures_;
+        } else if (character == 'p') {
+            const std::filesystem::path path = freeScreenshotName();
+            saveScreenshot(path);
+            std::cerr << path.string() << std::endl;
+            say("Saved as " + path.string());
+        } else if (const auto command = commandForCharacter(character)) {
+            viewer_.run(*command);
+        }
+        viewer_.invalidate();
+    });
+}
+
+viewer::Pointer App::pointer() const {
+    int windowWidth = 1, windowHeight = 1;
+    glfwGetWindowSize(window_.handle(), &windowWidth, &windowHeight);
+    viewer::Pointer result = pressed_;
+    result.x = cursor_.x * width_ / std::max(1, windowWidth);
+    result.y = cursor_.y * height_ / std::max(1, windowHeight);
+    return result;
+}
+
+void App::onButton(int button, int action, int modifiers) {
+    // A mouse is one pointer: what its first button began goes on until all are up.
+    if (action == GLFW_PRESS && buttonsDown_++ > 0) return;
+    if (action == GLFW_RELEASE && (buttonsDown_ == 0 || --buttonsDown_ > 0)) return;
+    if (action == GLFW_PRESS) {
+        pressed_ = {};
+        pressed_.button = buttonFrom(button);
+        pressed_.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+        pressed_.control = (modifiers & GLFW_MOD_CONTROL) != 0;
+    }
+    guarded([&] {
+        if (action == GLFW_PRESS)
+            viewer_.pointerDown(pointer());
+        else
+            viewer_.pointerUp(pointer());
+    });
+}
+
+void App::onMove(double x, double y) {
+    cursor_ = {x, y};
+    guarded([&] { viewer_.pointerMove(pointer()); });
+}
+
+void App::onDrop(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    guarded([&] {
+        say("Loading " + name);
+        draw();
+        viewer_.show(load_(path));
+        glfwSetWindowTitle(window_.handle(), (name + " - edgeshade").c_str());
+        say("");
+    });
+}
+
+std::string App::figures() const {
+    const viewer::FrameStats stats = viewer_.stats();
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << stats.frameMs << " ms a frame, " << stats.planMs
+         << " of it planning\n"
+         << stats.triangles << " triangles, " << stats.edges << " edges, " << stats.silhouettes
+         << " of them silhouettes\n"
+         << static_cast<double>(stats.shadowBytes) / (1 << 20) << " MB of shadow data, "
+         << static_cast<double>(stats.mapBytes) / (1 << 20) << " MB of shadow maps\n"
+         << window_.capabilities().renderer;
+    return text.str();
+}
+
+} // namespace edgeshade::desktop

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "src/desktop/window.hpp"
+#include "src/viewer/overlay_pass.hpp"
+#include "src/viewer/viewer.hpp"
+
+#include <filesystem>
+#include <functional>
+
+namespace edgeshade::desktop {
+
+/// The viewer in a window: events in, pictures out, text over them.
+class App {
+  public:
+    /// `load` reads a file that was dropped onto the window. Throws Error(unavailable).
+    App(const WindowRequest& request, const viewer::ViewerSettings& settings,
+        std::function<LoadedScene(const std::filesystem::path&)> load);
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+
+    viewer::Viewer& viewer() { return viewer_; }
+    const gl::Capabilities& capabilities() const { return window_.capabilities(); }
+
+    /// Until the window is closed. Waits for events where nothing is to be drawn.
+    void run();
+
+    /// Draws the picture without handles and text and writes it as a PNG. Throws Error.
+    void saveScreenshot(const std::filesystem::path& path);
+
+  private:
+    void connect();
+    void fitToWindow();
+    void draw();
+    void say(const std::string& message);
+    template <class Action>
+    void guarded(Action action);
+
+    void onKey(int key, int action, int modifiers);
+    void onCharacter(unsigned character);
+    void onButton(int button, int action, int modifiers);
+    void onMove(double x, double y);
+    void onDrop(const std::filesystem::path& path);
+    viewer::Pointer pointer() const; ///< where the cursor is, with what pressed_ says
+    std::string figures() const;
+
+    Window window_;
+    viewer::Viewer viewer_;
+    viewer::OverlayPass overlay_;
+    std::function<LoadedScene(const std::filesystem::path&)> load_;
+    int width_ = 1; ///< of the picture, pixels
+    int height_ = 1;
+    float scale_ = 1.0f; ///< of the display's contents
+    /// In window units, as of the event that is looked at: asked for, GLFW says where it is by now,
+    /// which during a slow frame is elsewhere.
+    glm::dvec2 cursor_{0.0};
+    int buttonsDown_ = 0;
+    viewer::Pointer pressed_; ///< as the first button went down
+    bool showsHelp_ = false;
+    bool showsFigures_ = false;
+    std::string message_; ///< a line at the bottom; empty: none
+};
+
+} // namespace edgeshade::desktop

@@ -1,0 +1,96 @@
+#include "src/desktop/keys.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace edgeshade::desktop {
+
+using viewer::Command;
+
+std::optional<Command> commandForCharacter(unsigned character) {
+    switch (character) {
+    case '+':
+    case '=':
+        return Command::zoomIn;
+    case '-':
+        return Command::zoomOut;
+    case 'f':
+        return Command::fit;
+    case 'r':
+        return Command::reset;
+    case 'l':
+        return Command::nextLight;
+    case 'n':
+        return Command::addLight;
+    case 'u':
+        return Command::toggleSun;
+    case 't':
+        return Command::toggleLights;
+    case 'm':
+        return Command::nextShadows;
+    case 's':
+        return Command::toggleSplit;
+    case ',':
+        return Command::splitLeft;
+    case '.':
+        return Command::splitRight;
+    case 'v':
+        return Command::toggleDebug;
+    case ' ':
+        return Command::togglePlaying;
+    case '[':
+        return Command::slower;
+    case ']':
+        return Command::faster;
+    default:
+        return std::nullopt;
+    }
+}
+
+std::optional<Command> commandForKey(int key, int modifiers) {
+    const bool light = (modifiers & GLFW_MOD_CONTROL) != 0;
+    const bool pan = (modifiers & GLFW_MOD_SHIFT) != 0;
+    switch (key) {
+    case GLFW_KEY_LEFT:
+        return light ? Command::lightLeft : pan ? Command::panLeft : Command::orbitLeft;
+    case GLFW_KEY_RIGHT:
+        return light ? Command::lightRight : pan ? Command::panRight : Command::orbitRight;
+    case GLFW_KEY_UP:
+        return light ? Command::lightUp : pan ? Command::panUp : Command::orbitUp;
+    case GLFW_KEY_DOWN:
+        return light ? Command::lightDown : pan ? Command::panDown : Command::orbitDown;
+    case GLFW_KEY_PAGE_UP:
+        return light ? Command::lightFarther : Command::zoomIn;
+    case GLFW_KEY_PAGE_DOWN:
+        return light ? Command::lightNearer : Command::zoomOut;
+    case GLFW_KEY_HOME:
+        return Command::fit;
+    case GLFW_KEY_DELETE:
+    case GLFW_KEY_BACKSPACE:
+        return Command::removeLight;
+    default:
+        return std::nullopt;
+    }
+}
+
+std::string helpText() {
+    return "drag, arrows\torbit\n"
+           "right drag, Shift+arrows\tpan\n"
+           "wheel, + -, Page Up, Page Down\tzoom\n"
+           "drag a handle, Ctrl+drag, Ctrl+arrows\tmove a light\n"
+           "Ctrl+Page Up, Page Down\tmove it farther, nearer\n"
+           "L / N / Delete\tnext / new / remove light\n"
+           "U\tpoint light or sun\n"
+           "T\tshow or hide the lights' handles\n"
+           "F, Home / R\tsee everything / start again\n"
+           "M\tvolumes, map, none\n"
+           "S / , .\ttwo kinds side by side / move the line\n"
+           "V\tshow the volumes\n"
+           "Space / [ ]\tplay / slower, faster\n"
+           "I\tfigures\n"
+           "P, F12\tsave the picture\n"
+           "H, ? / Esc\tthis help / end\n"
+           "drop a .gltf or .glb file\tsee it";
+}
+
+} // namespace edgeshade::desktop

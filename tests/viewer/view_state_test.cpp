@@ -1,0 +1,114 @@
+// The state's JSON: what is written is read back, and what is wrong is named.
+
+#include "preprocess/error.hpp"
+#include "src/viewer/view_state.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace edgeshade::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+ViewState someState() {
+    ViewState state;
+    state.camera = {{1.25, -2, 1e6 + 0.001}, {0.1, 0.2, 0.3}, 60.5};
+    state.lights = {{{1, 2, 3, 1}}, {{0.1, 0.7, -0.3, 0}}};
+    state.chosenLight = 1;
+    state.ambient = 0.25f;
+    state.left = {ShadowMethod::map, 512, MultiplicityMethod::threeEdge};
+    state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge};
+    state.split = true;
+    state.splitAt = 0.3;
+    state.debug = DebugView::volumes;
+    state.showLights = false;
+    state.playing = true;
+    state.speed = 2.5;
+    state.time = 12.75;
+    return state;
+}
+
+/// The refusal of `changes`; it must name `name` and `value`.
+void expectRefused(const std::string& changes, const std::string& name, const std::string& value) {
+    SCOPED_TRACE(changes);
+    try {
+        changed(someState(), Json::parse(changes));
+        ADD_FAILURE() << "was taken";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::usage);
+        const std::string sentence = error.what();
+        EXPECT_NE(sentence.find(name), std::string::npos) << sentence;
+        EXPECT_NE(sentence.find(value), std::string::npos) << sentence;
+    }
+}
+
+TEST(ViewState, EveryKeySurvivesARoundTrip) {
+    const Json json = toJson(someState());
+    EXPECT_EQ(json.size(), 13u);
+    EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
+    EXPECT_NE(toJson(ViewState()), json);
+}
+
+TEST(ViewState, AKeyAloneChangesNothingElse) {
+    Json expected = toJson(someState());
+    expected["camera"]["fov"] = 30.0;
+    expected["right"]["shadows"] = "volumes";
+    EXPECT_EQ(
+        toJson(changed(someState(),
+                       Json::parse(R"({"camera": {"fov": 30}, "right": {"shadows": "volumes"}})"))),
+        expected);
+    EXPECT_EQ(toJson(changed(someState(), Json::object())), toJson(someState()));
+}
+
+TEST(ViewState, FewerLightsLeaveOneChosen) {
+    EXPECT_EQ(changed(someState(), Json::parse(R"({"lights": [[0, 1, 0, 0]]})")).chosenLight, 0u);
+}
+
+TEST(ViewState, AnUnknownKeyIsRefused) {
+    expectRefused(R"({"colour": 7})", "'colour'", "7");
+    expectRefused(R"({"camera": {"roll": 8}})", "'camera.roll'", "8");
+    expectRefused(R"({"left": {"pcf": 3}})", "'left.pcf'", "3");
+}
+
+TEST(ViewState, AValueOutOfRangeIsRefused) {
+    expectRefused(R"({"ambient": 1.5})", "ambient", "1.5");
+    expectRefused(R"({"camera": {"fov": 180}})", "camera.fov", "180");
+    expectRefused(R"({"camera": {"fov": 0}})", "camera.fov", "0");
+    expectRefused(R"({"camera": {"from": [1, 2, 1e300]}})", "camera.from[2]", "1e+300");
+    expectRefused(R"({"camera": {"from": [1, 2, 3], "to": [1, 2, 3]}})", "camera", "[1,2,3]");
+    expectRefused(R"({"lights": []})", "lights", "[]");
+    expectRefused(R"({"lights": [[1, 2, 3, 0.5]]})", "lights[0]", "0.5");
+    expectRefused(R"({"lights": [[0, 0, 0, 0]]})", "lights[0]", "[0,0,0,0]");
+    expectRefused(R"({"chosen_light": 2})", "chosen_light", "2");
+    expectRefused(R"({"chosen_light": 0.5})", "chosen_light", "0.5");
+    expectRefused(R"({"left": {"map_size": 15}})", "left.map_size", "15");
+    expectRefused(R"({"right": {"shadows": "soft"}})", "right.shadows", "soft");
+    expectRefused(R"({"split_at": -0.1})", "split_at", "-0.1");
+    expectRefused(R"({"speed": 11})", "speed", "11");
+    expectRefused(R"({"time": -1})", "time", "-1");
+}
+
+TEST(ViewState, AnotherKindOfValueIsRefused) {
+    expectRefused("[]", "state", "[]");
+    expectRefused(R"({"split": 1})", "split", "1");
+    expectRefused(R"({"ambient": "much"})", "ambient", "much");
+    expectRefused(R"({"camera": [1]})", "camera", "[1]");
+    expectRefused(R"({"lights": [[1, 2, 3]]})", "lights[0]", "[1,2,3]");
+    expectRefused(R"({"time": null})", "time", "null");
+}
+
+TEST(ViewState, WhatIsNotFiniteIsRefused) {
+    for (const double value : {static_cast<double>(NAN), static_cast<double>(INFINITY)}) {
+        try {
+            changed(someState(), Json{{"time", value}});
+            ADD_FAILURE() << "was taken";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("time is not finite"), std::string::npos)
+                << error.what();
+        }
+    }
+}
+
+} // namespace
+} // namespace edgeshade::viewer

@@ -1,0 +1,220 @@
+// The viewer against plain pictures of the same views.
+
+#include "preprocess/error.hpp"
+#include "src/gl/headless_context.hpp"
+#include "src/viewer/viewer.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Pixels = std::vector<std::uint8_t>;
+
+constexpr int width = 160;
+constexpr int height = 120;
+
+LoadedScene yardScene() {
+    const Scene scene = test::yard().scene();
+    return {{}, scene, buildShadows(scene, false), {}};
+}
+
+/// A viewer with the yard in a context of its own, without handles.
+class ViewerTest : public testing::Test {
+  protected:
+    ViewerTest() {
+        viewer.resize(width, height, 1.0);
+        viewer.show(yardScene());
+        viewer.change({{"show_lights", false}});
+        viewer.change(Json::parse(R"({"lights": [[1.5, 6, 2, 1], [-0.3, 1, 0.4, 0]]})"));
+    }
+
+    Pixels picture() {
+        EXPECT_TRUE(viewer.frame(0.0));
+        return context.readPixels();
+    }
+
+    /// The picture of the same view as `render` draws it.
+    Pixels plainPicture(const SideSettings& side) const {
+        RenderSettings settings;
+        settings.shadows = side.shadows;
+        settings.multiplicity = side.multiplicity;
+        settings.map.size = side.mapSize;
+        const ViewState& state = viewer.state();
+        settings.ambient = state.ambient;
+        return test::drawScene(test::yard().scene(), {state.camera, state.lights, width, height},
+                               settings);
+    }
+
+    gl::HeadlessContext context{{width, height, 0}};
+    Viewer viewer{context.capabilities()};
+};
+
+/// The columns [from, to) of a picture.
+Pixels columns(const Pixels& pixels, int from, int to) {
+    Pixels result;
+    for (int y = 0; y < height; ++y)
+        result.insert(result.end(), pixels.begin() + 4 * (y * width + from),
+                      pixels.begin() + 4 * (y * width + to));
+    return result;
+}
+
+std::size_t differing(const Pixels& a, const Pixels& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); i += 4)
+        count += !std::equal(a.begin() + static_cast<long>(i), a.begin() + static_cast<long>(i) + 4,
+                             b.begin() + static_cast<long>(i));
+    return count;
+}
+
+// The other picture is drawn last: its context takes the place of the viewer's.
+
+TEST_F(ViewerTest, DrawsThePictureOfRender) {
+    const Pixels drawn = picture();
+    EXPECT_TRUE(drawn == plainPicture(viewer.state().left));
+}
+
+TEST_F(ViewerTest, DrawsMapsToo) {
+    viewer.change(Json::parse(R"({"left": {"shadows": "map", "map_size": 256}})"));
+    const Pixels drawn = picture();
+    EXPECT_TRUE(drawn == plainPicture(viewer.state().left));
+}
+
+TEST_F(ViewerTest, BothSidesOfASplitAreTheirWholePictures) {
+    viewer.change(Json::parse(R"({"split": true, "split_at": 0.4, "right": {"map_size": 64}})"));
+    const Pixels drawn = picture();
+    const Pixels left = plainPicture(viewer.state().left);
+    const Pixels right = plainPicture(viewer.state().right);
+    // Column 64 is the first of the right side; the line between them is 4 wide.
+    EXPECT_TRUE(columns(drawn, 0, 62) == columns(left, 0, 62));
+    EXPECT_TRUE(columns(drawn, 66, width) == columns(right, 66, width));
+    EXPECT_GT(differing(left, right), 0u);
+}
+
+TEST_F(ViewerTest, ASplitOfMapsOnTheLeftIsNotCutEither) {
+    viewer.change(Json::parse(R"({"split": true, "split_at": 0.6,
+        "left": {"shadows": "map", "map_size": 128}, "right": {"shadows": "volumes"}})"));
+    const Pixels drawn = picture();
+    const Pixels left = plainPicture(viewer.state().left);
+    const Pixels right = plainPicture(viewer.state().right);
+    EXPECT_TRUE(columns(drawn, 0, 94) == columns(left, 0, 94));
+    EXPECT_TRUE(columns(drawn, 98, width) == columns(right, 98, width));
+}
+
+TEST_F(ViewerTest, DrawsOnlyWhenSomethingChanged) {
+    EXPECT_TRUE(viewer.wantsFrame());
+    EXPECT_TRUE(viewer.frame(0.0));
+    EXPECT_FALSE(viewer.wantsFrame());
+    EXPECT_FALSE(viewer.frame(1.0));
+    viewer.pointerMove(Pointer()); // of no pointer that is down
+    EXPECT_FALSE(viewer.wantsFrame());
+    viewer.run(Command::orbitLeft);
+    EXPECT_TRUE(viewer.wantsFrame());
+    EXPECT_TRUE(viewer.frame(2.0));
+    viewer.invalidate();
+    EXPECT_TRUE(viewer.frame(3.0));
+}
+
+TEST_F(ViewerTest, RefusedChangesChangeNothing) {
+    viewer.frame(0.0);
+    const Json before = toJson(viewer.state());
+    EXPECT_THROW(viewer.change({{"ambient", 0.1}, {"speed", 1000}}), Error);
+    EXPECT_EQ(toJson(viewer.state()), before);
+    EXPECT_FALSE(viewer.wantsFrame());
+}
+
+TEST_F(ViewerTest, HandlesAreDrawnOverThePicture) {
+    const Pixels without = picture();
+    viewer.change({{"show_lights", true}});
+    EXPECT_GT(differing(picture(), without), 100u);
+    viewer.change({{"show_lights", false}});
+    EXPECT_TRUE(picture() == without);
+}
+
+TEST_F(ViewerTest, TheTintOfVolumesLeavesOpaqueAlphaAndGoesAgain) {
+    const Pixels without = picture();
+    viewer.change({{"debug", "volumes"}});
+    const Pixels tinted = picture();
+    EXPECT_GT(differing(tinted, without), 100u);
+    for (std::size_t i = 3; i < tinted.size(); i += 4)
+        ASSERT_EQ(tinted[i], 255);
+    viewer.change({{"debug", "none"}});
+    EXPECT_TRUE(picture() == without);
+}
+
+TEST_F(ViewerTest, ALightDraggedByItsHandleShadesFromThere) {
+    viewer.change(Json::parse(R"({"show_lights": true, "lights": [[1.5, 4, 2, 1]],
+        "camera": {"from": [0, 6, 12], "to": [0, 1, 0]}})"));
+    const Pixels before = picture();
+    Pointer pointer;
+    // Where a handle is: the place that the wheel and a drag agree on.
+    const glm::dvec4 clip =
+        clipFromView(viewer.state().camera, static_cast<double>(width) / height, 0.1) *
+        viewFromWorld(viewer.state().camera) * viewer.state().lights[0].position;
+    pointer.x = 0.5 * width * (1 + clip.x / clip.w);
+    pointer.y = 0.5 * height * (1 - clip.y / clip.w);
+    viewer.pointerDown(pointer);
+    pointer.x -= 40;
+    viewer.pointerMove(pointer);
+    viewer.pointerUp(pointer);
+    EXPECT_LT(viewer.state().lights[0].position.x, 0.0);
+    EXPECT_NEAR(viewer.state().lights[0].position.y, 4.0, 1e-9);
+    EXPECT_GT(differing(picture(), before), 200u);
+}
+
+TEST_F(ViewerTest, StatisticsTellOfTheScene) {
+    viewer.frame(0.0);
+    const FrameStats stats = viewer.stats();
+    EXPECT_EQ(stats.triangles, test::yard().scene().triangleCount());
+    EXPECT_GT(stats.edges, stats.silhouettes);
+    EXPECT_GE(stats.records, stats.edges);
+    EXPECT_GT(stats.silhouettes, 0u);
+    EXPECT_GT(stats.shadowBytes, 0u);
+    EXPECT_EQ(stats.mapBytes, 0u);
+    EXPECT_GT(stats.frameMs, 0.0);
+    viewer.change(Json::parse(R"({"left": {"shadows": "map", "map_size": 64}})"));
+    viewer.frame(1.0);
+    EXPECT_GT(viewer.stats().mapBytes, 0u);
+}
+
+TEST(ViewerWithoutAScene, DrawsTheGroundAndTakesEverything) {
+    const gl::HeadlessContext context({width, height, 0});
+    Viewer viewer(context.capabilities());
+    viewer.resize(width, height, 1.0);
+    for (int c = 0; c <= static_cast<int>(Command::faster); ++c)
+        viewer.run(static_cast<Command>(c));
+    viewer.pointerDown(Pointer());
+    viewer.wheel(10, 10, 1);
+    EXPECT_FALSE(viewer.hasScene());
+    EXPECT_EQ(viewer.stats().triangles, 0u);
+    EXPECT_TRUE(viewer.frame(0.0));
+    EXPECT_NE(context.readPixels(), Pixels(4 * width * height, 0));
+}
+
+TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
+    Pixels before;
+    auto context =
+        std::make_unique<gl::HeadlessContext>(gl::HeadlessContext::Request{width, height, 0});
+    Viewer viewer(context->capabilities());
+    viewer.resize(width, height, 1.0);
+    viewer.show(yardScene());
+    viewer.frame(0.0);
+    before = context->readPixels();
+    viewer.forgetGpu();
+    viewer.run(Command::orbitLeft);
+    viewer.run(Command::orbitRight);
+    EXPECT_FALSE(viewer.wantsFrame());
+    EXPECT_FALSE(viewer.frame(1.0));
+    context.reset();
+    context = std::make_unique<gl::HeadlessContext>(gl::HeadlessContext::Request{width, height, 0});
+    viewer.restoreGpu(context->capabilities());
+    EXPECT_TRUE(viewer.frame(2.0));
+    EXPECT_LT(differing(context->readPixels(), before), 20u); // the eye came back but for rounding
+    viewer.forgetGpu();
+}
+
+} // namespace
+} // namespace edgeshade::viewer

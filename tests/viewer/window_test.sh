@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# window_test.sh EDGESHADE PICTURE_DIFFERENCE SCENE: `edgeshade view` under a display of its own.
+# Exits 77 (skipped) without Xvfb or xdotool.
+set -euo pipefail
+program=$1 difference=$2 scene=$3
+
+for tool in Xvfb xdotool; do
+    command -v "$tool" >/dev/null || { echo "skipped: $tool is not here"; exit 77; }
+done
+fail() { echo "FAILED: $*"; exit 1; }
+# at_most LIMIT A B: at most LIMIT pixels per thousand of A and B differ
+at_most() {
+    local found
+    found=$("$difference" "$2" "$3")
+    echo "$2 and $3: $found per thousand differ"
+    awk -v found="$found" -v limit="$1" 'BEGIN { exit !(found ~ /^[0-9]/ && found <= limit) }'
+}
+
+folder=$(mktemp -d)
+cd "$folder"
+Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp 3>display 2>xvfb.log &
+server=$!
+window_program=
+trap 'kill $window_program $server 2>/dev/null || true; wait 2>/dev/null; rm -rf "$folder"' EXIT
+for _ in $(seq 100); do [[ -s display ]] && break; sleep 0.1; done
+[[ -s display ]] || fail "Xvfb gives no display"
+
+# Without a display: status 3 and a sentence.
+status=0
+env -u DISPLAY -u WAYLAND_DISPLAY "$program" view "$scene" 2>message || status=$?
+[[ $status == 3 ]] || fail "without a display the status is $status"
+grep -q "No window can be opened here" message || fail "$(cat message)"
+
+export DISPLAY=:$(cat display) LIBGL_ALWAYS_SOFTWARE=1
+unset WAYLAND_DISPLAY
+view=(--size 400x300 --camera-from 7,5,9 --camera-to 0,1,0 --sun -0.6,0.6,-0.3)
+
+# The window's picture is that of `render`. Mesa's window and pbuffer configs may round depth
+# otherwise, so one pixel in a thousand may differ.
+"$program" render "$scene" plain.png "${view[@]}" >/dev/null
+"$program" view "$scene" --screenshot window.png "${view[@]}"
+at_most 1 plain.png window.png || fail "the window shows another picture than render"
+
+# Keys and mouse change it. Every P saves the next edgeshade-N.png.
+"$program" view "$scene" "${view[@]}" 2>window.log &
+window_program=$!
+window=$(timeout 60 xdotool search --sync --onlyvisible --name 'edgeshade$' | head -1)
+xdotool windowfocus --sync "$window"
+shots=0
+shoot() {
+    shots=$((shots + 1))
+    xdotool key p
+    for _ in $(seq 200); do [[ -s edgeshade-$shots.png ]] && return; sleep 0.1; done
+    fail "no screenshot $shots: $(cat window.log)"
+}
+shoot
+at_most 1 plain.png edgeshade-1.png || fail "the first screenshot differs from render"
+xdotool key Left Left Left
+shoot
+at_most 20 edgeshade-1.png edgeshade-2.png && fail "the arrow keys did nothing"
+xdotool mousemove --window "$window" 60 250 mousedown 1
+xdotool mousemove --window "$window" 120 240 mousemove --window "$window" 180 230 mouseup 1
+shoot
+at_most 20 edgeshade-2.png edgeshade-3.png && fail "dragging did nothing"
+xdotool mousemove --window "$window" 200 150 click 4 click 4 click 4
+shoot
+at_most 20 edgeshade-3.png edgeshade-4.png && fail "the wheel did nothing"
+xdotool key ctrl+Left ctrl+Left ctrl+Left ctrl+Left ctrl+Left ctrl+Left
+shoot
+at_most 5 edgeshade-4.png edgeshade-5.png && fail "the light did not move"
+xdotool key h i # text is over the window, never in a screenshot
+shoot
+at_most 0 edgeshade-5.png edgeshade-6.png || fail "the help is in the screenshot"
+xdotool windowsize "$window" 500 320
+for _ in $(seq 50); do
+    shoot
+    [[ $("$difference" edgeshade-6.png "edgeshade-$shots.png") == sizes ]] && break
+done
+[[ $("$difference" edgeshade-6.png "edgeshade-$shots.png") == sizes ]] || fail "no resize"
+xdotool key Escape Escape # the help, then the window
+status=0
+wait "$window_program" || status=$?
+window_program=
+[[ $status == 0 ]] || fail "the window ended with status $status: $(cat window.log)"
+echo "the window shows what render draws, and reacts"
