@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t largestCount = std::size_t{1} << 30;
+/// As floats they must fit into memory, which is 4 GiB in a browser.
+constexpr std::size_t largestCount =
+    std::min(std::size_t{1} << 30, std::numeric_limits<std::size_t>::max() / (16 * sizeof(float)));
 
 int componentsOf(int type) {
     switch (type) {

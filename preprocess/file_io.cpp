@@ -101,7 +101,7 @@ Bytes readFile(const std::filesystem::path& path) {
 
     Bytes bytes;
     const auto size = std::filesystem::file_size(path, error);
-    if (!error) bytes.reserve(size);
+    if (!error) bytes.reserve(static_cast<std::size_t>(size));
     char block[1 << 16];
     while (file.read(block, sizeof block) || file.gcount() > 0)
         bytes.insert(bytes.end(), block, block + file.gcount());

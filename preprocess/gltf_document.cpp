@@ -79,7 +79,7 @@ void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
         if (bytes.size() < length)
             throw InputError(document.where(field) + ".byteLength is " + std::to_string(length) +
                              ", but there are " + std::to_string(bytes.size()) + " bytes.");
-        bytes.resize(length);
+        bytes.resize(static_cast<std::size_t>(length));
         document.buffers.push_back(std::move(bytes));
     }
 }

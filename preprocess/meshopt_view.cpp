@@ -3,6 +3,7 @@
 #include "preprocess/gltf_document.hpp"
 #include "preprocess/json_field.hpp"
 
+#include <limits>
 #include <meshoptimizer.h>
 #include <string>
 
@@ -27,17 +28,25 @@ struct CompressedView {
     std::string filter;
 };
 
+/// The field's value, where memory could hold that many.
+std::size_t sizeIn(const JsonField& field) {
+    const std::uint64_t value = field.wholeNumber();
+    if (value > std::numeric_limits<std::size_t>::max())
+        field.fail(" is " + std::to_string(value) + ", which is too many");
+    return static_cast<std::size_t>(value);
+}
+
 CompressedView readFields(const GltfDocument& document, const JsonField& extension) {
     const auto buffer = extension.member("buffer").indexInto(document.buffers.size(), "buffers");
     const auto offsetField = extension.find("byteOffset");
-    const std::uint64_t offset = offsetField ? offsetField->wholeNumber() : 0;
-    const std::uint64_t length = extension.member("byteLength").wholeNumber();
+    const std::size_t offset = offsetField ? sizeIn(*offsetField) : 0;
+    const std::size_t length = sizeIn(extension.member("byteLength"));
     const Bytes& bytes = document.buffers[buffer];
     if (offset > bytes.size() || length > bytes.size() - offset)
         extension.fail(" ends past the end of buffer " + std::to_string(buffer));
     const auto filter = extension.find("filter");
-    return {std::span(bytes).subspan(offset, length), extension.member("byteStride").wholeNumber(),
-            extension.member("count").wholeNumber(), extension.member("mode").text(),
+    return {std::span(bytes).subspan(offset, length), sizeIn(extension.member("byteStride")),
+            sizeIn(extension.member("count")), extension.member("mode").text(),
             filter ? filter->text() : "NONE"};
 }
 
@@ -79,7 +88,7 @@ void requirePlausible(const CompressedView& view, std::uint64_t viewLength,
     const std::string count = ".count is " + std::to_string(view.count);
     if (view.count > largestDecodedView / view.stride)
         extension.fail(count + ", which is too many");
-    const std::uint64_t decoded = view.count * view.stride;
+    const std::uint64_t decoded = std::uint64_t{view.count} * view.stride;
     if (decoded != viewLength)
         extension.fail(count + " with byteStride " + std::to_string(view.stride) +
                        ", but the view has " + std::to_string(viewLength) + " bytes");

@@ -66,7 +66,7 @@ PackInput readForPacking(const std::filesystem::path& path, const CasterSettings
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;
     const auto fileBytes = std::filesystem::file_size(path, error);
-    report.fileBytes = error ? 0 : fileBytes; // a pipe has none
+    report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
     report.warnings = input.scene.warnings.sentences();
     return input;
 }

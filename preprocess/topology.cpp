@@ -1,7 +1,5 @@
 #include "preprocess/topology.hpp"
 
-#include <bit>
-
 namespace edgeshade {
 
 Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bool castMasked) {
@@ -35,7 +33,7 @@ std::uint64_t positionsHash(const Batch& batch, const Casters& casters) {
     std::uint64_t hash = 0xCBF29CE484222325u;
     for (const std::uint32_t index : casters.indices)
         for (glm::length_t c = 0; c < 3; ++c) {
-            const auto bits = std::bit_cast<std::uint32_t>(batch.positions[index][c]);
+            const std::uint32_t bits = glm::floatBitsToUint(batch.positions[index][c]);
             for (int shift = 0; shift < 32; shift += 8)
                 hash = (hash ^ (bits >> shift & 0xFFu)) * 0x100000001B3u;
         }

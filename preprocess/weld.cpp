@@ -28,7 +28,7 @@ struct CellHash {
         auto hash = static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15u;
         hash = (hash ^ static_cast<std::uint64_t>(cell.y)) * 0xC2B2AE3D27D4EB4Fu;
         hash = (hash ^ static_cast<std::uint64_t>(cell.z)) * 0x165667B19E3779F9u;
-        return hash ^ hash >> 32;
+        return static_cast<std::size_t>(hash ^ hash >> 32);
     }
 };
 

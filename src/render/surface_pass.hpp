@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <tuple>
 
 namespace edgeshade {
 
@@ -52,7 +53,10 @@ class SurfacePass {
         std::optional<ShadowMapKind> map;
         bool sliced; ///< has a farthest depth
 
-        auto operator<=>(const Variant&) const = default;
+        bool operator<(const Variant& other) const {
+            return std::tie(alphaMode, map, sliced) <
+                   std::tie(other.alphaMode, other.map, other.sliced);
+        }
     };
     gl::Program& program(const Variant& variant);
 

@@ -7,14 +7,33 @@
 
 namespace edgeshade {
 
+const char* nameOf(LoadStage stage) {
+    switch (stage) {
+    case LoadStage::read:
+        return "read";
+    case LoadStage::flatten:
+        return "flatten";
+    case LoadStage::shadows:
+        break;
+    }
+    return "shadows";
+}
+
 LoadedScene loadScene(const std::filesystem::path& path,
-                      const std::optional<CasterSettings>& wanted) {
+                      const std::optional<CasterSettings>& wanted,
+                      const std::function<void(LoadStage)>& onStage) {
+    const auto enter = [&](LoadStage stage) {
+        if (onStage) onStage(stage);
+    };
+    enter(LoadStage::read);
     LoadedScene loaded;
     loaded.document = readGltf(path);
     const auto header = readShadowHeader(loaded.document);
     const bool usePacked = header && (!wanted || *wanted == header->settings);
     loaded.settings = usePacked ? header->settings : wanted.value_or(CasterSettings());
+    enter(LoadStage::flatten);
     loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance);
+    enter(LoadStage::shadows);
     if (usePacked) {
         loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
     } else {

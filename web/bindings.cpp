@@ -1,0 +1,163 @@
+// What JavaScript sees of the program. Messages are sentences, "" where all went well; state and
+// figures are JSON.
+
+#include "src/gl/capabilities.hpp"
+#include "src/viewer/viewer.hpp"
+#include "web/commands.hpp"
+#include "web/scene_transfer.hpp"
+#include "web/sentence.hpp"
+
+#include <cstdlib>
+#include <emscripten/bind.h>
+#define GL_GLEXT_PROTOTYPES // their declarations
+#include <GLES2/gl2.h>
+#include <GLES2/gl2ext.h>
+#include <memory>
+#include <string_view>
+
+namespace edgeshade::web {
+namespace {
+
+/// The two entry points beyond WebGL 1 that are ever asked for.
+void* entryPoint(const char* name) {
+    const std::string_view wanted = name;
+    if (wanted == "glVertexAttribDivisorANGLE")
+        return reinterpret_cast<void*>(glVertexAttribDivisorANGLE);
+    if (wanted == "glDrawArraysInstancedANGLE")
+        return reinterpret_cast<void*>(glDrawArraysInstancedANGLE);
+    return nullptr;
+}
+
+/// Of the current context.
+gl::Capabilities usableCapabilities() {
+    gl::Capabilities capabilities = gl::queryCapabilities(entryPoint);
+    if (capabilities.stencilBits < 8)
+        throw Error(ExitStatus::unavailable,
+                    "This browser gave a WebGL context with a stencil of " +
+                        std::to_string(capabilities.stencilBits) + " bits; shadow volumes need 8.");
+    return capabilities;
+}
+
+/// The viewer of one element, on the context that is current whenever it is called.
+class PageViewer {
+  public:
+    std::string start() {
+        return sentenceOfFailure(
+            [this] { viewer_ = std::make_unique<viewer::Viewer>(usableCapabilities()); });
+    }
+
+    /// Takes over a scene from the worker: `size` bytes that malloc() gave, which it frees.
+    std::string show(std::uintptr_t address, std::size_t size) {
+        return sentenceOfFailure([&] {
+            auto* memory = reinterpret_cast<std::uint8_t*>(address);
+            std::unique_ptr<std::uint8_t, decltype(&std::free)> bytes(memory, std::free);
+            LoadedScene loaded = fromTransfer({bytes.get(), size});
+            bytes.reset();
+            viewer_->show(std::move(loaded));
+        });
+    }
+
+    bool hasScene() const { return viewer_->hasScene(); }
+    void resize(int width, int height, double pixelRatio) {
+        viewer_->resize(width, height, pixelRatio);
+    }
+    std::string state() const { return viewer::toJson(viewer_->state()).dump(); }
+    std::string stats() const { return viewer::toJson(viewer_->stats()).dump(); }
+
+    std::string change(const std::string& changes) {
+        return sentenceOfFailure([&] { viewer_->change(nlohmann::ordered_json::parse(changes)); });
+    }
+
+    std::string run(const std::string& command) {
+        return sentenceOfFailure([&] { viewer_->run(commandOf(command)); });
+    }
+
+    /// `button`: as in a PointerEvent; -1 where none changed.
+    void pointer(int phase, int id, double x, double y, int button, bool shift, bool control) {
+        using viewer::PointerButton;
+        viewer::Pointer pointer{id, x, y, PointerButton::primary, shift, control};
+        if (button == 1) pointer.button = PointerButton::middle;
+        if (button == 2) pointer.button = PointerButton::secondary;
+        if (phase == 0) viewer_->pointerDown(pointer);
+        if (phase == 1) viewer_->pointerMove(pointer);
+        if (phase == 2) viewer_->pointerUp(pointer);
+    }
+    void wheel(double x, double y, double notches) { viewer_->wheel(x, y, notches); }
+
+    double animationSeconds() const { return viewer_->animationSeconds(); }
+    bool wantsFrame() const { return viewer_->wantsFrame(); }
+    void invalidate() { viewer_->invalidate(); }
+
+    /// Draws if there is something new. The sentence of a failure is lastProblem().
+    bool frame(double now) {
+        bool drew = false;
+        problem_ = sentenceOfFailure([&] { drew = viewer_->frame(now); });
+        return drew;
+    }
+    std::string lastProblem() const { return problem_; }
+
+    void forgetGpu() { viewer_->forgetGpu(); }
+    std::string restoreGpu() {
+        return sentenceOfFailure([&] { viewer_->restoreGpu(usableCapabilities()); });
+    }
+
+  private:
+    std::unique_ptr<viewer::Viewer> viewer_;
+    std::string problem_;
+};
+
+/// The worker's half: reads files of the current folder of the file system in memory.
+class SceneReader {
+  public:
+    std::string read(const std::string& name, emscripten::val onStage) {
+        return sentenceOfFailure([&] {
+            const LoadedScene loaded = loadScene(
+                name, std::nullopt, [&](LoadStage stage) { onStage(std::string(nameOf(stage))); });
+            onStage(std::string("hand over"));
+            warnings_ = nlohmann::ordered_json(loaded.scene.warnings.sentences()).dump();
+            triangles_ = loaded.scene.triangleCount();
+            bytes_ = toTransfer(loaded);
+        });
+    }
+    emscripten::val bytes() const {
+        return emscripten::val(emscripten::typed_memory_view(bytes_.size(), bytes_.data()));
+    }
+    std::string warnings() const { return warnings_; }
+    std::size_t triangles() const { return triangles_; }
+
+  private:
+    Bytes bytes_;
+    std::string warnings_ = "[]";
+    std::size_t triangles_ = 0;
+};
+
+EMSCRIPTEN_BINDINGS(edgeshade) {
+    emscripten::class_<PageViewer>("Viewer")
+        .constructor<>()
+        .function("start", &PageViewer::start)
+        .function("show", &PageViewer::show)
+        .function("hasScene", &PageViewer::hasScene)
+        .function("resize", &PageViewer::resize)
+        .function("state", &PageViewer::state)
+        .function("stats", &PageViewer::stats)
+        .function("change", &PageViewer::change)
+        .function("run", &PageViewer::run)
+        .function("pointer", &PageViewer::pointer)
+        .function("wheel", &PageViewer::wheel)
+        .function("animationSeconds", &PageViewer::animationSeconds)
+        .function("wantsFrame", &PageViewer::wantsFrame)
+        .function("invalidate", &PageViewer::invalidate)
+        .function("frame", &PageViewer::frame)
+        .function("lastProblem", &PageViewer::lastProblem)
+        .function("forgetGpu", &PageViewer::forgetGpu)
+        .function("restoreGpu", &PageViewer::restoreGpu);
+    emscripten::class_<SceneReader>("SceneReader")
+        .constructor<>()
+        .function("read", &SceneReader::read)
+        .function("bytes", &SceneReader::bytes)
+        .function("warnings", &SceneReader::warnings)
+        .function("triangles", &SceneReader::triangles);
+}
+
+} // namespace
+} // namespace edgeshade::web

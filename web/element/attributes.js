@@ -1,0 +1,63 @@
+// The element's attributes as changes of the viewer's state.
+
+const sideKeys = { shadows: 'shadows', 'map-size': 'map_size', multiplicity: 'multiplicity' };
+const whole = new Set(['map-size']);
+
+/** Attributes that say how a scene is shown, each with an example. */
+export const viewAttributes = [
+  'camera', 'light', 'sun', 'ambient', 'shadows', 'map-size', 'multiplicity', 'split',
+  'split-shadows', 'split-map-size', 'split-at', 'debug', 'lights', 'playing', 'speed', 'time',
+];
+
+function numbers(text, counts, name) {
+  const values = text.split(/[\s,]+/).filter(Boolean).map(Number);
+  if (!counts.includes(values.length) || !values.every(Number.isFinite))
+    throw new Error(`The attribute ${name} is '${text}', but must be ${counts.join(' or ')} numbers.`);
+  return values;
+}
+
+function cameraOf(text) {
+  const [fx, fy, fz, tx, ty, tz, fov] = numbers(text, [6, 7], 'camera');
+  return { from: [fx, fy, fz], to: [tx, ty, tz], ...(fov !== undefined && { fov }) };
+}
+
+function lightsOf(light, sun) {
+  const points = (text, w, name) =>
+    (text ?? '').split(';').filter((part) => part.trim())
+      .map((part) => [...numbers(part, [3], name), w]);
+  return [...points(sun, 0, 'sun'), ...points(light, 1, 'light')];
+}
+
+/**
+ * The changes that attributes stand for: the form of the state, see edgeshade-viewer.d.ts. `get`
+ * gives an attribute's text or null. Throws an Error whose message is a sentence.
+ */
+export function changesFromAttributes(get) {
+  const changes = {};
+  const left = {};
+  const right = {};
+  const number = (name) => numbers(get(name), [1], name)[0];
+  const has = (name) => get(name) !== null && get(name) !== undefined;
+
+  if (has('camera')) changes.camera = cameraOf(get('camera'));
+  if (has('light') || has('sun')) {
+    const lights = lightsOf(get('light'), get('sun'));
+    if (lights.length) changes.lights = lights;
+  }
+  for (const [name, key] of Object.entries(sideKeys)) {
+    const value = (attribute) => (whole.has(name) ? number(attribute) : get(attribute));
+    if (has(name)) left[key] = value(name);
+    if (has(`split-${name}`)) right[key] = value(`split-${name}`);
+  }
+  if (Object.keys(left).length) changes.left = left;
+  if (Object.keys(right).length) changes.right = right;
+  if (has('ambient')) changes.ambient = number('ambient');
+  if (has('split')) changes.split = get('split') !== 'off';
+  if (has('split-at')) changes.split_at = number('split-at');
+  if (has('debug')) changes.debug = get('debug');
+  if (has('lights')) changes.show_lights = get('lights') !== 'off';
+  if (has('playing')) changes.playing = get('playing') !== 'off';
+  if (has('speed')) changes.speed = number('speed');
+  if (has('time')) changes.time = number('time');
+  return changes;
+}

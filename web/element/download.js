@@ -1,0 +1,57 @@
+// Fetches a scene and, for a .gltf, the files that it names.
+
+import { requireReadableSize } from './files.js';
+import { outsideFilesOf } from './virtual-folder.js';
+
+async function responseTo(address, name) {
+  let response;
+  try {
+    response = await fetch(address);
+  } catch {
+    throw new Error(`'${name}' could not be fetched from ${address.host || 'there'}: there is no ` +
+      'connection, or that server does not allow it to this page.');
+  }
+  if (response.status === 404) throw new Error(`'${name}' is not there: the server said 404.`);
+  if (!response.ok)
+    throw new Error(`'${name}' could not be fetched: the server said ${response.status}.`);
+  return response;
+}
+
+async function bytesOf(address, name, onFraction) {
+  const response = await responseTo(address, name);
+  // A compressed answer's length is not that of its content.
+  const known = response.headers.has('content-encoding') ? 0
+    : Number(response.headers.get('content-length'));
+  requireReadableSize(name, known);
+  const parts = [];
+  let length = 0;
+  const reader = response.body.getReader();
+  for (;;) {
+    const { done, value } = await reader.read().catch(() => {
+      throw new Error(`The download of '${name}' broke off.`);
+    });
+    if (done) break;
+    parts.push(value);
+    length += value.byteLength;
+    requireReadableSize(name, length);
+    onFraction(known > 0 ? Math.min(1, length / known) : 0);
+  }
+  const bytes = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    bytes.set(part, at);
+    at += part.byteLength;
+  }
+  return bytes;
+}
+
+/** {name, files: Map of paths to bytes} */
+export async function download(url, onFraction) {
+  const address = new URL(url);
+  const name = decodeURIComponent(address.pathname.split('/').pop()) || 'scene.glb';
+  const bytes = await bytesOf(address, name, onFraction);
+  const files = new Map([[name, bytes]]);
+  for (const { uri, path } of outsideFilesOf(bytes))
+    files.set(path, await bytesOf(new URL(uri, address), path, () => {}));
+  return { name, files };
+}

@@ -1,0 +1,135 @@
+/** A vector in the scene's units, +Y up. */
+export type Vector = [number, number, number];
+
+/** x, y, z and w: 1 for a point light at xyz, 0 for a sun with xyz pointing towards it. */
+export type Light = [number, number, number, number];
+
+export type Shadows = 'volumes' | 'map' | 'none';
+
+/** How one side of the split is drawn; the left one is the whole picture where there is no split. */
+export interface SideSettings {
+  shadows: Shadows;
+  map_size: number;
+  multiplicity: string;
+}
+
+export interface ViewState {
+  camera: { from: Vector; to: Vector; fov: number };
+  lights: Light[];
+  chosen_light: number;
+  ambient: number;
+  left: SideSettings;
+  right: SideSettings;
+  split: boolean;
+  /** Share of the width, 0..1. */
+  split_at: number;
+  debug: 'none' | 'volumes';
+  show_lights: boolean;
+  playing: boolean;
+  speed: number;
+  time: number;
+}
+
+/** Any of the state's keys; of camera, left and right any of their own. */
+export type ViewChanges = Partial<Omit<ViewState, 'camera' | 'left' | 'right'>> & {
+  camera?: Partial<ViewState['camera']>;
+  left?: Partial<SideSettings>;
+  right?: Partial<SideSettings>;
+};
+
+/** Figures of the frames drawn lately, among them frame_ms, triangles, edges and silhouettes. */
+export type Stats = Record<string, number>;
+
+export type Command =
+  | 'orbitLeft' | 'orbitRight' | 'orbitUp' | 'orbitDown'
+  | 'panLeft' | 'panRight' | 'panUp' | 'panDown' | 'zoomIn' | 'zoomOut' | 'fit' | 'reset'
+  | 'lightLeft' | 'lightRight' | 'lightUp' | 'lightDown' | 'lightNearer' | 'lightFarther'
+  | 'nextLight' | 'addLight' | 'removeLight' | 'toggleSun'
+  | 'nextShadows' | 'toggleSplit' | 'splitLeft' | 'splitRight'
+  | 'toggleDebug' | 'toggleLights' | 'togglePlaying' | 'slower' | 'faster';
+
+export interface LoadDetail {
+  name: string;
+  /** The address as it was given; null for files. */
+  source: string | null;
+  triangles: number;
+  fileBytes: number;
+  warnings: string[];
+  /** By stage: download, read, flatten, shadows, hand over, upload, draw. */
+  milliseconds: Record<string, number>;
+  /** From the call of load() to the first frame. */
+  totalMilliseconds: number;
+}
+
+export interface ProgressDetail {
+  stage: 'download' | 'read' | 'flatten' | 'shadows' | 'hand over' | 'upload' | 'draw';
+  /** Of the whole load, 0..1. */
+  fraction: number;
+}
+
+/** A file; `relativePath` is its path in a folder that was dropped. */
+export type SceneFile = File & { relativePath?: string };
+
+/**
+ * Attributes, all but `src` optional, applied to the scene of `src` and whenever they change:
+ *
+ *   src         address of a .glb or .gltf
+ *   camera      "fromX,fromY,fromZ toX,toY,toZ", with the field of view in degrees as a 7th number
+ *   light       "x,y,z", point lights separated by ";"
+ *   sun         "x,y,z" towards the sun, separated likewise
+ *   ambient     0..1
+ *   shadows     volumes, map or none; map-size: of a map, in texels; multiplicity
+ *   split       present: two settings side by side; split-shadows, split-map-size: the right one's;
+ *               split-at: 0..1
+ *   debug       volumes: shows them
+ *   lights      off: no handles
+ *   playing, speed, time: the animation's
+ *   antialias   off: no multisampling (read once)
+ *   label       what screen readers say of the picture
+ *
+ * Events: load (LoadDetail), progress (ProgressDetail), error ({message}, a sentence that the
+ * element also shows), contextlost, contextrestored, change (the state), frame (one was drawn).
+ */
+export class EdgeshadeViewer extends HTMLElement {
+  /** Whether a scene is shown. */
+  readonly loaded: boolean;
+  /** A copy; null until the viewer has started. */
+  readonly state: ViewState | null;
+  readonly stats: Stats | null;
+  /** Length of the animation; 0: nothing moves. */
+  readonly animationSeconds: number;
+
+  /**
+   * Loads an address, or files of which one is a scene, and shows it. Rejects with an Error whose
+   * message is a sentence; the scene before then stays. Resolves with null where a newer load took
+   * over. `home` is the view that reset() goes back to, of `src` by default what the attributes say;
+   * `state` is applied on top of it before the first frame.
+   */
+  load(
+    source: string | URL | File | Iterable<SceneFile>,
+    options?: { home?: ViewChanges; state?: ViewChanges },
+  ): Promise<LoadDetail | null>;
+
+  /** Changes the state, or throws an Error whose message is a sentence and changes nothing. */
+  change(changes: ViewChanges): void;
+  run(command: Command): void;
+  fit(): void;
+  /** Back to the first view of the scene. */
+  reset(): void;
+  /** The picture as PNG. */
+  screenshot(): Promise<Blob>;
+  /** Shows a sentence on the picture. */
+  say(sentence: string, kind?: 'note' | 'error'): void;
+}
+
+/** Keys on the picture; those without `does` go with the one before. */
+export const keys: { key: string; command: Command; does?: string }[];
+
+/** "12.3 MB" */
+export function sizeText(bytes: number): string;
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'edgeshade-viewer': EdgeshadeViewer;
+  }
+}

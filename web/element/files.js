@@ -1,0 +1,53 @@
+// Files that a user hands over: which of them is the scene, and whether it can be one.
+
+export const largestBytes = 512 * 1024 * 1024;
+
+/** "12.3 MB" */
+export function sizeText(bytes) {
+  const units = ['bytes', 'kB', 'MB', 'GB'];
+  let unit = 0;
+  let value = bytes;
+  while (value >= 1000 && unit + 1 < units.length) {
+    value /= 1000;
+    unit += 1;
+  }
+  return unit === 0 ? `${value} ${units[0]}` : `${value.toFixed(1)} ${units[unit]}`;
+}
+
+const isScene = (name) => /\.(glb|gltf)$/i.test(name);
+const pathOf = (file) => file.relativePath || file.webkitRelativePath || file.name;
+
+/** Throws an Error whose message says that so many bytes are too many. */
+export function requireReadableSize(name, bytes) {
+  if (bytes > largestBytes)
+    throw new Error(`'${name}' has ${sizeText(bytes)}; the browser's viewer reads scenes of up to ` +
+      `${sizeText(largestBytes)}. Packing it with the program first may make it smaller.`);
+}
+
+/**
+ * Finds the scene among files. Returns {name, files: [{path, blob}]} with paths relative to the
+ * scene's folder. Throws an Error whose message is a sentence for the user.
+ */
+export function sceneAmong(files) {
+  const all = [...files];
+  if (all.length === 0) throw new Error('There was no file in what was dropped.');
+  const scenes = all.filter((file) => isScene(file.name));
+  if (scenes.length === 0)
+    throw new Error(`'${all[0].name}' is no glTF scene: choose a .glb, or a .gltf together with ` +
+      'its files.');
+  if (scenes.length > 1)
+    throw new Error(`There are ${scenes.length} scenes in what was dropped ('${scenes[0].name}', ` +
+      `'${scenes[1].name}'${scenes.length > 2 ? ', …' : ''}): choose one at a time.`);
+  const scene = scenes[0];
+  const total = all.reduce((sum, file) => sum + file.size, 0);
+  requireReadableSize(scene.name, total);
+  if (scene.size === 0) throw new Error(`'${scene.name}' is empty.`);
+  const path = pathOf(scene);
+  const folder = path.slice(0, path.length - scene.name.length);
+  return {
+    name: scene.name,
+    files: all
+      .filter((file) => pathOf(file).startsWith(folder))
+      .map((file) => ({ path: pathOf(file).slice(folder.length), blob: file })),
+  };
+}

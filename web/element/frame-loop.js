@@ -1,0 +1,28 @@
+// Draws when something has changed, and sleeps else.
+
+export class FrameLoop {
+  #draw;
+  #wanted;
+  #request = 0;
+
+  /** `draw(seconds)` draws; `wanted()` tells whether there will be more to draw. */
+  constructor(draw, wanted) {
+    this.#draw = draw;
+    this.#wanted = wanted;
+  }
+
+  /** Something may have changed. */
+  wake() {
+    if (this.#request) return;
+    this.#request = requestAnimationFrame((milliseconds) => {
+      this.#request = 0;
+      this.#draw(milliseconds / 1000);
+      if (this.#wanted()) this.wake();
+    });
+  }
+
+  stop() {
+    cancelAnimationFrame(this.#request);
+    this.#request = 0;
+  }
+}

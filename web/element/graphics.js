@@ -1,0 +1,35 @@
+// The element's WebGL 1 context: asked for, checked, and registered with the program.
+
+/** The context, or an Error whose message is a sentence. */
+export function createContext(canvas, { antialias }) {
+  const context = canvas.getContext('webgl', {
+    alpha: true,
+    antialias,
+    depth: true,
+    stencil: true,
+    powerPreference: 'high-performance',
+  });
+  if (!context)
+    throw new Error('This browser gives no WebGL here, which the viewer draws with. It may be ' +
+      'switched off, or the graphics driver is not trusted.');
+  if (!context.getContextAttributes()?.stencil)
+    throw new Error('This browser gave a WebGL context without a stencil buffer, in which shadow ' +
+      'volumes are counted.');
+  return context;
+}
+
+/** Makes the context the program's current one. Returns a handle for makeCurrent(). */
+export function register(program, context) {
+  const handle = program.GL.registerContext(context, {
+    majorVersion: 1,
+    minorVersion: 0,
+    enableExtensionsByDefault: true,
+  });
+  program.GL.makeContextCurrent(handle);
+  return handle;
+}
+
+/** Takes it out again: after a loss it has to be registered anew. */
+export function unregister(program, handle) {
+  program.GL.deleteContext(handle);
+}

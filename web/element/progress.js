@@ -1,0 +1,35 @@
+// From the start of a download to the first frame, as one bar.
+
+// Where each stage begins and ends on the bar.
+const spans = {
+  download: [0, 0.5, 'Fetching the scene'],
+  read: [0.5, 0.62, 'Reading the scene'],
+  flatten: [0.62, 0.7, 'Placing its parts'],
+  shadows: [0.7, 0.86, 'Finding its edges'],
+  'hand over': [0.86, 0.9, 'Handing it over'],
+  upload: [0.9, 0.98, 'Uploading to the GPU'],
+  draw: [0.98, 1, 'Drawing the first frame'],
+};
+
+export class Progress {
+  #box;
+  constructor(box) {
+    this.#box = box;
+  }
+
+  /** Returns how far the whole load is, 0..1. */
+  show(stage, fraction = 0) {
+    const [from, to, words] = spans[stage];
+    const done = from + (to - from) * fraction;
+    this.#box.hidden = false;
+    this.#box.setAttribute('aria-valuenow', String(Math.round(100 * done)));
+    this.#box.setAttribute('aria-valuetext', words);
+    this.#box.querySelector('.bar > div').style.width = `${100 * done}%`;
+    this.#box.querySelector('.stage').textContent = `${words} … ${Math.round(100 * done)} %`;
+    return done;
+  }
+
+  hide() {
+    this.#box.hidden = true;
+  }
+}

@@ -1,0 +1,74 @@
+// The worker that reads a scene: download, decode, find the edges, build the shadow data. It hands
+// the page a buffer that only needs copying.
+
+import { instantiate } from './runtime.js';
+import { download } from './download.js';
+import { placeFiles } from './virtual-folder.js';
+
+const progress = (stage, fraction = 0) => postMessage({ progress: { stage, fraction } });
+
+async function bytesOf(source) {
+  if (source.url) return download(source.url, (fraction) => progress('download', fraction));
+  const files = new Map();
+  for (const { path, blob } of source.files) {
+    try {
+      files.set(path, new Uint8Array(await blob.arrayBuffer()));
+    } catch {
+      throw new Error(`'${path}' could not be read from your device.`);
+    }
+  }
+  return { name: source.name, files };
+}
+
+/** Milliseconds that each stage took. */
+class Stages {
+  #milliseconds = {};
+  #stage = null;
+  #since = 0;
+
+  enter(stage) {
+    const now = performance.now();
+    if (this.#stage)
+      this.#milliseconds[this.#stage] = (this.#milliseconds[this.#stage] ?? 0) + now - this.#since;
+    this.#stage = stage;
+    this.#since = now;
+    if (stage) progress(stage);
+  }
+  get milliseconds() {
+    return this.#milliseconds;
+  }
+}
+
+async function read({ module, source }) {
+  const stages = new Stages();
+  stages.enter('download');
+  const [program, { name, files }] = await Promise.all([instantiate(module), bytesOf(source)]);
+  const fileBytes = [...files.values()].reduce((sum, bytes) => sum + bytes.byteLength, 0);
+  stages.enter('read');
+  placeFiles(program.FS, name, files);
+  files.clear();
+  const reader = new program.SceneReader();
+  const problem = reader.read(name, (stage) => stages.enter(stage));
+  if (problem) throw new Error(problem);
+  const bytes = reader.bytes().slice();
+  stages.enter(null);
+  const scene = {
+    name,
+    bytes,
+    fileBytes,
+    triangles: reader.triangles(),
+    warnings: JSON.parse(reader.warnings()),
+    milliseconds: stages.milliseconds,
+  };
+  postMessage({ scene }, [bytes.buffer]);
+}
+
+/** What went wrong inside the program, such as a failed growth of its memory, as a sentence. */
+function sentenceFor(error) {
+  if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
+    return `The scene could not be read: it needs more than the browser gives (${error.message}).`;
+  return error.message || 'The scene could not be read.';
+}
+
+onmessage = ({ data }) =>
+  read(data).catch((error) => postMessage({ problem: sentenceFor(error) }));

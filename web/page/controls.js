@@ -1,0 +1,137 @@
+// The panel's controls, kept equal to the viewer's state in both directions.
+
+import { anglesOf, directionOf } from './sun.js';
+
+const mapSizes = [256, 512, 1024, 2048, 4096];
+const $ = (id) => document.getElementById(id);
+
+function radios(name, onChoice) {
+  const inputs = [...document.getElementsByName(name)];
+  for (const input of inputs) input.addEventListener('change', () => onChoice(input.value));
+  return (value) => inputs.forEach((input) => { input.checked = input.value === value; });
+}
+
+function slider(id, words, onInput) {
+  const input = $(id);
+  const output = input.parentElement.querySelector('output');
+  input.addEventListener('input', () => onInput(Number(input.value)));
+  return (value) => {
+    if (document.activeElement !== input || Math.abs(Number(input.value) - value) > 1)
+      input.value = String(value);
+    output.textContent = words(value);
+    input.setAttribute('aria-valuetext', words(value));
+  };
+}
+
+function check(id, onChange) {
+  const input = $(id);
+  input.addEventListener('change', () => onChange(input.checked));
+  return (value) => { input.checked = value; };
+}
+
+function mapSize(id, onChange) {
+  const select = $(id);
+  select.append(...mapSizes.map((size) => new Option(`${size} × ${size}`, String(size))));
+  select.addEventListener('change', () => onChange(Number(select.value)));
+  return (value) => {
+    if (!mapSizes.includes(value) && ![...select.options].some((o) => o.value === String(value)))
+      select.append(new Option(`${value} × ${value}`, String(value)));
+    select.value = String(value);
+  };
+}
+
+/** Chips, one a light. */
+function showLights(state, choose) {
+  const box = $('lights');
+  while (box.children.length > state.lights.length) box.lastChild.remove();
+  while (box.children.length < state.lights.length) {
+    const index = box.children.length;
+    const chip = document.createElement('button');
+    chip.type = 'button';
+    chip.textContent = String(index + 1);
+    chip.addEventListener('click', () => choose(index));
+    box.append(chip);
+  }
+  [...box.children].forEach((chip, index) => {
+    const kind = state.lights[index][3] === 0 ? 'sun' : 'point light';
+    chip.setAttribute('aria-pressed', String(index === state.chosen_light));
+    chip.setAttribute('aria-label', `Light ${index + 1}, ${kind}`);
+  });
+}
+
+/** Wires the controls. Returns refresh(), which shows the viewer's state. */
+export function connectControls(viewer) {
+  const run = (command) => viewer.run(command);
+  for (const [id, command] of [['light-add', 'addLight'], ['light-remove', 'removeLight'],
+    ['fit', 'fit'], ['play', 'togglePlaying']])
+    $(id).addEventListener('click', () => run(command));
+  $('reset').addEventListener('click', () => viewer.reset());
+
+  const aimSun = () => {
+    const { lights, chosen_light: chosen } = viewer.state;
+    lights[chosen] = [...directionOf(Number($('azimuth').value), Number($('elevation').value)), 0];
+    viewer.change({ lights });
+  };
+  const show = {
+    kind: radios('light-kind', () => run('toggleSun')),
+    azimuth: slider('azimuth', (v) => `${Math.round(v)}°`, aimSun),
+    elevation: slider('elevation', (v) => `${Math.round(v)}°`, aimSun),
+    ambient: slider('ambient', (v) => `${Math.round(100 * v)} %`, (ambient) => viewer.change({ ambient })),
+    lights: check('show-lights', (on) => viewer.change({ show_lights: on })),
+    split: check('split', (on) => viewer.change({ split: on })),
+    debug: check('debug', (on) => viewer.change({ debug: on ? 'volumes' : 'none' })),
+    time: slider('time', (v) => `${v.toFixed(1)} s`, (time) => viewer.change({ time, playing: false })),
+  };
+  const sides = {};
+  for (const side of ['left', 'right'])
+    sides[side] = {
+      shadows: radios(`${side}-shadows`, (shadows) => viewer.change({ [side]: { shadows } })),
+      size: mapSize(`${side}-map-size`, (map_size) => viewer.change({ [side]: { map_size } })),
+    };
+  $('speed').addEventListener('change', () => viewer.change({ speed: Number($('speed').value) }));
+
+  const setDisabled = (disabled) => {
+    for (const control of $('controls').querySelectorAll('button, input, select'))
+      control.disabled = disabled;
+    for (const id of ['fit', 'reset', 'screenshot']) $(id).disabled = disabled;
+  };
+  setDisabled(true);
+
+  return function refresh() {
+    if (!viewer.loaded) return;
+    const state = viewer.state;
+    setDisabled(false);
+    showLights(state, (index) => viewer.change({ chosen_light: index }));
+    const light = state.lights[state.chosen_light];
+    const isSun = light[3] === 0;
+    show.kind(isSun ? 'sun' : 'point');
+    $('sun-direction').hidden = !isSun;
+    $('point-hint').hidden = isSun;
+    if (isSun) {
+      const { azimuth, elevation } = anglesOf(light);
+      show.azimuth(azimuth);
+      show.elevation(elevation);
+    }
+    $('light-remove').disabled = state.lights.length < 2;
+    show.ambient(state.ambient);
+    show.lights(state.show_lights);
+    for (const side of ['left', 'right']) {
+      sides[side].shadows(state[side].shadows);
+      sides[side].size(state[side].map_size);
+      $(`${side}-map`).hidden = state[side].shadows !== 'map';
+    }
+    show.split(state.split);
+    $('right-side').hidden = !state.split;
+    document.querySelector('.left-title').textContent = state.split ? 'Left' : 'Method';
+    show.debug(state.debug !== 'none');
+    const seconds = viewer.animationSeconds;
+    $('animation').hidden = !(seconds > 0);
+    $('time').max = String(seconds);
+    show.time(state.time % Math.max(seconds, 1e-6));
+    $('play').textContent = state.playing ? 'Pause' : 'Play';
+    $('play').setAttribute('aria-pressed', String(state.playing));
+    const speeds = [...$('speed').options].map((option) => Number(option.value));
+    if (!speeds.includes(state.speed)) $('speed').append(new Option(`${state.speed.toFixed(2)} ×`, String(state.speed)));
+    $('speed').value = String(state.speed);
+  };
+}

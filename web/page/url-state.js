@@ -1,0 +1,86 @@
+// The state in the address bar: #model=…&camera=…&light=…, so that a view can be kept and sent.
+
+const short = (value) => String(Number(Number(value).toPrecision(7)));
+const list = (values) => values.map(short).join(',');
+
+/** The part of the address after "#". `model`: {url} or {file} or null. */
+export function hashOf(model, state) {
+  const parts = [];
+  const put = (key, value) => parts.push(`${key}=${encodeURIComponent(value).replace(/%2C/g, ',').replace(/%2F/g, '/').replace(/%3B/g, ';')}`);
+  if (model?.url) put('model', model.url);
+  if (model?.file) put('file', model.file);
+  put('camera', list([...state.camera.from, ...state.camera.to, state.camera.fov]));
+  put('light', state.lights.map((light) => list(light)).join(';'));
+  if (state.chosen_light) put('chosen', state.chosen_light);
+  put('ambient', short(state.ambient));
+  put('shadows', state.left.shadows);
+  if (state.left.shadows === 'map') put('map-size', state.left.map_size);
+  if (state.split) {
+    put('split', short(state.split_at));
+    put('right', state.right.shadows);
+    if (state.right.shadows === 'map') put('right-map-size', state.right.map_size);
+  }
+  if (state.debug !== 'none') put('debug', state.debug);
+  if (!state.show_lights) put('lights', 'off');
+  if (state.playing) put('playing', 'on');
+  if (state.speed !== 1) put('speed', short(state.speed));
+  if (state.time && !state.playing) put('time', short(state.time));
+  return `#${parts.join('&')}`;
+}
+
+function numbers(text, key, count) {
+  const values = text.split(',').map(Number);
+  if (!values.every(Number.isFinite) || text.trim() === '' || (count && values.length !== count))
+    throw new Error(`The address's '${key}' is '${text.slice(0, 60)}', which is no list of ` +
+      `${count ?? 'some'} numbers; the view starts without it.`);
+  return values;
+}
+
+function sideOf(words, shadows, size) {
+  const side = {};
+  if (words.has(shadows)) side.shadows = words.get(shadows);
+  if (words.has(size)) [side.map_size] = numbers(words.get(size), size, 1);
+  return side;
+}
+
+/**
+ * What an address asks for: {model: {url} or {file} or null, changes, problems}. Parts that make no
+ * sense are left out, with a sentence each in `problems`.
+ */
+export function readHash(hash) {
+  const words = new URLSearchParams(hash.replace(/^#/, ''));
+  const changes = {};
+  const problems = [];
+  const take = (key, action) => {
+    if (!words.has(key)) return;
+    try {
+      action(words.get(key));
+    } catch (error) {
+      problems.push(error.message);
+    }
+  };
+  const one = (key) => (text) => numbers(text, key, 1)[0];
+  take('camera', (text) => {
+    const [fx, fy, fz, tx, ty, tz, fov] = numbers(text, 'camera', 7);
+    changes.camera = { from: [fx, fy, fz], to: [tx, ty, tz], fov };
+  });
+  take('light', (text) => {
+    changes.lights = text.split(';').map((light) => numbers(light, 'light', 4));
+  });
+  take('chosen', (text) => { changes.chosen_light = one('chosen')(text); });
+  take('ambient', (text) => { changes.ambient = one('ambient')(text); });
+  take('shadows', () => { changes.left = sideOf(words, 'shadows', 'map-size'); });
+  take('right', () => { changes.right = sideOf(words, 'right', 'right-map-size'); });
+  take('split', (text) => {
+    changes.split_at = one('split')(text);
+    changes.split = true;
+  });
+  take('debug', (text) => { changes.debug = text; });
+  take('lights', (text) => { changes.show_lights = text !== 'off'; });
+  take('playing', (text) => { changes.playing = text === 'on'; });
+  take('speed', (text) => { changes.speed = one('speed')(text); });
+  take('time', (text) => { changes.time = one('time')(text); });
+  const model = words.has('model') ? { url: words.get('model') }
+    : words.has('file') ? { file: words.get('file') } : null;
+  return { model, changes, problems };
+}

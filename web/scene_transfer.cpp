@@ -1,0 +1,163 @@
+#include "web/scene_transfer.hpp"
+
+#include "preprocess/glb.hpp"
+#include "preprocess/packed_file.hpp"
+
+#include <concepts>
+#include <cstring>
+#include <type_traits>
+
+namespace edgeshade::web {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// T or const T, so that one list of fields does for writing and for reading.
+template <class A, class T>
+concept Maybe = std::same_as<std::remove_const_t<A>, T>;
+
+/// Appends plain values and vectors of them.
+class Writer {
+  public:
+    explicit Writer(Bytes& bytes) : bytes_(bytes) {}
+
+    template <class... T>
+    void operator()(const T&... values) {
+        (put(values), ...);
+    }
+
+  private:
+    template <class T>
+    void put(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        append(&value, sizeof value);
+    }
+    template <class T>
+    void put(const std::vector<T>& values) {
+        put(values.size());
+        if constexpr (std::is_trivially_copyable_v<T>)
+            append(values.data(), values.size() * sizeof(T));
+        else
+            for (const T& value : values)
+                transfer(*this, value);
+    }
+    void append(const void* data, std::size_t size) {
+        const auto* first = static_cast<const std::uint8_t*>(data);
+        bytes_.insert(bytes_.end(), first, first + size);
+    }
+
+    Bytes& bytes_;
+};
+
+/// Takes them out again.
+class Reader {
+  public:
+    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+    template <class... T>
+    void operator()(T&... values) {
+        (take(values), ...);
+    }
+
+  private:
+    template <class T>
+    void take(T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        cut(&value, sizeof value);
+    }
+    template <class T>
+    void take(std::vector<T>& values) {
+        std::size_t count = 0;
+        take(count);
+        values.resize(count);
+        if constexpr (std::is_trivially_copyable_v<T>)
+            cut(values.data(), count * sizeof(T));
+        else
+            for (T& value : values)
+                transfer(*this, value);
+    }
+    void cut(void* data, std::size_t size) {
+        const auto part = bytes_.first(size);
+        if (size > 0) std::memcpy(data, part.data(), size);
+        bytes_ = bytes_.subspan(size);
+    }
+
+    std::span<const std::uint8_t> bytes_;
+};
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<Batch> auto& batch) {
+    archive(batch.node, batch.worldFromBatch, batch.positions, batch.normals, batch.texcoords,
+            batch.colors, batch.indices, batch.groups);
+}
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<BatchShadow> auto& shadow) {
+    archive(shadow.sides.maxMultiplicity, shadow.sides.records, shadow.caps.records, shadow.groups);
+}
+
+/// A GLB that has nothing but the images which materials use, at their indices.
+Bytes imagesAlone(const LoadedScene& loaded) {
+    Json json = {{"asset", {{"version", "2.0"}}}};
+    Bytes binary;
+    for (const Material& material : loaded.scene.materials) {
+        if (material.image < 0) continue;
+        if (!json.contains("images"))
+            json["images"] = Json(loaded.document.json["images"].size(),
+                                  {{"uri", "data:application/octet-stream;base64,AA=="}});
+        Json& image = json["images"].at(static_cast<std::size_t>(material.image));
+        if (image.contains("bufferView")) continue;
+        const Bytes encoded = encodedImageBytes(loaded.document, material.image);
+        json["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", encoded.size()}});
+        image = {{"bufferView", json["bufferViews"].size() - 1}, {"mimeType", "image/png"}};
+        binary.insert(binary.end(), encoded.begin(), encoded.end());
+    }
+    if (!binary.empty()) json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
+    return joinGlb(json.dump(), std::move(binary));
+}
+
+Bytes documentFor(const LoadedScene& loaded) {
+    const Json& json = loaded.document.json;
+    if (!json.contains("animations") || json["animations"].empty()) return imagesAlone(loaded);
+    return packedGlb(loaded.document, loaded.scene, {}, Encoding::none, loaded.settings);
+}
+
+std::vector<char> charactersOf(const std::string& text) {
+    return {text.begin(), text.end()};
+}
+
+std::string textOf(const std::vector<char>& characters) {
+    return {characters.begin(), characters.end()};
+}
+
+} // namespace
+
+Bytes toTransfer(const LoadedScene& loaded) {
+    Bytes bytes;
+    Writer writer(bytes);
+    writer(charactersOf(loaded.document.path.string()), documentFor(loaded), loaded.scene.batches,
+           loaded.scene.materials, loaded.shadows, loaded.settings,
+           loaded.scene.warnings.sentences().size());
+    for (const std::string& sentence : loaded.scene.warnings.sentences())
+        writer(charactersOf(sentence));
+    return bytes;
+}
+
+LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
+    LoadedScene loaded;
+    Reader reader(bytes);
+    std::vector<char> characters;
+    Bytes document;
+    std::size_t warnings = 0;
+    reader(characters, document, loaded.scene.batches, loaded.scene.materials, loaded.shadows,
+           loaded.settings, warnings);
+    loaded.document = parseGltf(document, textOf(characters));
+    for (std::size_t i = 0; i < warnings; ++i) {
+        reader(characters);
+        loaded.scene.warnings.add(textOf(characters));
+    }
+    return loaded;
+}
+
+} // namespace edgeshade::web

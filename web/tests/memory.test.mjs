@@ -1,0 +1,42 @@
+// Loading again and again takes no more memory.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+
+const shared = useBrowser();
+
+/** Keeps hold of the memories of the page's own programs; workers have theirs to themselves. */
+function keepMemories() {
+  const { instantiate } = WebAssembly;
+  window.memories = [];
+  WebAssembly.instantiate = async (...rest) => {
+    const instance = await instantiate.apply(WebAssembly, rest);
+    window.memories.push(...Object.values(instance.exports).filter((value) => value instanceof WebAssembly.Memory));
+    return instance;
+  };
+}
+
+test('50 loads in a row leave memory flat', async () => {
+  const page = await shared.open('/', { size: { width: 120, height: 160 }, init: keepMemories });
+  const session = await page.context().newCDPSession(page);
+  /** Bytes of JavaScript's heap and of the page's own WebAssembly memory. */
+  const used = async () => {
+    await session.send('HeapProfiler.collectGarbage');
+    const { usedSize, backingStorageSize } = await session.send('Runtime.getHeapUsage');
+    const program = await page.evaluate(() =>
+      window.memories.map(({ buffer }) => buffer.byteLength).reduce((sum, bytes) => sum + bytes, 0));
+    assert.ok(program > 1e6, 'the program\'s memory is counted');
+    return usedSize + (backingStorageSize ?? 0) + program;
+  };
+  const loadTimes = (count) => page.evaluate(async (times) => {
+    for (let i = 0; i < times; ++i) await document.querySelector('#viewer').load('assets/pavilion.glb');
+  }, count);
+  await loadTimes(20); // until the allocator has found room for two scenes at once
+  const before = await used();
+  await loadTimes(50);
+  const after = await used();
+  console.log(`${(before / 1e6).toFixed(1)} MB after 20 loads, ${(after / 1e6).toFixed(1)} MB after 70`);
+  assert.ok(after < 1.05 * before + 2e6, `${before} bytes became ${after}`);
+  await shared.check(page);
+});

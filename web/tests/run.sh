@@ -1,0 +1,16 @@
+#!/bin/sh
+# Runs the browser's tests: run.sh PROGRAM, the native edgeshade to compare with. Status 77:
+# skipped, as something that they need isn't there.
+set -eu
+EDGESHADE_PROGRAM=$1
+export EDGESHADE_PROGRAM
+cd "$(dirname "$0")/.."
+skip() {
+  echo "Skipped: $1"
+  exit 77
+}
+[ -e ../build/web/wasm/edgeshade.wasm ] || skip "build/web is not built; './run web --build-only' does that."
+command -v node > /dev/null || skip "there is no Node.js."
+[ -d node_modules/playwright-core ] || skip "playwright-core is not installed; 'npm ci' in web/ does that."
+[ -x "${EDGESHADE_CHROMIUM:-/usr/bin/chromium}" ] || skip "there is no Chromium."
+exec node --test --test-concurrency=1 tests/*.test.mjs

@@ -1,0 +1,107 @@
+// One Chromium and one server for the tests of a file, a fresh page for each test.
+
+import assert from 'node:assert/strict';
+import { after, before } from 'node:test';
+import { chromium } from 'playwright-core';
+import { serve } from './server.mjs';
+
+/** The page with a scene of 36 triangles. */
+export const smallPage = '/#model=tests/small.gltf';
+
+const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync',
+  '--js-flags=--expose-gc'];
+
+/** Software draws several times as fast without. */
+function withoutAntialiasing() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (type, options) {
+    return getContext.call(this, type, type === 'webgl' ? { ...options, antialias: false } : options);
+  };
+}
+
+/**
+ * Call at the top of a test file. open(path, options) gives a page that has loaded its scene;
+ * check(page) fails if anything was reported to its console.
+ */
+export function useBrowser() {
+  const shared = {};
+  before(async () => {
+    shared.server = await serve();
+    shared.browser = await chromium.launch({
+      executablePath: process.env.EDGESHADE_CHROMIUM ?? '/usr/bin/chromium',
+      args: flags,
+    });
+  });
+  after(async () => {
+    await shared.browser?.close();
+    await shared.server?.close();
+  });
+
+  shared.open = async (path = smallPage, { size = { width: 800, height: 500 }, init, scene = true, ...context } = {}) => {
+    const made = await shared.browser.newContext({ viewport: size, ...context });
+    const page = await made.newPage();
+    page.setDefaultTimeout(60000);
+    page.reports = [];
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) page.reports.push(message.text());
+    });
+    page.on('pageerror', (error) => page.reports.push(String(error)));
+    await page.addInitScript(withoutAntialiasing);
+    if (init) await page.addInitScript(init);
+    await page.goto(shared.server.address + path);
+    if (scene) await loaded(page);
+    return page;
+  };
+  shared.check = async (page, allowed = []) => {
+    const reports = page.reports.filter((text) => !allowed.some((pattern) => pattern.test(text)));
+    assert.deepEqual(reports, [], 'the console stays empty');
+    await page.context().close();
+  };
+  return shared;
+}
+
+/** Waits until a scene is shown and nothing is being loaded. */
+export async function loaded(page) {
+  await page.waitForFunction(() => {
+    const viewer = document.querySelector('edgeshade-viewer');
+    return viewer?.loaded && !viewer.hasAttribute('aria-busy');
+  });
+  await settled(page);
+}
+
+/** Waits until what was asked for is drawn. */
+export const settled = (page) => page.evaluate(() => new Promise((resolve) =>
+  requestAnimationFrame(() => requestAnimationFrame(() => resolve()))));
+
+export const stateOf = (page) =>
+  page.evaluate(() => document.querySelector('edgeshade-viewer').state);
+
+/** The sentences that the element shows. */
+export const noticesOf = (page, kind) => page.evaluate((wanted) =>
+  [...document.querySelector('edgeshade-viewer').shadowRoot.querySelectorAll('.notice')]
+    .filter((notice) => !wanted || notice.dataset.kind === wanted)
+    .map((notice) => notice.dataset.sentence), kind);
+
+/** Waits for a sentence that matches. */
+export async function waitForNotice(page, pattern) {
+  await page.waitForFunction(([source, flagsOf]) =>
+    [...document.querySelector('edgeshade-viewer').shadowRoot.querySelectorAll('.notice')]
+      .some((notice) => new RegExp(source, flagsOf).test(notice.dataset.sentence)),
+  [pattern.source, pattern.flags]);
+}
+
+/** Drops files on the page: [{name, bytes}]. */
+export async function drop(page, files) {
+  const transfer = await page.evaluateHandle((list) => {
+    const data = new DataTransfer();
+    for (const { name, base64 } of list) {
+      const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+      data.items.add(new File([bytes], name));
+    }
+    return data;
+  }, files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString('base64') })));
+  for (const type of ['dragenter', 'dragover', 'drop'])
+    await page.dispatchEvent('#viewer', type, { dataTransfer: transfer });
+}

@@ -1,0 +1,45 @@
+// A small scene for tests that need some picture and no particular one.
+
+const floats = (values) => Buffer.from(new Float32Array(values).buffer);
+const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+
+/** A box of half-widths `half`, standing on y = 0, as 36 positions. */
+function box([hx, hy, hz]) {
+  const at = (i, y) => [corners[i][0] * hx, y, corners[i][1] * hz];
+  const quads = [[at(3, 2 * hy), at(2, 2 * hy), at(1, 2 * hy), at(0, 2 * hy)],
+    [at(0, 0), at(1, 0), at(2, 0), at(3, 0)]];
+  for (let i = 0; i < 4; ++i) {
+    const j = (i + 1) % 4;
+    quads.push([at(j, 0), at(i, 0), at(i, 2 * hy), at(j, 2 * hy)]);
+  }
+  return quads.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]).flat();
+}
+
+const parts = { ground: [4, 0.1, 4], pillar: [0.4, 1.5, 0.4], stone: [0.5, 0.3, 0.3] };
+
+/** A ground, a pillar and a stone that slides along (2 s), as .gltf without further files. */
+export function smallGltf() {
+  const blobs = [...Object.values(parts).map((half) => floats(box(half))), floats([0, 2]), floats([1, 0.2, 1, 1, 0.2, -1])];
+  const binary = Buffer.concat(blobs);
+  let byteOffset = 0;
+  const bufferViews = blobs.map(({ length }) => {
+    const view = { buffer: 0, byteOffset, byteLength: length };
+    byteOffset += length;
+    return view;
+  });
+  const accessor = (bufferView, count, type, min, max) => ({ bufferView, componentType: 5126, count, type, min, max });
+  const solid = Object.values(parts).map(([x, y, z], i) => accessor(i, 36, 'VEC3', [-x, 0, -z], [x, 2 * y, z]));
+  return Buffer.from(JSON.stringify({
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0, 1, 2] }],
+    nodes: [{ mesh: 0 }, { mesh: 1, translation: [0, 0.2, 0] }, { mesh: 2, translation: [1, 0.2, 1] }],
+    meshes: solid.map((_, i) => ({ primitives: [{ attributes: { POSITION: i }, material: i }] })),
+    materials: [[0.5, 0.6, 0.4, 1], [0.8, 0.5, 0.3, 1], [0.5, 0.5, 0.6, 1]]
+      .map((baseColorFactor) => ({ pbrMetallicRoughness: { baseColorFactor } })),
+    accessors: [...solid, accessor(3, 2, 'SCALAR', [0], [2]), accessor(4, 2, 'VEC3')],
+    animations: [{ samplers: [{ input: 3, output: 4 }], channels: [{ sampler: 0, target: { node: 2, path: 'translation' } }] }],
+    bufferViews,
+    buffers: [{ byteLength: binary.length, uri: `data:application/octet-stream;base64,${binary.toString('base64')}` }],
+  }));
+}
