@@ -104,6 +104,18 @@ bool hangsOnDepth(const Oracle& oracle, const Oracle::Hit& visible, const glm::d
     return false;
 }
 
+/// Whether a surface shows another answer that is hidden by no more than the changes of depth, its
+/// own and the visible one's, over 1/16 pixel.
+bool hangsOnHidden(const Oracle& oracle, const Oracle::Hit& visible, const glm::dvec2& center,
+                   const glm::dvec2& at, const Answer& answer) {
+    const double reach = visible.depth + depthChange(oracle, visible, center);
+    for (const Oracle::Hit& hit : oracle.surfacesAt(at.x, at.y))
+        if (hit.depth - depthChange(oracle, hit, at) <= reach &&
+            !(oracle.answerOn(hit, at.x, at.y) == answer))
+            return true;
+    return false;
+}
+
 } // namespace
 
 bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict) {
@@ -122,7 +134,10 @@ bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict) {
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i)
         if (couldTurn(oracle, oracle.triangles()[visible->triangle], oracle.lightFromEye(i)))
             return true;
-    return hangsOnDepth(oracle, *visible, center, verdict.answer);
+    for (const glm::dvec2& point : movedPoints(center))
+        if (hangsOnHidden(oracle, *visible, center, point, verdict.answer)) return true;
+    return hangsOnHidden(oracle, *visible, center, center, verdict.answer) ||
+           hangsOnDepth(oracle, *visible, center, verdict.answer);
 }
 
 } // namespace edgeshade::lab

@@ -11,6 +11,8 @@ namespace edgeshade::lab {
 /// * a silhouette passes within 1/16 pixel: the eye's, where the visible surface ends and is not
 ///   joined by an edge to what follows, or the light's, where a shadow volume's side touches the
 ///   surface that it begins on;
+/// * another surface, hidden by less than the two change in depth over 1/16 pixel, has another
+/// answer;
 /// * the answer changes as the visible surface is moved in depth by no more than its own depth
 ///   changes over 1/16 pixel, or as its corners are moved that far (it turns over to the light).
 bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict);

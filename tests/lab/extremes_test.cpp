@@ -1,9 +1,5 @@
 // The extremes: each case is drawn in code, says what it provokes, and is held against the oracle
 // and for the closed chain (method, sections 4, 5 and 7).
-//
-// One pixel may be wrong away from a boundary of light: where a silhouette passes within 1/256
-// pixel of a pixel's centre, the hidden side of a box can win the depth test against the side that
-// it shares the silhouette with, and shows its shadow.
 
 #include "tests/lab/extreme_check.hpp"
 
