@@ -80,10 +80,15 @@ double lightSide(const EyeTriangle& triangle, const glm::dvec4& light) {
     return eyeSide * glm::dot(normal, glm::dvec3(light) - triangle.a * light.w);
 }
 
-/// Whether the surfaces are not joined, so that one ends before the other, or one faces a light and
-/// the other does not, so that a shadow volume begins between them.
-bool silhouetteBetween(const Oracle& oracle, const EyeTriangle& first, const EyeTriangle& second) {
+/// Whether two visible surfaces 1/16 pixel apart are not joined there, so that one ends before the
+/// other, or one faces a light and the other does not, so that a shadow volume begins between them.
+bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm::dvec2& center,
+                       const Oracle::Hit& there, const glm::dvec2& moved) {
+    const EyeTriangle& first = oracle.triangles()[here.triangle];
+    const EyeTriangle& second = oracle.triangles()[there.triangle];
     if (!shareEdge(first, second)) return true;
+    const double reach = depthChange(oracle, here, center) + depthChange(oracle, there, moved);
+    if (std::abs(here.depth - there.depth) > reach) return true;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);
         if ((lightSide(first, light) > 0.0) != (lightSide(second, light) > 0.0)) return true;
@@ -126,8 +131,7 @@ bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict) {
         if (!(oracle.at(point.x, point.y) == verdict.answer)) return true;
         const std::optional<Oracle::Hit> moved = visibleAt(oracle, point);
         if (visible && moved && moved->triangle != visible->triangle &&
-            silhouetteBetween(oracle, oracle.triangles()[visible->triangle],
-                              oracle.triangles()[moved->triangle]))
+            silhouetteBetween(oracle, *visible, center, *moved, point))
             return true;
     }
     if (!visible) return false;
