@@ -1,9 +1,17 @@
 // How much of a light reaches a fragment by its shadow map: PCF x PCF texels around it compared
-// with its own distance. MAP_SUN: one flat map; else a cube around a point light.
+// with its own distance. MAP_SUN: one flat map; MAP_APART: a cube around a point light, its faces
+// in textures of their own; else a cube map.
 #include "shadow_map_distance.glsl"
 
 #ifdef MAP_SUN
 uniform mediump sampler2D u_map; // lowp, the default, might lose the last bit of a byte
+#elif defined(MAP_APART)
+uniform mediump sampler2D u_face0; // +x, -x, +y, -y, +z, -z
+uniform mediump sampler2D u_face1;
+uniform mediump sampler2D u_face2;
+uniform mediump sampler2D u_face3;
+uniform mediump sampler2D u_face4;
+uniform mediump sampler2D u_face5;
 #else
 uniform mediump samplerCube u_map;
 #endif
@@ -25,6 +33,27 @@ float largestAxis(vec3 v) {
     vec3 a = abs(v);
     return max(a.x, max(a.y, a.z));
 }
+
+#ifndef MAP_SUN
+vec4 texelTowards(vec3 d) {
+#ifdef MAP_APART
+    // As a cube map is looked up (GLES 2.0, table 3.21).
+    vec3 a = abs(d);
+    if (a.x >= a.y && a.x >= a.z) {
+        vec2 at = vec2(d.x > 0.0 ? -d.z : d.z, -d.y) / a.x * 0.5 + 0.5;
+        return d.x > 0.0 ? texture2D(u_face0, at) : texture2D(u_face1, at);
+    }
+    if (a.y >= a.z) {
+        vec2 at = vec2(d.x, d.y > 0.0 ? d.z : -d.z) / a.y * 0.5 + 0.5;
+        return d.y > 0.0 ? texture2D(u_face2, at) : texture2D(u_face3, at);
+    }
+    vec2 at = vec2(d.z > 0.0 ? d.x : -d.x, -d.y) / a.z * 0.5 + 0.5;
+    return d.z > 0.0 ? texture2D(u_face4, at) : texture2D(u_face5, at);
+#else
+    return textureCube(u_map, d);
+#endif
+}
+#endif
 
 // `normal` and `light` have unit length and lie on the same side of the surface.
 float lightFromMap(vec3 normal, vec3 light) {
@@ -63,7 +92,7 @@ float lightFromMap(vec3 normal, vec3 light) {
 #ifdef MAP_SUN
             vec4 stored = texture2D(u_map, at.xy + tap * u_mapStep);
 #else
-            vec4 stored = textureCube(u_map, at + tap.x * axisS + tap.y * axisT);
+            vec4 stored = texelTowards(at + tap.x * axisS + tap.y * axisT);
 #endif
             lit += own <= unpackDistance(stored) ? 1.0 : 0.0;
         }

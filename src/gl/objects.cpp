@@ -61,7 +61,10 @@ Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, i
 }
 
 void requireNoError(const char* doing) {
-    const GLenum error = glGetError();
+    requireNoError(glGetError(), doing);
+}
+
+void requireNoError(unsigned error, const char* doing) {
     if (error == GL_NO_ERROR) return;
     const char* what =
         error == GL_OUT_OF_MEMORY ? "the GL is out of memory" : "the GL reports an error";

@@ -78,5 +78,7 @@ Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, i
 
 /// Throws Error(unavailable) if the GL has recorded an error; `doing` says at what.
 void requireNoError(const char* doing);
+/// The same of an error that was asked for already.
+void requireNoError(unsigned error, const char* doing);
 
 } // namespace edgeshade::gl

@@ -84,7 +84,9 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
         throw Error(ExitStatus::unavailable,
                     "A shadow map needs the scene's bounds, and this view has none.");
     const FramebufferKeeper keeper;
-    const ShadowMapKind kind = light.position.w == 0.0 ? ShadowMapKind::sun : ShadowMapKind::point;
+    const ShadowMapKind kind = light.position.w == 0.0 ? ShadowMapKind::sun
+                               : settings_.facesApart  ? ShadowMapKind::pointApart
+                                                       : ShadowMapKind::point;
     const ShadowMapTarget& map = target(kind);
     const Box fitted = bounds.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : bounds;
     const ShadowMapView view = shadowMapView(light, fitted, settings_, map.depthBits());
@@ -108,8 +110,8 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
     }
     glEnable(GL_DITHER);
 
-    return {kind,
-            map.texture(),
+    return {map.kind(),
+            map.textures(),
             view.mapFromWorld,
             static_cast<float>(view.step),
             static_cast<float>(view.texel),

@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <GLES2/gl2.h>
 #include <GLES2/gl2ext.h>
+#include <optional>
 #include <string>
 
 namespace edgeshade {
 namespace {
 
-GLenum textureTarget(ShadowMapKind kind) {
-    return kind == ShadowMapKind::point ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
-}
-
 std::size_t faceCount(ShadowMapKind kind) {
-    return kind == ShadowMapKind::point ? 6 : 1;
+    return kind == ShadowMapKind::sun ? 1 : 6;
 }
 
 GLenum faceTarget(ShadowMapKind kind, std::size_t face) {
@@ -23,13 +20,15 @@ GLenum faceTarget(ShadowMapKind kind, std::size_t face) {
                                         : GL_TEXTURE_2D;
 }
 
-gl::Texture makeMapTexture(ShadowMapKind kind, int size) {
+/// A texture of one face, or of a cube's six; nothing if the GL has no memory for it.
+std::optional<gl::Texture> makeMapTexture(ShadowMapKind kind, int size) {
     gl::Name name = 0;
     glGenTextures(1, &name);
     gl::Texture texture(name);
-    const GLenum target = textureTarget(kind);
+    const bool isCube = kind == ShadowMapKind::point;
+    const GLenum target = isCube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     glBindTexture(target, name);
-    for (std::size_t face = 0; face < faceCount(kind); ++face)
+    for (std::size_t face = 0; face < (isCube ? 6u : 1u); ++face)
         glTexImage2D(faceTarget(kind, face), 0, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                      nullptr);
     // Packed distances can't be averaged.
@@ -38,14 +37,35 @@ gl::Texture makeMapTexture(ShadowMapKind kind, int size) {
     glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glBindTexture(target, 0);
-    gl::requireNoError("making a shadow map");
+    const GLenum error = glGetError();
+    if (error == GL_OUT_OF_MEMORY) return std::nullopt;
+    gl::requireNoError(error, "making a shadow map");
     return texture;
+}
+
+Error tooLarge(int size) {
+    return Error(ExitStatus::unavailable,
+                 "This GL has no memory for a shadow map of " + std::to_string(size) + " texels.");
 }
 
 } // namespace
 
 ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabilities& capabilities)
-    : kind_(kind), size_(size), texture_(makeMapTexture(kind, size)) {
+    : kind_(kind), size_(size) {
+    std::optional<gl::Texture> whole;
+    if (kind != ShadowMapKind::pointApart) whole = makeMapTexture(kind, size);
+    if (!whole && kind == ShadowMapKind::sun) throw tooLarge(size);
+    if (whole) {
+        textures_.push_back(std::move(*whole));
+    } else {
+        kind_ = ShadowMapKind::pointApart;
+        while (textures_.size() < faceCount(kind_)) {
+            std::optional<gl::Texture> face = makeMapTexture(kind_, size);
+            if (!face) throw tooLarge(size);
+            textures_.push_back(std::move(*face));
+        }
+    }
+
     gl::Name name = 0;
     glGenRenderbuffers(1, &name);
     depth_ = gl::Renderbuffer(name);
@@ -70,7 +90,14 @@ ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabil
 void ShadowMapTarget::bindFace(std::size_t face) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, faceTarget(kind_, face),
-                           texture_.name(), 0);
+                           textures_[kind_ == ShadowMapKind::pointApart ? face : 0].name(), 0);
+}
+
+std::array<gl::Name, 6> ShadowMapTarget::textures() const {
+    std::array<gl::Name, 6> names{};
+    for (std::size_t i = 0; i < textures_.size(); ++i)
+        names[i] = textures_[i].name();
+    return names;
 }
 
 std::size_t ShadowMapTarget::bytes() const {

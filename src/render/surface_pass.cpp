@@ -26,10 +26,15 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
 }
 
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(map.kind == ShadowMapKind::sun ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP,
-                  map.texture);
-    program.setSampler("u_map", 1);
+    const bool apart = map.kind == ShadowMapKind::pointApart;
+    const GLenum target = map.kind == ShadowMapKind::point ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    constexpr const char* faces[] = {"u_face0", "u_face1", "u_face2",
+                                     "u_face3", "u_face4", "u_face5"};
+    for (int face = 0; face < (apart ? 6 : 1); ++face) {
+        glActiveTexture(GL_TEXTURE1 + static_cast<GLenum>(face));
+        glBindTexture(target, map.textures[static_cast<std::size_t>(face)]);
+        program.setSampler(apart ? faces[face] : "u_map", 1 + face);
+    }
     program.set("u_mapFromObject", view.mapFromObject);
     program.set("u_mapFromWorld", glm::mat3(map.mapFromWorld));
     program.set("u_mapStep", map.step);
@@ -51,6 +56,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         defines.push_back("MAP");
         defines.push_back("PCF " + std::to_string(pcf_));
         if (*variant.map == ShadowMapKind::sun) defines.push_back("MAP_SUN");
+        if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
     }
     return programs_
         .emplace(variant, gl::Program(shaders::surface_vert, shaders::surface_frag, defines,

@@ -170,6 +170,23 @@ TEST(ShadowMap, EmptyRoomIsAllLitButForPointsInItsCorners) {
                         << size << " texels, pcf " << pcf;
 }
 
+// A GL that can't hold the cube in one texture gets six: the same texels.
+TEST(ShadowMap, FacesApartLookTheSame) {
+    const Scene scene = test::yard().scene();
+    for (const int pcf : {1, 3}) {
+        RenderSettings settings = maps(256, 1.5f, pcf);
+        const Camera camera{{5, 4, 6}, {0, 0.5, 0}, 70.0};
+        const auto whole = draw(scene, camera, pointLight({0.3, 1.2, 0.7}), settings);
+        settings.map.facesApart = true;
+        const auto apart = draw(scene, camera, pointLight({0.3, 1.2, 0.7}), settings);
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < whole.size(); i += 4)
+            different += whole[i] != apart[i];
+        // Rounding may put a lookup into the neighbouring texel.
+        EXPECT_LE(different, whole.size() / 4 / 1000) << "pcf " << pcf;
+    }
+}
+
 TEST(ShadowMap, WiderKernelsMakeHalfShadows) {
     // A white floor from above under a sun at the zenith: lit 255, ambient 89, nothing else.
     const Scene scene = SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
