@@ -8,7 +8,7 @@ namespace edgeshade {
 /// Shadow data of one group of casting triangles, batch by batch: what is left of sides and caps
 /// when all other triangles are taken away, closed by itself.
 struct CasterGroupShadow {
-    std::vector<BatchShadow> shadows;              ///< one a batch
+    std::vector<BatchShadow> shadows;          ///< one a batch
     std::vector<std::vector<glm::vec4>> holes; ///< capHoles() of each
 };
 

@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Volumes and shadow maps against the oracle, on every model in ../shared/scenes.
+
+    tests/bench/accuracy.py                 compares all scenes (an hour on two cores), then the table
+    tests/bench/accuracy.py --table         the README's table from the results that are there
+    tests/bench/accuracy.py --take FOLDER   from reports of `compare` that were made by hand
+"""
+
+import json
+import pathlib
+import sys
+
+from edgeshade_runs import (RESULTS, SCENES, figure, machine, percent, replace_between, report,
+                            write_results)
+
+MAP_SIZES = (1024, 2048, 4096, 8192)
+NAMES = {"bunny.draco": "bunny", "hospital-electrical": "hospital, electrical",
+         "city.draco": "city", "car.draco": "car", "engine": "2-cylinder engine",
+         "oaktree": "oak tree", "garden.draco": "garden", "temple": "temple",
+         "truck.draco": "truck", "duck": "duck"}
+
+
+def compare(scene):
+    against = [word for size in MAP_SIZES
+               for word in ("--against", f"shadows=map,map-size={size}")]
+    return report("compare", SCENES / f"{scene}.glb", "--views", 16, *against)
+
+
+def condensed(full):
+    """A report without its views, which say little to a reader."""
+    return [{key: value for key, value in result.items() if key != "by_view"}
+            for result in full["results"]]
+
+
+def table(results):
+    head = ("| scene | visible pixels | volumes | beyond 1 px, not tied | "
+            + " | ".join(f"map {size}" for size in MAP_SIZES) + " |")
+    lines = [head, "|" + " --- |" * (4 + len(MAP_SIZES))]
+    for scene, runs in results["scenes"].items():
+        volumes, maps = runs[0], {run["settings"]["map_size"]: run for run in runs[1:]}
+        cells = [NAMES.get(scene, scene), f"{volumes['visible_pixels']:,}",
+                 figure(percent(volumes["wrong_image_pixels"], volumes["visible_pixels"])),
+                 str(volumes["wrong_image_beyond_1px_not_tied"])]
+        for size in MAP_SIZES:
+            run = maps.get(size)
+            cells.append(figure(percent(run["wrong_image_pixels"], run["visible_pixels"]))
+                         if run else "")
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def main(words):
+    stored = RESULTS / "accuracy.json"
+    if words[:1] == ["--table"]:
+        results = json.loads(stored.read_text())
+    else:
+        results = {"machine": machine(), "scenes": {}}
+        for scene in NAMES:
+            if words[:1] == ["--take"]:
+                made = pathlib.Path(words[1]) / f"{scene}.json"
+                if not made.exists():
+                    continue
+                full = json.loads(made.read_text())
+            else:
+                full = compare(scene)
+            results["scenes"][scene] = condensed(full)
+        write_results("accuracy", results)
+    replace_between("README.md", "accuracy", table(results))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

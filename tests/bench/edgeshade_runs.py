@@ -1,0 +1,57 @@
+"""Runs the program and keeps what it measured: shared by the scripts here."""
+
+import datetime
+import json
+import os
+import pathlib
+import platform
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = ROOT.parent / "shared" / "scenes"
+RESULTS = pathlib.Path(__file__).resolve().parent / "results"
+PROGRAM = os.environ.get("EDGESHADE", str(ROOT / "build" / "release" / "edgeshade"))
+
+
+def report(*words):
+    """The JSON report of one call."""
+    done = subprocess.run([PROGRAM, *map(str, words), "--report", "-"], check=True,
+                          stdout=subprocess.PIPE)
+    return json.loads(done.stdout)
+
+
+def machine():
+    """What the figures were taken on."""
+    model = next((line.split(":", 1)[1].strip()
+                  for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines()
+                  if line.startswith("model name")), platform.machine())
+    return {"processor": model, "cores": os.cpu_count(), "date": str(datetime.date.today())}
+
+
+def percent(part, whole):
+    return 100.0 * part / whole if whole else 0.0
+
+
+def figure(value):
+    """Three digits that count: 0.00061, 2.31."""
+    return "0" if value == 0 else f"{value:.{max(0, 2 - exponent(value))}f}"
+
+
+def exponent(value):
+    return int(f"{value:e}".split("e")[1])
+
+
+def replace_between(path, name, text):
+    """Puts text between <!-- name: begin --> and <!-- name: end -->."""
+    path = ROOT / path
+    old = path.read_text()
+    begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->"
+    if begin not in old or end not in old:
+        raise SystemExit(f"{path} has no place for '{name}'")
+    head, rest = old.split(begin, 1)
+    path.write_text(head + begin + text.rstrip() + "\n" + end + rest.split(end, 1)[1])
+
+
+def write_results(name, data):
+    RESULTS.mkdir(exist_ok=True)
+    (RESULTS / f"{name}.json").write_text(json.dumps(data, indent=1) + "\n")
