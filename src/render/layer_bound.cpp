@@ -56,27 +56,63 @@ struct Cell {
     }
 };
 
-/// Where a triangle may lie on a face, in the face's u and v; everywhere if it reaches behind it.
+/// Where a triangle may lie on a face, in the face's u and v; low above high: nowhere.
 struct Outline {
-    double u0 = -INFINITY, u1 = INFINITY, v0 = -INFINITY, v1 = INFINITY;
+    double u0 = INFINITY, u1 = -INFINITY, v0 = INFINITY, v1 = -INFINITY;
 
+    /// Takes in a ray in the face's axes, in front of the light.
+    void add(const glm::dvec3& on) {
+        const double u = on.x / on.z, v = on.y / on.z;
+        const double reach = outlineMargin * (1.0 + std::abs(u) + std::abs(v));
+        u0 = std::min(u0, u - reach);
+        u1 = std::max(u1, u + reach);
+        v0 = std::min(v0, v - reach);
+        v1 = std::max(v1, v + reach);
+    }
     bool misses(const Cell& cell) const {
         return u1 < cell.u0 || u0 > cell.u1 || v1 < cell.v0 || v0 > cell.v1;
     }
+
+  private:
+    static constexpr double outlineMargin = 1e-9; // against rounding
 };
 
+/// The part of a polygon of `count` corners where dot(plane, p) >= 0 (Sutherland-Hodgman).
+std::size_t clip(std::array<glm::dvec3, 8>& corners, std::size_t count, const glm::dvec3& plane) {
+    std::array<glm::dvec3, 8> kept;
+    std::size_t keptCount = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 &here = corners[i], &next = corners[(i + 1) % count];
+        const double a = glm::dot(plane, here), b = glm::dot(plane, next);
+        if (a >= 0.0) kept[keptCount++] = here;
+        if ((a >= 0.0) != (b >= 0.0)) kept[keptCount++] = here + (next - here) * (a / (a - b));
+    }
+    corners = kept;
+    return keptCount;
+}
+
 Outline outlineOn(const glm::dmat3& face, const TriangleCone& triangle) {
-    constexpr double margin = 1e-9; // against rounding
-    Outline outline{INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (const glm::dvec3& ray : triangle.rays) {
-        const glm::dvec3 on = ray * face;
-        if (!(on.z > margin * glm::length(ray))) return {};
-        const double u = on.x / on.z, v = on.y / on.z;
-        const double reach = margin * (1.0 + std::abs(u) + std::abs(v));
-        outline.u0 = std::min(outline.u0, u - reach);
-        outline.u1 = std::max(outline.u1, u + reach);
-        outline.v0 = std::min(outline.v0, v - reach);
-        outline.v1 = std::max(outline.v1, v + reach);
+    std::array<glm::dvec3, 8> corners;
+    std::size_t behind = 0, near = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        corners[c] = triangle.rays[c] * face;
+        const double across = std::max(std::abs(corners[c].x), std::abs(corners[c].y));
+        behind += corners[c].z < -1e-9 * across;
+        near += corners[c].z <= 1e-3 * across;
+    }
+    Outline outline;
+    if (behind == 3) return outline;
+    std::size_t count = 3;
+    if (near > 0) {
+        // A little wider than the face, so that rounding loses nothing.
+        for (const glm::dvec3& plane : {glm::dvec3(1.0, 0.0, 1.001), glm::dvec3(-1.0, 0.0, 1.001),
+                                        glm::dvec3(0.0, 1.0, 1.001), glm::dvec3(0.0, -1.0, 1.001)})
+            count = clip(corners, count, plane);
+    }
+    for (std::size_t c = 0; c < count; ++c) {
+        if (!(corners[c].z > 0.0))
+            return {-INFINITY, INFINITY, -INFINITY, INFINITY}; // at the light
+        outline.add(corners[c]);
     }
     return outline;
 }
@@ -255,13 +291,17 @@ class Divider {
 
         const OutlineGrid grid(face, outlines_);
         std::map<std::pair<int, int>, Members> many; // by row and column
+        std::size_t mostOfFew = 0;
         for (int j = 0; j < OutlineGrid::side; ++j)
-            for (int i = 0; i < OutlineGrid::side; ++i)
-                if (grid.count(i, j) > limit_)
-                    many[{j, i}];
+            for (int i = 0; i < OutlineGrid::side; ++i) {
+                if (grid.count(i, j) <= limit_)
+                    mostOfFew = std::max(mostOfFew, grid.count(i, j));
+                else if (many.size() == mostCellsApart)
+                    return divideWhole(face);
                 else
-                    most_ = std::max(most_, grid.count(i, j));
-        if (many.size() > mostCellsApart) return divideWhole(face);
+                    many[{j, i}];
+            }
+        most_ = std::max(most_, mostOfFew);
         for (std::uint32_t t = 0; t < outlines_.size() && !many.empty(); ++t) {
             const auto range = grid.rangeOf(outlines_[t]);
             if (!range) continue;

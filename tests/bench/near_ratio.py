@@ -68,7 +68,7 @@ def table(rows):
 
 def plot(rows, path):
     import matplotlib
-    matplotlib.use("svg")
+    matplotlib.use("agg")
     from matplotlib import pyplot
     fixed = [row for row in rows if row["near_ratio"] != "auto"]
     fitted = next(row for row in rows if row["near_ratio"] == "auto")
