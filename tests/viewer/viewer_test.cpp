@@ -1,8 +1,11 @@
 // The viewer against plain pictures of the same views.
 
+#include "preprocess/animation_reading.hpp"
 #include "preprocess/error.hpp"
+#include "preprocess/flatten.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/viewer/viewer.hpp"
+#include "tests/support/gltf_builder.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -214,6 +217,73 @@ TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     EXPECT_TRUE(viewer.frame(2.0));
     EXPECT_LT(differing(context->readPixels(), before), 20u); // the eye came back but for rounding
     viewer.forgetGpu();
+}
+
+/// A slab, and a box above it whose `path` goes from one value to another within a second.
+LoadedScene movingScene(const std::string& path, const std::vector<float>& values) {
+    test::GltfBuilder gltf;
+    gltf.addShapeNode(test::box(glm::vec3(3.0f, 0.2f, 3.0f)));
+    const int mover = gltf.addNode({{"mesh", gltf.addShape(test::box(glm::vec3(0.8f)))}});
+    const int times = gltf.addArray<float>({0.0f, 1.0f}, 1, {{"min", {0.0}}, {"max", {1.0}}});
+    gltf.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", mover}, {"path", path}}}}}},
+         {"samplers", {{{"input", times}, {"output", gltf.addArray(values, 3)}}}}}};
+    LoadedScene loaded;
+    loaded.document = parseGltf(gltf.glb(), "moving.glb");
+    loaded.scene = flattenScene(loaded.document, 0.0);
+    loaded.shadows = buildShadows(loaded.scene, false);
+    return loaded;
+}
+
+class Animated : public ViewerTest {
+  protected:
+    void show(const std::string& path, const std::vector<float>& values) {
+        viewer.show(movingScene(path, values));
+        viewer.change({{"show_lights", false}});
+    }
+    Pixels plain(const Scene& scene) const {
+        const ViewState& state = viewer.state();
+        return test::drawScene(scene, {state.camera, state.lights, width, height}, {});
+    }
+};
+
+TEST_F(Animated, ABatchIsWhereItsNodeIsAndSoIsItsShadow) {
+    show("translation", {0, 1, 0, 2, 1, 0});
+    EXPECT_EQ(viewer.animationSeconds(), 1.0);
+    viewer.change({{"time", 0.5}});
+    const Pixels half = picture();
+    LoadedScene there = movingScene("translation", {1, 1, 0, 1, 1, 0});
+    Warnings none;
+    const auto pose = poseAt(readAnimation(there.document, none).value(), there.scene, 0.0);
+    for (std::size_t b = 0; b < pose.size(); ++b)
+        there.scene.batches[b].worldFromBatch = pose[b].value();
+    EXPECT_EQ(differing(half, plain(there.scene)), 0u);
+    viewer.change({{"time", 0.0}});
+    EXPECT_GT(differing(half, picture()), 100u);
+}
+
+TEST_F(Animated, WhatIsScaledToNothingIsNotDrawnAndHasNoShadow) {
+    show("scale", {1, 1, 1, 0, 0, 0});
+    viewer.change({{"time", 1.0}});
+    const Pixels gone = picture();
+    LoadedScene slab = movingScene("scale", {1, 1, 1, 0, 0, 0});
+    std::erase_if(slab.scene.batches, [](const Batch& batch) { return batch.node >= 0; });
+    EXPECT_EQ(differing(gone, plain(slab.scene)), 0u);
+}
+
+TEST_F(Animated, PlaysAtItsSpeedAndRests) {
+    show("translation", {0, 1, 0, 2, 1, 0});
+    EXPECT_TRUE(viewer.frame(10.0));
+    EXPECT_FALSE(viewer.wantsFrame());
+    viewer.change({{"playing", true}, {"speed", 0.5}});
+    viewer.frame(11.0);
+    EXPECT_TRUE(viewer.wantsFrame());
+    EXPECT_TRUE(viewer.frame(11.5));
+    EXPECT_NEAR(viewer.state().time, 0.25, 1e-9);
+    viewer.change({{"playing", false}});
+    viewer.frame(12.0);
+    EXPECT_FALSE(viewer.frame(13.0));
+    EXPECT_NEAR(viewer.state().time, 0.25, 1e-9);
 }
 
 } // namespace
