@@ -1,7 +1,8 @@
 // The page: edgeshade's element, three.js's picture that follows it, and the controls of both.
 //
 // The address says what is shown: #model=…&camera=…&light=…&ambient=… as in the viewer's page, with
-// map-size=…, pcf=on, bias=… and normal-bias=… of three.js's map.
+// map-size=…, pcf=on, bias=… and normal-bias=… of three.js's map. Its own default for both is 0: it
+// draws back faces into the map, so that only surfaces with two sides shade themselves.
 
 import '../element/edgeshade-viewer.js';
 import { readHash } from '../page/url-state.js';
@@ -26,7 +27,7 @@ $('map-size').value = String(numberOf('map-size', 1024));
 if ($('map-size').selectedIndex < 0) $('map-size').value = '1024';
 $('pcf').value = words.get('pcf') === 'on' ? 'on' : 'off';
 $('bias').value = String(numberOf('bias', 0));
-$('normal-bias').value = String(numberOf('normal-bias', 0.02));
+$('normal-bias').value = String(numberOf('normal-bias', 0));
 $('three-caption').textContent = `three.js r${REVISION}: cube shadow map, WebGL 2`;
 
 const scene = new CubeMapScene($('three'));

@@ -1,9 +1,12 @@
-// Opens the comparison in a headless Chromium, writes the pair of pictures to docs/pictures and the
-// frame times to results.json beside this file, and prints them. Needs build/web and `npm ci`.
+// Opens the comparison in a headless Chromium: writes a pair of pictures to docs/pictures, or frame
+// times to results.json beside this file, which it prints too. Needs build/web and `npm ci`.
 //
-//   node compare/measure.mjs [--frames N] [--hash '#model=…'] [--serve]
+//   node compare/measure.mjs [--only pictures|times] [--frames N] [--hash '#model=…']
+//                            [--angle swiftshader|gl-egl] [--serve]
 //
-// --serve writes nothing and serves the page until Ctrl-C.
+// --angle is what Chromium draws with. The pictures were taken with gl-egl, Mesa's software:
+// SwiftShader leaves wrong pixels along a few of the volumes' edges. --serve writes nothing and
+// serves the page until Ctrl-C.
 
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,7 +15,9 @@ import { launchChromium } from '../tests/support/chromium.mjs';
 import { repository, serve } from '../tests/support/server.mjs';
 
 const { values: options } = parseArgs({ options: {
-  frames: { type: 'string', default: '30' },
+  only: { type: 'string' },
+  angle: { type: 'string', default: 'swiftshader' },
+  frames: { type: 'string', default: '24' },
   hash: { type: 'string', default: '' },
   serve: { type: 'boolean', default: false },
 } });
@@ -25,29 +30,40 @@ const pictures = {
 
 const server = await serve();
 const page = `${server.address}/compare/`;
+
+async function open(tab, hash) {
+  await tab.goto('about:blank');
+  await tab.goto(page + hash);
+  return tab.evaluateHandle(() => window.comparison);
+}
+
+async function takePictures(tab) {
+  const shown = await open(tab, pictures.hash);
+  const pair = await shown.evaluate((comparison, part) => comparison.cutOuts(part), pictures.part);
+  for (const [side, name] of [['edgeshade', 'edgeshade'], ['cubeMap', 'cube-map']])
+    writeFileSync(join(repository, `docs/pictures/threejs-${name}.png`),
+      Buffer.from(pair[side].split(',')[1], 'base64'));
+}
+
+async function takeTimes(tab) {
+  const shown = await open(tab, options.hash);
+  const frames = Number(options.frames);
+  const results = await shown.evaluate((comparison, count) => comparison.measure({ frames: count }), frames);
+  const text = `${JSON.stringify(results, null, 2)}\n`;
+  writeFileSync(join(repository, 'web/compare/results.json'), text);
+  console.log(text);
+}
+
 if (options.serve) {
   console.log(`Open ${page}${options.hash} in a browser; Ctrl-C ends it.`);
 } else {
-  const browser = await launchChromium();
+  const browser = await launchChromium({ angle: options.angle });
   try {
     // Both pictures have 960 × 540 pixels in a window of this size.
     const tab = await browser.newPage({ viewport: { width: 1980, height: 900 } });
-    tab.setDefaultTimeout(300000);
-    const open = async (hash) => {
-      await tab.goto('about:blank');
-      await tab.goto(page + hash);
-      return tab.evaluateHandle(() => window.comparison);
-    };
-    const shown = await open(pictures.hash);
-    const pair = await shown.evaluate((comparison, part) => comparison.cutOuts(part), pictures.part);
-    for (const [side, name] of [['edgeshade', 'edgeshade'], ['cubeMap', 'cube-map']])
-      writeFileSync(join(repository, `docs/pictures/threejs-${name}.png`),
-        Buffer.from(pair[side].split(',')[1], 'base64'));
-    const measured = await open(options.hash);
-    const results = await measured.evaluate((comparison, frames) => comparison.measure({ frames }), Number(options.frames));
-    const text = `${JSON.stringify(results, null, 2)}\n`;
-    writeFileSync(join(repository, 'web/compare/results.json'), text);
-    console.log(text);
+    tab.setDefaultTimeout(600000);
+    if (options.only !== 'times') await takePictures(tab);
+    if (options.only !== 'pictures') await takeTimes(tab);
   } finally {
     await browser.close();
     await server.close();

@@ -28,7 +28,7 @@ const moveEye = ({ camera }) => (i) => {
  * Measures edgeshade's side, then three.js's, each with a moving light and with a moving camera.
  * three.js draws its map in every frame where the light moves, and keeps it where it stands.
  */
-export async function measure({ viewer, sides, scene, shadow, model, triangles, frames = 30, warmUp = 8 }) {
+export async function measure({ viewer, sides, scene, shadow, model, triangles, frames = 30, warmUp = 5 }) {
   const state = viewer.state;
   const run = async (side, move) => figuresOf(
     await timeFrames({ frames, warmUp }, (i, started) => side.frame(move(i), started)));

@@ -2,12 +2,14 @@
 
 import { chromium } from 'playwright-core';
 
-const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
-  '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
+const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
   '--js-flags=--expose-gc'];
 
-export const launchChromium = () => chromium.launch({
+/** `angle`: what Chromium draws with; gl-egl is the system's own GL, Mesa's software for one. */
+export const launchChromium = ({ angle = 'swiftshader' } = {}) => chromium.launch({
   executablePath: process.env.EDGESHADE_CHROMIUM ?? '/usr/bin/chromium',
-  args: flags,
+  args: [...flags, `--use-angle=${angle}`],
+  env: { EGL_PLATFORM: 'surfaceless', ...process.env },
 });
