@@ -4,7 +4,8 @@
 #include "preprocess/error.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <cstdio>
+#include <cstdlib>
 #include <tuple>
 
 namespace edgeshade {
@@ -14,8 +15,13 @@ using Floats = std::shared_ptr<const std::vector<float>>;
 
 /// The shortest text that says this number.
 std::string shown(float number) {
+    // std::to_chars() of a float is not in every standard library that this is built with.
     char text[32];
-    return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
+    for (int digits = 6; digits <= 9; ++digits) {
+        std::snprintf(text, sizeof text, "%.*g", digits, static_cast<double>(number));
+        if (std::strtof(text, nullptr) == number) break;
+    }
+    return text;
 }
 
 Interpolation interpolationOf(const tinygltf::AnimationSampler& sampler) {

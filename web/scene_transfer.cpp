@@ -87,8 +87,8 @@ class Reader {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
-    archive(batch.node, batch.worldFromBatch, batch.positions, batch.normals, batch.texcoords,
-            batch.colors, batch.indices, batch.groups);
+    archive(batch.node, batch.worldFromBatch, batch.origin, batch.positions, batch.normals,
+            batch.texcoords, batch.colors, batch.indices, batch.groups);
 }
 
 template <class Archive>
@@ -137,7 +137,7 @@ Bytes toTransfer(const LoadedScene& loaded) {
     Bytes bytes;
     Writer writer(bytes);
     writer(charactersOf(loaded.document.path.string()), documentFor(loaded), loaded.scene.batches,
-           loaded.scene.materials, loaded.shadows, loaded.settings,
+           loaded.scene.movers, loaded.scene.materials, loaded.shadows, loaded.settings,
            loaded.scene.warnings.sentences().size());
     for (const std::string& sentence : loaded.scene.warnings.sentences())
         writer(charactersOf(sentence));
@@ -150,8 +150,8 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     std::vector<char> characters;
     Bytes document;
     std::size_t warnings = 0;
-    reader(characters, document, loaded.scene.batches, loaded.scene.materials, loaded.shadows,
-           loaded.settings, warnings);
+    reader(characters, document, loaded.scene.batches, loaded.scene.movers, loaded.scene.materials,
+           loaded.shadows, loaded.settings, warnings);
     loaded.document = parseGltf(document, textOf(characters));
     for (std::size_t i = 0; i < warnings; ++i) {
         reader(characters);

@@ -60,6 +60,7 @@ function showSample(changes) {
 
 async function showAddress() {
   const { model: asked, changes, problems } = readHash(location.hash);
+  if (reducedMotion.matches) delete changes.playing;
   if (asked?.file) {
     wantedForFile = { file: asked.file, changes };
     await showSample({});

@@ -83,18 +83,6 @@ test('the panel changes the picture\'s state', async () => {
   await shared.check(page);
 });
 
-test('the animation plays, pauses and keeps its speed', async () => {
-  const page = await shared.open();
-  if (!(await page.evaluate(() => document.querySelector('#viewer').animationSeconds > 0))) return;
-  await page.click('#play');
-  await page.waitForFunction(() => document.querySelector('#viewer').state.time > 0.1);
-  await page.click('#play');
-  const { time } = await stateOf(page);
-  await settled(page);
-  assert.equal((await stateOf(page)).time, time);
-  await shared.check(page);
-});
-
 test('the picture button saves a PNG', async () => {
   const page = await shared.open();
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#screenshot')]);

@@ -2,16 +2,11 @@
 
 import assert from 'node:assert/strict';
 import { after, before } from 'node:test';
-import { chromium } from 'playwright-core';
+import { launchChromium } from './chromium.mjs';
 import { serve } from './server.mjs';
 
 /** The page with a scene of 36 triangles. */
 export const smallPage = '/#model=tests/small.gltf';
-
-const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
-  '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--js-flags=--expose-gc'];
 
 /** Software draws several times as fast without. */
 function withoutAntialiasing() {
@@ -29,10 +24,7 @@ export function useBrowser() {
   const shared = {};
   before(async () => {
     shared.server = await serve();
-    shared.browser = await chromium.launch({
-      executablePath: process.env.EDGESHADE_CHROMIUM ?? '/usr/bin/chromium',
-      args: flags,
-    });
+    shared.browser = await launchChromium();
   });
   after(async () => {
     await shared.browser?.close();

@@ -17,8 +17,8 @@ function box([hx, hy, hz]) {
 
 const parts = { ground: [4, 0.1, 4], pillar: [0.4, 1.5, 0.4], stone: [0.5, 0.3, 0.3] };
 
-/** A ground, a pillar and a stone that slides along (2 s), as .gltf without further files. */
-export function smallGltf() {
+/** A ground, a pillar and a stone that slides along (2 s): its JSON without a buffer, and that. */
+function smallScene() {
   const blobs = [...Object.values(parts).map((half) => floats(box(half))), floats([0, 2]), floats([1, 0.2, 1, 1, 0.2, -1])];
   const binary = Buffer.concat(blobs);
   let byteOffset = 0;
@@ -29,7 +29,7 @@ export function smallGltf() {
   });
   const accessor = (bufferView, count, type, min, max) => ({ bufferView, componentType: 5126, count, type, min, max });
   const solid = Object.values(parts).map(([x, y, z], i) => accessor(i, 36, 'VEC3', [-x, 0, -z], [x, 2 * y, z]));
-  return Buffer.from(JSON.stringify({
+  const json = {
     asset: { version: '2.0' },
     scene: 0,
     scenes: [{ nodes: [0, 1, 2] }],
@@ -40,6 +40,33 @@ export function smallGltf() {
     accessors: [...solid, accessor(3, 2, 'SCALAR', [0], [2]), accessor(4, 2, 'VEC3')],
     animations: [{ samplers: [{ input: 3, output: 4 }], channels: [{ sampler: 0, target: { node: 2, path: 'translation' } }] }],
     bufferViews,
-    buffers: [{ byteLength: binary.length, uri: `data:application/octet-stream;base64,${binary.toString('base64')}` }],
-  }));
+  };
+  return { json, binary };
+}
+
+/** The scene as .gltf without further files. */
+export function smallGltf() {
+  const { json, binary } = smallScene();
+  const uri = `data:application/octet-stream;base64,${binary.toString('base64')}`;
+  return Buffer.from(JSON.stringify({ ...json, buffers: [{ byteLength: binary.length, uri }] }));
+}
+
+function glbChunk(type, bytes, padding) {
+  const body = Buffer.concat([bytes, Buffer.alloc(-bytes.length & 3, padding)]);
+  const head = Buffer.alloc(8);
+  head.writeUInt32LE(body.length, 0);
+  head.write(type, 4, 'latin1');
+  return Buffer.concat([head, body]);
+}
+
+/** The same as .glb. */
+export function smallGlb() {
+  const { json, binary } = smallScene();
+  const text = Buffer.from(JSON.stringify({ ...json, buffers: [{ byteLength: binary.length }] }));
+  const chunks = Buffer.concat([glbChunk('JSON', text, ' '), glbChunk('BIN\0', binary, 0)]);
+  const head = Buffer.alloc(12);
+  head.write('glTF', 0, 'latin1');
+  head.writeUInt32LE(2, 4);
+  head.writeUInt32LE(head.length + chunks.length, 8);
+  return Buffer.concat([head, chunks]);
 }

@@ -1,4 +1,4 @@
-// A static server over build/web, the tests' own pages and folders of scenes.
+// A static server over build/web, the tests' own pages, the comparison's and folders of scenes.
 
 import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -9,6 +9,8 @@ import { smallGltf } from './scenes.mjs';
 export const repository = fileURLToPath(new URL('../../../', import.meta.url));
 const roots = {
   '/tests/': fileURLToPath(new URL('../pages/', import.meta.url)),
+  '/compare/': join(repository, 'web/compare/'),
+  '/node_modules/three/': join(repository, 'web/node_modules/three/'),
   '/shared/': join(repository, '../shared/scenes/'),
   '/': join(repository, 'build/web/'),
 };

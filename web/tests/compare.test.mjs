@@ -1,0 +1,39 @@
+// The comparison with three.js's cube shadow map: the page works, where three.js is installed.
+
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { repository } from './support/server.mjs';
+
+const shared = useBrowser();
+const skip = existsSync(join(repository, 'web/node_modules/three/package.json')) ? false
+  : "three is not installed; 'npm ci' in web/ does that.";
+
+test('both pictures show the scene, alike but for the shadows\' edges, and are timed', { skip }, async () => {
+  const page = await shared.open('/compare/#map-size=512', { size: { width: 700, height: 700 } });
+  const results = await page.evaluate(async () => {
+    const comparison = await window.comparison;
+    const { width, height } = document.querySelector('#three');
+    const whole = { x: 0, y: 0, width, height, scale: 1 };
+    const pixelsOf = async (address) => {
+      const bitmap = await createImageBitmap(await (await fetch(address)).blob());
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      return context.getImageData(0, 0, width, height).data;
+    };
+    const { edgeshade, cubeMap } = await comparison.cutOuts(whole);
+    const [a, b] = [await pixelsOf(edgeshade), await pixelsOf(cubeMap)];
+    let different = 0;
+    for (let i = 0; i < a.length; ++i) different += Math.abs(a[i] - b[i]) > 12 ? 1 : 0;
+    return { share: different / a.length, figures: await comparison.measure({ frames: 2, warmUp: 1 }) };
+  });
+  assert.ok(results.share > 1e-4 && results.share < 0.06, `${results.share} of the values differ`);
+  const { figures } = results;
+  for (const side of ['edgeshade', 'cube_map'])
+    for (const what of ['light_moves', 'camera_moves']) assert.ok(figures[side][what].median_ms > 0, `${side} ${what}`);
+  assert.equal(figures.map_size, 512);
+  assert.match(await page.textContent('#results'), /light moves/);
+  await shared.check(page);
+});
