@@ -139,15 +139,13 @@ class Jury {
 };
 
 /// The bias with the fewest wrong pixels over the first views.
-float tunedBias(Jury& jury, const CompareTask& task, const RenderSettings& contender,
+float tunedBias(Jury& jury, const CompareTask& task, Renderer& renderer,
                 std::optional<int> depthSlices) {
     std::array<std::size_t, mapBiases.size()> wrong{};
     for (std::size_t v = 0; v < std::min(tuningViews, task.views.size()); ++v) {
         jury.see(task.views[v]);
         for (std::size_t b = 0; b < mapBiases.size(); ++b) {
-            RenderSettings settings = contender;
-            settings.map.biasTexels = mapBiases[b];
-            Renderer renderer = jury.studio().rendererFor(settings);
+            renderer.setMapBias(mapBiases[b]);
             wrong[b] += jury.compare(renderer, depthSlices).counts.wrongImagePixels;
         }
     }
@@ -167,12 +165,13 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
         result.name = contender.name;
         result.settings = contender.settings;
         result.settings.layout = jury.studio().layoutFor(contender.settings.layout);
+        renderers.push_back(jury.studio().rendererFor(result.settings));
         if (contender.tuneMapBias) {
             progress(0.0, "tuning the bias of " + contender.name);
             result.settings.map.biasTexels =
-                tunedBias(jury, task, result.settings, contender.depthSlices);
+                tunedBias(jury, task, renderers.back(), contender.depthSlices);
+            renderers.back().setMapBias(result.settings.map.biasTexels);
         }
-        renderers.push_back(jury.studio().rendererFor(result.settings));
     }
 
     const double steps = static_cast<double>(task.views.size() * results.size());

@@ -47,6 +47,10 @@ class Renderer {
 
     const RenderSettings& settings() const { return settings_; }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
+    void setMapBias(float texels) {
+        settings_.map.biasTexels = texels;
+        if (maps_) maps_->setBias(texels);
+    }
 
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }

@@ -91,7 +91,30 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
     const Box fitted = bounds.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : bounds;
     const ShadowMapView view = shadowMapView(light, fitted, settings_, map.depthBits());
     const bool masksCast = masksCastIn(scene);
+    Subject subject = subjectOf(scene, fitted, light);
+    if (drawn_[kind] != subject) {
+        drawFaces(scene, view, map, masksCast);
+        drawn_[kind] = std::move(subject);
+    }
+    return {map.kind(),
+            map.textures(),
+            view.mapFromWorld,
+            static_cast<float>(view.step),
+            static_cast<float>(view.texel),
+            settings_.biasTexels,
+            masksCast};
+}
 
+ShadowMapPass::Subject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds,
+                                                const Light& light) {
+    Subject subject{scene.identity, light.position, bounds.low, bounds.high, {}};
+    for (const GpuBatch& batch : scene.batches)
+        subject.batches.emplace_back(batch.worldFromBatch, batch.hidden);
+    return subject;
+}
+
+void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
+                              const ShadowMapTarget& map, bool masksCast) {
     glViewport(0, 0, settings_.size, settings_.size);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_DEPTH_TEST);
@@ -109,14 +132,6 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
             drawCasters(scene, view, view.faces[face].clipFromMap, masksCast);
     }
     glEnable(GL_DITHER);
-
-    return {map.kind(),
-            map.textures(),
-            view.mapFromWorld,
-            static_cast<float>(view.step),
-            static_cast<float>(view.texel),
-            settings_.biasTexels,
-            masksCast};
 }
 
 void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view,
