@@ -29,19 +29,21 @@ def compare(scene):
 def condensed(full):
     """A report without its views, which say little to a reader."""
     return [{key: value for key, value in result.items() if key != "by_view"}
-            for result in full["results"]]
+            for result in full.get("results", [full])]
 
 
 def table(results):
+    sizes = sorted({run["settings"]["map_size"] for runs in results["scenes"].values()
+                    for run in runs if run["settings"]["shadows"] == "map"})
     head = ("| scene | visible pixels | volumes | beyond 1 px, not tied | "
-            + " | ".join(f"map {size}" for size in MAP_SIZES) + " |")
-    lines = [head, "|" + " --- |" * (4 + len(MAP_SIZES))]
+            + "".join(f"map {size} | " for size in sizes)).rstrip()
+    lines = [head, "|" + " --- |" * (4 + len(sizes))]
     for scene, runs in results["scenes"].items():
         volumes, maps = runs[0], {run["settings"]["map_size"]: run for run in runs[1:]}
         cells = [NAMES.get(scene, scene), f"{volumes['visible_pixels']:,}",
                  figure(percent(volumes["wrong_image_pixels"], volumes["visible_pixels"])),
                  str(volumes["wrong_image_beyond_1px_not_tied"])]
-        for size in MAP_SIZES:
+        for size in sizes:
             run = maps.get(size)
             cells.append(figure(percent(run["wrong_image_pixels"], run["visible_pixels"]))
                          if run else "")
