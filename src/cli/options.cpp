@@ -125,6 +125,12 @@ void addCasterOptions(CLI::App& verb, CasterOptions& options) {
         "MASK and BLEND surfaces cast shadows too, of their whole triangles");
 }
 
+void addSamplesOption(CLI::App& verb, int& samples) {
+    verb.add_option("--samples", samples, "Samples a pixel for antialiasing (0: none)")
+        ->check(CLI::Range(0, 64))
+        ->type_name("N");
+}
+
 void addReportOption(CLI::App& verb, std::string& path) {
     verb.add_option("--report", path, "Write a JSON report to this file; - is standard output")
         ->type_name("FILE");

@@ -65,6 +65,7 @@ void addChoice(CLI::App& verb, const std::string& option, Value& value,
 void addViewOptions(CLI::App& verb, ViewOptions& options);
 void addCasterOptions(CLI::App& verb, CasterOptions& options);
 void addReportOption(CLI::App& verb, std::string& path);
+void addSamplesOption(CLI::App& verb, int& samples);
 
 /// The request: the camera frames the scene where it was not typed, and there is at least one
 /// light. Throws Error(usage) for a camera without a direction.

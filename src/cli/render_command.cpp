@@ -118,9 +118,7 @@ void addRenderCommand(CLI::App& program) {
                    "nothing is");
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
-    verb->add_option("--samples", options->samples, "Samples a pixel for antialiasing (0: none)")
-        ->check(CLI::Range(0, 64))
-        ->type_name("N");
+    addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
     verb->callback([options] { render(*options); });

@@ -26,28 +26,20 @@ struct WindowOptions {
     int samples = 0;
 };
 
-Json vectorJson(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 /// Camera, lights and the left side as typed.
 Json stateFrom(const WindowOptions& options, const Scene& scene) {
     const FrameRequest request = requestFor(options.view, scene);
-    Json lights = Json::array();
-    for (const Light& light : request.lights)
-        lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
     const RenderSettings& render = options.settings.render;
     viewer::ViewState state;
+    state.camera = request.camera;
+    state.lights = request.lights;
     state.left = {render.shadows, render.map.size, render.multiplicity};
     state.ambient = render.ambient;
     const Json all = viewer::toJson(state);
-    return {{"camera",
-             {{"from", vectorJson(request.camera.from)},
-              {"to", vectorJson(request.camera.to)},
-              {"fov", request.camera.fovDegrees}}},
-            {"lights", lights},
-            {"ambient", all["ambient"]},
-            {"left", all["left"]}};
+    Json typed;
+    for (const char* key : {"camera", "lights", "ambient", "left"})
+        typed[key] = all[key];
+    return typed;
 }
 
 void view(const WindowOptions& options) {
@@ -99,9 +91,7 @@ void addViewCommand(CLI::App& program) {
         ->needs(verb->get_option("FILE"));
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
-    verb->add_option("--samples", options->samples, "Samples a pixel for antialiasing (0: none)")
-        ->check(CLI::Range(0, 64))
-        ->type_name("N");
+    addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     verb->callback([options] { view(*options); });
 }

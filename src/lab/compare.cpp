@@ -112,8 +112,7 @@ class Jury {
     }
 
     /// The program's pictures without shadows, which the oracle's picture is put together from.
-    /// Contenders with the same slices and ambient light
-    /// share them.
+    /// Contenders with the same slices and ambient light share them.
     void drawUnshadowed(RenderSettings plain, FrameView frame) {
         const auto key = std::pair(frame.slices.size(), plain.ambient);
         if (unshadowed_ == key) return;

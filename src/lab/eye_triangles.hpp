@@ -18,6 +18,11 @@ struct EyeTriangle {
     bool visible = true; ///< can be seen: everything but BLEND
 };
 
+/// Its normal, by the order of its corners; as long as twice its area.
+inline glm::dvec3 normalOf(const EyeTriangle& triangle) {
+    return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+}
+
 /// All triangles of the scene. `castMasked` as in CasterSettings.
 std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const glm::dvec3& eye, bool castMasked);
 

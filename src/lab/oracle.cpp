@@ -67,10 +67,6 @@ Meeting intersect(const EyeTriangle& triangle, const glm::dvec3& origin, double 
             cross * lengthAb / usable + std::abs(v) * relative};
 }
 
-glm::dvec3 normalOf(const EyeTriangle& triangle) {
-    return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
-}
-
 /// Whether `other` lies exactly in the plane of `surface`.
 bool isCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
     const glm::dvec3 normal = normalOf(surface);

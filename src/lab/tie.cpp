@@ -21,10 +21,6 @@ std::array<glm::dvec2, 8> movedPoints(const glm::dvec2& center) {
     return points;
 }
 
-glm::dvec3 normalOf(const EyeTriangle& triangle) {
-    return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
-}
-
 /// How much a hit's depth changes at most as its triangle's plane is met 1/16 pixel aside.
 double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec2& at) {
     const EyeTriangle& triangle = oracle.triangles()[hit.triangle];

@@ -1,6 +1,7 @@
 #include "src/render/layer_bound.hpp"
 
 #include "preprocess/topology.hpp"
+#include "src/render/polygon.hpp"
 
 #include <algorithm>
 #include <array>
@@ -77,42 +78,28 @@ struct Outline {
     static constexpr double outlineMargin = 1e-9; // against rounding
 };
 
-/// The part of a polygon of `count` corners where dot(plane, p) >= 0 (Sutherland-Hodgman).
-std::size_t clip(std::array<glm::dvec3, 8>& corners, std::size_t count, const glm::dvec3& plane) {
-    std::array<glm::dvec3, 8> kept;
-    std::size_t keptCount = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 &here = corners[i], &next = corners[(i + 1) % count];
-        const double a = glm::dot(plane, here), b = glm::dot(plane, next);
-        if (a >= 0.0) kept[keptCount++] = here;
-        if ((a >= 0.0) != (b >= 0.0)) kept[keptCount++] = here + (next - here) * (a / (a - b));
-    }
-    corners = kept;
-    return keptCount;
-}
-
 Outline outlineOn(const glm::dmat3& face, const TriangleCone& triangle) {
-    std::array<glm::dvec3, 8> corners;
+    Polygon polygon;
     std::size_t behind = 0, near = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-        corners[c] = triangle.rays[c] * face;
-        const double across = std::max(std::abs(corners[c].x), std::abs(corners[c].y));
-        behind += corners[c].z < -1e-9 * across;
-        near += corners[c].z <= 1e-3 * across;
+    for (const glm::dvec3& ray : triangle.rays) {
+        const glm::dvec3 on = ray * face;
+        polygon.add(on);
+        const double across = std::max(std::abs(on.x), std::abs(on.y));
+        behind += on.z < -1e-9 * across;
+        near += on.z <= 1e-3 * across;
     }
     Outline outline;
     if (behind == 3) return outline;
-    std::size_t count = 3;
     if (near > 0) {
         // A little wider than the face, so that rounding loses nothing.
         for (const glm::dvec3& plane : {glm::dvec3(1.0, 0.0, 1.001), glm::dvec3(-1.0, 0.0, 1.001),
                                         glm::dvec3(0.0, 1.0, 1.001), glm::dvec3(0.0, -1.0, 1.001)})
-            count = clip(corners, count, plane);
+            polygon = clipped(polygon, plane);
     }
-    for (std::size_t c = 0; c < count; ++c) {
-        if (!(corners[c].z > 0.0))
-            return {-INFINITY, INFINITY, -INFINITY, INFINITY}; // at the light
-        outline.add(corners[c]);
+    for (std::size_t c = 0; c < polygon.count; ++c) {
+        const glm::dvec3& corner = polygon.corners[c];
+        if (!(corner.z > 0.0)) return {-INFINITY, INFINITY, -INFINITY, INFINITY}; // at the light
+        outline.add(corner);
     }
     return outline;
 }
