@@ -48,7 +48,6 @@ nlohmann::ordered_json planJson(const FrameView& view) {
 }
 
 void render(const RenderOptions& options) {
-    requireConsistent(options.settings);
     Stopwatch watch;
     const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
     const auto& warnings = loaded.scene.warnings.sentences();
@@ -63,8 +62,8 @@ void render(const RenderOptions& options) {
     RenderSettings settings = options.settings.render;
     settings.layout = layoutFor(options.settings.instancing, capabilities);
     Renderer renderer(settings, capabilities);
-    const GpuScene scene = uploadScene(loaded, settings.layout, capabilities);
-    const std::vector<GroupedShadow> groups = uploadNeededGroups(loaded, view, settings.layout);
+    const GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
+    const std::vector<GroupedShadow> groups = uploadNeededGroups(loaded, view, settings.records());
     const double loadSeconds = watch.lap();
 
     renderer.draw(scene, view, groups);
@@ -121,7 +120,10 @@ void addRenderCommand(CLI::App& program) {
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
-    verb->callback([options] { render(*options); });
+    verb->callback([options] {
+        resolve(options->settings);
+        render(*options);
+    });
 }
 
 } // namespace edgeshade::cli

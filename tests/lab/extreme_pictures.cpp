@@ -30,7 +30,7 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene, dou
     FrameView frame = makeFrameView(
         scene, {extreme.camera, extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
-    const GpuScene gpu = uploadScene(scene, shadows.layout, capabilities);
+    const GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
     const auto draw = [&](const RenderSettings& settings,
                           const std::vector<GroupedShadow>& groups = {}) {
         Renderer(settings, capabilities).draw(gpu, frame, groups);
@@ -40,7 +40,7 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene, dou
 
     lab::Pictures pictures;
     {
-        const auto groups = uploadNeededGroups(scene, frame, shadows.layout);
+        const auto groups = uploadNeededGroups(scene, frame, shadows.records());
         pictures.image = draw(shadows, groups);
         frame.mask = true;
         pictures.mask = draw(shadows, groups);
