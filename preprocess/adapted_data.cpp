@@ -54,8 +54,8 @@ void addGroups(const CasterMesh& mesh, const std::vector<std::uint32_t>& triangl
         while (triangle >= mesh.groups[group].firstCap + mesh.groups[group].capCount)
             ++group;
         const std::size_t material = mesh.groups[group].material;
-        const bool same = groups.size() > firstGroup &&
-                          (!holes || groups.back().material == material);
+        const bool same =
+            groups.size() > firstGroup && (!holes || groups.back().material == material);
         if (!same) groups.push_back({material, firstCap, 0});
         ++groups.back().capCount;
         ++firstCap;
@@ -78,11 +78,10 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
             emitter.emitCap(triangle, shadow);
         addGroups(mesh, cluster.triangles, cluster.holes, static_cast<std::uint32_t>(caps),
                   shadow.groups);
-        shadow.clusters.push_back({cluster.bounds, cluster.closed, cluster.holes,
-                                   rangeSince(pairs, shadow.pairs.size()),
-                                   rangeSince(singles, shadow.singles.size()),
-                                   rangeSince(caps, shadow.caps.size()),
-                                   rangeSince(groups, shadow.groups.size())});
+        shadow.clusters.push_back(
+            {cluster.bounds, cluster.closed, cluster.holes, rangeSince(pairs, shadow.pairs.size()),
+             rangeSince(singles, shadow.singles.size()), rangeSince(caps, shadow.caps.size()),
+             rangeSince(groups, shadow.groups.size())});
     }
     return shadow;
 }
@@ -91,8 +90,7 @@ std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scen
                                                                bool castMasked) {
     std::vector<std::shared_ptr<const AdaptedShadow>> shadows;
     for (const Batch& batch : scene.batches) {
-        const CasterMesh mesh =
-            weldCasters(batch, castersOf(batch, scene.materials, castMasked));
+        const CasterMesh mesh = weldCasters(batch, castersOf(batch, scene.materials, castMasked));
         shadows.push_back(std::make_shared<const AdaptedShadow>(
             buildAdapted(mesh, buildEdges(mesh.welded), scene.materials)));
     }

@@ -21,7 +21,8 @@ namespace edgeshade {
 //   run the same way are paired too, one of them with its plane negated, which turns w into -w:
 //   then all triangles must count. An edge of n triangles takes pairs of those that run opposite
 //   ways as long as there are any, then of the rest: its multiplicity is the sum over its records.
-// - SingleRecord: the triangle that is left over where n is odd, m = w, the plane negated if d = -1.
+// - SingleRecord: the triangle that is left over where n is odd, m = w, the plane negated if d =
+// -1.
 // - Nothing: a pair whose planes are equal bit for bit, as they are across the edges within a flat
 //   patch. w0 - w1 is 0 for every light.
 //
@@ -77,8 +78,8 @@ struct AdaptedShadow {
     std::vector<std::uint32_t> capTriangles; ///< which of CasterMesh's triangles each cap is
     std::vector<CasterGroup> groups; ///< ranges of caps; clusters without holes have one each
     std::vector<ShadowCluster> clusters;
-    std::size_t edges = 0;        ///< all, flat ones too
-    std::size_t flatPairs = 0;    ///< pairs that were dropped
+    std::size_t edges = 0;     ///< all, flat ones too
+    std::size_t flatPairs = 0; ///< pairs that were dropped
 };
 
 /// Triangles at which a cluster is full: small components share one.

@@ -9,7 +9,7 @@ namespace edgeshade {
 struct TriangleCluster {
     Box bounds;
     bool closed = false;
-    bool holes = false; ///< some triangle is not opaque; never closed then
+    bool holes = false;                   ///< some triangle is not opaque; never closed then
     std::vector<std::uint32_t> triangles; ///< ascending
     std::vector<std::uint32_t> edges;     ///< ascending
 };

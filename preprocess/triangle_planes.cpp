@@ -51,8 +51,8 @@ std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& ed
         if (directionIn(mesh.triangles[p.triangle], edge) ==
             directionIn(mesh.triangles[q.triangle], edge))
             return false;
-        return areCoplanar(mesh.positions[edge.a], mesh.positions[edge.b],
-                           mesh.positions[p.vertex], mesh.positions[q.vertex]);
+        return areCoplanar(mesh.positions[edge.a], mesh.positions[edge.b], mesh.positions[p.vertex],
+                           mesh.positions[q.vertex]);
     };
     for (const Edge& edge : edges.edges) {
         const auto opposites = edges.oppositesOf(edge);

@@ -88,9 +88,10 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--layout", settings.layout, layoutNames,
               "What volumes are drawn from: records of what the scene requires, which hold planes, "
               "or the published ones of opposite vertices (adapted)");
-    addChoice(verb, "--instancing", settings.instancing, instancingNames,
-              "A record an instance, a copy for every vertex, or one draw a side, as adapted records "
-              "always have (on where the GL can)");
+    addChoice(
+        verb, "--instancing", settings.instancing, instancingNames,
+        "A record an instance, a copy for every vertex, or one draw a side, as adapted records "
+        "always have (on where the GL can)");
     verb.add_option_function<std::string>(
             "--depth-slices",
             [&settings](const std::string& text) {

@@ -122,8 +122,8 @@ void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const VolumeDraw& 
     const AdaptedShadow& shadow = buffers.shadow();
     const bool sun = light.w == 0.0f;
     for (const bool pair : {true, false}) {
-        const RecordRange range = rangeOver(
-            shadow, draw.clusters, pair ? &ShadowCluster::pairs : &ShadowCluster::singles);
+        const RecordRange range = rangeOver(shadow, draw.clusters,
+                                            pair ? &ShadowCluster::pairs : &ShadowCluster::singles);
         if (range.count == 0) continue;
         const AdaptedSidesVariant variant{pair, sun};
         auto program = sides_.find(variant);
@@ -148,8 +148,8 @@ void AdaptedVolumes::drawQuads(const gl::Buffer& buffer, const std::vector<int>&
                                bool copied, const RecordRange& range, bool sun) {
     if (!copied) {
         AttributeBinding binding(&*instancing_);
-        bindRecords(binding, buffer, components,
-                    range.first * sizeof(float) * floatsOf(components), false, quadCorners_, 0);
+        bindRecords(binding, buffer, components, range.first * sizeof(float) * floatsOf(components),
+                    false, quadCorners_, 0);
         instancing_->drawTriangleStrips(sun ? 3 : verticesPerQuad, static_cast<int>(range.count));
         return;
     }
@@ -170,8 +170,8 @@ gl::Program& AdaptedVolumes::capsProgram(bool nearDiscard, bool alphaTest) {
     const std::pair key(nearDiscard, alphaTest);
     auto found = caps_.find(key);
     if (found == caps_.end())
-        found = caps_.emplace(key, makeAdaptedCapsProgram(nearDiscard, alphaTest, capsDefines_))
-                    .first;
+        found =
+            caps_.emplace(key, makeAdaptedCapsProgram(nearDiscard, alphaTest, capsDefines_)).first;
     return found->second;
 }
 
@@ -225,8 +225,7 @@ void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const Rec
         AttributeBinding binding(&*instancing_);
         bindRecords(binding, buffers.records, capComponents, caps.first * sizeof(float) * floats,
                     false, capCorners_, kind == CapKind::back ? verticesPerCap : 0);
-        if (holes)
-            binding.addRecords(buffers.holes, 3, caps.first * 3 * sizeof(glm::vec4), true);
+        if (holes) binding.addRecords(buffers.holes, 3, caps.first * 3 * sizeof(glm::vec4), true);
         instancing_->drawTriangles(kind == CapKind::both ? 2 * verticesPerCap : verticesPerCap,
                                    static_cast<int>(caps.count));
         return;
@@ -252,8 +251,8 @@ std::size_t vertexRuns(const AdaptedShadow& shadow, const std::vector<VolumeDraw
                            rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);
         if (!draw.zFail) continue;
         const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (sun ? 0 : 1);
-        runs += verticesPerCap * kinds *
-                rangeOver(shadow, draw.clusters, &ShadowCluster::caps).count;
+        runs +=
+            verticesPerCap * kinds * rangeOver(shadow, draw.clusters, &ShadowCluster::caps).count;
         for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
             const ShadowCluster& cluster = shadow.clusters[c];
             if (!cluster.holes || !draw.frontCaps) continue;

@@ -42,7 +42,8 @@ bool separates(const glm::dvec3& axis, const LightPyramid& pyramid, const Box& b
     const glm::dvec3 center = box.center();
     const double at = glm::dot(axis, center);
     const double reach = glm::dot(glm::abs(axis), box.high - center);
-    size = std::max(size, glm::dot(glm::abs(axis), glm::max(glm::abs(box.low), glm::abs(box.high))));
+    size =
+        std::max(size, glm::dot(glm::abs(axis), glm::max(glm::abs(box.low), glm::abs(box.high))));
     const double gap = std::max(of.low - (at + reach), (at - reach) - of.high);
     return gap > leastGap * size && size > 0.0;
 }
@@ -57,7 +58,8 @@ bool areApart(const LightPyramid& pyramid, const Box& box) {
     const glm::dvec3 light(pyramid.light);
     for (const glm::dvec3& corner : c)
         edges.push_back(light - corner * pyramid.light.w);
-    std::vector<glm::dvec3> axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, glm::cross(edges[0], edges[1])};
+    std::vector<glm::dvec3> axes = {
+        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, glm::cross(edges[0], edges[1])};
     for (std::size_t i = 0; i < 4; ++i)
         axes.push_back(glm::cross(edges[2 + i], c[(i + 1) % 4] - c[i]));
     for (const glm::dvec3& edge : edges)

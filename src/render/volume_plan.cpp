@@ -51,9 +51,8 @@ bool isVolumeOutside(const Box& box, const glm::dvec4& plane, const glm::dvec4& 
 }
 
 bool mayOverlap(const Box& box, const Box& other) {
-    const double margin =
-        rounding * std::max({glm::length(box.low), glm::length(box.high), glm::length(other.low),
-                             glm::length(other.high)});
+    const double margin = rounding * std::max({glm::length(box.low), glm::length(box.high),
+                                               glm::length(other.low), glm::length(other.high)});
     for (glm::length_t axis = 0; axis < 3; ++axis)
         if (box.high[axis] + margin < other.low[axis] || other.high[axis] + margin < box.low[axis])
             return false;
@@ -113,8 +112,8 @@ std::vector<VolumeDraw> planVolumes(std::span<const ShadowCluster> clusters, con
         draw.frontCaps = draw.zFail && inView;
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
         draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
-        const bool joins = !draws.empty() && draws.back().clusters.end() == i &&
-                           draws.back().drawnLike(draw);
+        const bool joins =
+            !draws.empty() && draws.back().clusters.end() == i && draws.back().drawnLike(draw);
         if (joins)
             ++draws.back().clusters.count;
         else

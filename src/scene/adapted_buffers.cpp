@@ -63,11 +63,9 @@ const CapBuffers& AdaptedBuffers::capsOf(std::size_t cluster) const {
     if (!caps_[cluster]) {
         const ShadowCluster& of = shadow_->clusters[cluster];
         std::span<const glm::vec4> holes;
-        if (of.holes)
-            holes = std::span(capHoles_).subspan(3 * of.caps.first, 3 * of.caps.count);
-        caps_[cluster] =
-            uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count), holes,
-                       copied());
+        if (of.holes) holes = std::span(capHoles_).subspan(3 * of.caps.first, 3 * of.caps.count);
+        caps_[cluster] = uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count),
+                                    holes, copied());
     }
     return *caps_[cluster];
 }

@@ -18,7 +18,8 @@ GroupedShadow groupsFor(const Light& light, const LoadedScene& loaded, VolumeRec
 } // namespace
 
 const std::vector<GroupedShadow>& CasterGroups::of(const std::vector<Light>& lights,
-                                                   const LoadedScene& loaded, VolumeRecords records) {
+                                                   const LoadedScene& loaded,
+                                                   VolumeRecords records) {
     std::vector<glm::dvec4> places;
     std::vector<GroupedShadow> groups;
     for (const Light& light : lights) {

@@ -212,8 +212,8 @@ void Viewer::show(LoadedScene scene) {
     std::optional<Animation> animation = readAnimation(scene.document, scene.scene.warnings);
     std::optional<GpuScene> uploaded;
     if (parts.gpu)
-        uploaded = uploadScene(scene, parts.gpu->recordsOf(parts.state.left),
-                               parts.gpu->capabilities);
+        uploaded =
+            uploadScene(scene, parts.gpu->recordsOf(parts.state.left), parts.gpu->capabilities);
     parts.loaded = std::move(scene);
     parts.animation = std::move(animation);
     parts.state.time = 0.0;

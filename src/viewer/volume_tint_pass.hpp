@@ -9,8 +9,8 @@
 namespace edgeshade::viewer {
 
 /// A debug view: tints the picture by one light's shadow volumes, sides orange where they stand in
-/// front of what is visible, caps blue wherever they are drawn (all of them lie at infinity; volumes
-/// that are counted without caps have none).
+/// front of what is visible, caps blue wherever they are drawn (all of them lie at infinity;
+/// volumes that are counted without caps have none).
 class VolumeTintPass {
   public:
     /// `instancing` must be there unless the layout is notInstanced.

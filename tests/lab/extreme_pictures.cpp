@@ -20,11 +20,13 @@ void coarsenDepth(int bits, const gl::Capabilities& capabilities) {
 
 } // namespace
 
-lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene, double& near) {
+lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
+                           MultiplicityMethod method, double& near) {
     const gl::HeadlessContext context({extreme.width, extreme.height, 0, extreme.depthBits});
     const gl::Capabilities& capabilities = context.capabilities();
     coarsenDepth(extreme.depthBits, capabilities);
     RenderSettings shadows, plain;
+    shadows.multiplicity = method;
     shadows.layout = plain.layout = bestLayout(capabilities);
     plain.shadows = ShadowMethod::none;
     FrameView frame = makeFrameView(

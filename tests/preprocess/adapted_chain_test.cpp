@@ -31,13 +31,12 @@ struct AdaptedMesh {
         return test::openClusters(mesh.welded.positions, shadow, light);
     }
     std::size_t openEdges(const glm::vec4& light) const {
-        return test::openEdges(mesh, edges, shadow,
-                               test::signsOf(shadow, light, test::countAll));
+        return test::openEdges(mesh, edges, shadow, test::signsOf(shadow, light, test::countAll));
     }
 };
 
-const std::vector<glm::vec4> someLights = {{0.5f, 0.5f, 3, 1}, {3, 0.5f, 1, 1},   {0, 0, 1, 0},
-                                           {2, 3, 0.5f, 1},    {1, 31.5f, 0.5f, 1}, {1, 1, 1, 1},
+const std::vector<glm::vec4> someLights = {{0.5f, 0.5f, 3, 1},   {3, 0.5f, 1, 1},     {0, 0, 1, 0},
+                                           {2, 3, 0.5f, 1},      {1, 31.5f, 0.5f, 1}, {1, 1, 1, 1},
                                            {0.5f, 0.5f, 0.5f, 1}};
 
 } // namespace

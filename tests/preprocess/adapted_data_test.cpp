@@ -142,8 +142,7 @@ TEST(AdaptedData, AComponentWithHolesIsNotClosed) {
     mesh.groups = {{0, 0, 10}, {1, 10, 2}};
     Material mask;
     mask.alphaMode = AlphaMode::mask;
-    const AdaptedShadow shadow =
-        buildAdapted(mesh, buildEdges(mesh.welded), {Material(), mask});
+    const AdaptedShadow shadow = buildAdapted(mesh, buildEdges(mesh.welded), {Material(), mask});
     ASSERT_EQ(shadow.clusters.size(), 1u);
     EXPECT_FALSE(shadow.clusters[0].closed);
     EXPECT_TRUE(shadow.clusters[0].holes);
@@ -194,8 +193,9 @@ TEST(AdaptedData, ClustersHoldWholeComponentsAndEveryRecordOnce) {
     EXPECT_EQ(pairs, shadow.pairs.size());
     EXPECT_EQ(singles, shadow.singles.size());
     EXPECT_EQ(caps, shadow.caps.size());
-    EXPECT_EQ(std::set<std::uint32_t>(shadow.capTriangles.begin(), shadow.capTriangles.end()).size(),
-              caps);
+    EXPECT_EQ(
+        std::set<std::uint32_t>(shadow.capTriangles.begin(), shadow.capTriangles.end()).size(),
+        caps);
 }
 
 TEST(OppositePairs, ManyTrianglesTakeHalfAsManyRecords) {

@@ -17,7 +17,8 @@ inline const glm::vec2 countAll(-1.0f, 1.0f), countLightFacing(0.0f, 1.0f),
     countFacingAway(-1.0f, 0.0f);
 
 /// adapted_sides.vert's recordMultiplicity().
-inline int multiplicityOf(const PairRecord& pair, const glm::vec4& light, const glm::vec2& counted) {
+inline int multiplicityOf(const PairRecord& pair, const glm::vec4& light,
+                          const glm::vec2& counted) {
     shader_arithmetic::Plane shader;
     return static_cast<int>(std::lround(shader.countedSide(pair.plane0, light, counted) -
                                         shader.countedSide(pair.plane1, light, counted)));
