@@ -98,22 +98,6 @@ std::string tableOf(const std::vector<lab::CompareResult>& results) {
     return table;
 }
 
-void printBar(double share, const std::string& doing) {
-    constexpr int width = 24;
-    const int full = static_cast<int>(share * width + 0.5);
-    std::cerr << "\r\033[K[" << std::string(full, '#') << std::string(width - full, '.') << "] "
-              << doing.substr(0, 90) << std::flush;
-    if (share >= 1.0) std::cerr << "\n";
-}
-
-std::string nameOfSetting(const DrawSettings& settings) {
-    const Json json = settingsJson(settings);
-    std::string name = json["shadows"].get<std::string>();
-    if (settings.render.shadows == ShadowMethod::map)
-        name += " " + std::to_string(settings.render.map.size);
-    return name;
-}
-
 void compare(const CompareOptions& options, bool viewsTyped) {
     std::vector<DrawSettings> settings = {options.settings};
     for (const std::string& text : options.against)
@@ -139,7 +123,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         task.views = lab::labViews(loaded.scene, static_cast<std::size_t>(options.views),
                                    options.view.fovDegrees, aspect);
     }
-    task.contenders.push_back(contenderOf(nameOfSetting(settings[0]), settings[0]));
+    task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0]));
     for (std::size_t i = 0; i < options.against.size(); ++i)
         task.contenders.push_back(contenderOf(options.against[i], settings[i + 1]));
 

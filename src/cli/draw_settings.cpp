@@ -150,6 +150,13 @@ SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilit
     }
 }
 
+std::string shortName(const DrawSettings& settings) {
+    const RenderSettings& render = settings.render;
+    std::string name = nameIn(shadowNames, render.shadows);
+    if (render.shadows == ShadowMethod::map) name += " " + std::to_string(render.map.size);
+    return name;
+}
+
 nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     nlohmann::ordered_json json = {
@@ -172,6 +179,7 @@ nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities) {
             {"version", capabilities.version},
             {"depth_bits", capabilities.depthBits},
             {"stencil_bits", capabilities.stencilBits},
+            {"extensions", capabilities.extensions},
             {"vertex_mantissa_bits", capabilities.vertexHighpMantissaBits}};
 }
 

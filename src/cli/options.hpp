@@ -61,6 +61,9 @@ void addChoice(CLI::App& verb, const std::string& option, Value& value,
     verb.add_option_function<std::string>(option, use, help)->type_name(wordsOf(choices, "|"));
 }
 
+/// "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.
+std::pair<int, int> sizeFrom(const std::string& text, const std::string& option);
+
 /// Adds the options to a verb; `options` must outlive parsing.
 void addViewOptions(CLI::App& verb, ViewOptions& options);
 void addCasterOptions(CLI::App& verb, CasterOptions& options);

@@ -63,8 +63,11 @@ void render(const RenderOptions& options) {
     RenderSettings settings = options.settings.render;
     settings.layout = layoutFor(options.settings.instancing, capabilities);
     Renderer renderer(settings, capabilities);
-    const GpuScene scene = uploadScene(loaded, settings.layout, capabilities);
-    const std::vector<GroupedShadow> groups = uploadNeededGroups(loaded, view, settings.layout);
+    const bool volumes = settings.shadows == ShadowMethod::volumes;
+    const GpuScene scene =
+        uploadScene(loaded, volumes ? std::optional(settings.layout) : std::nullopt, capabilities);
+    const std::vector<GroupedShadow> groups =
+        volumes ? uploadNeededGroups(loaded, view, settings.layout) : std::vector<GroupedShadow>();
     const double loadSeconds = watch.lap();
 
     renderer.draw(scene, view, groups);

@@ -62,14 +62,15 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
 }
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view,
-                    const std::vector<GroupedShadow>& groups) {
+                    const std::vector<GroupedShadow>& groups, StageClock* clock) {
+    vertexRuns_ = 0;
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
     const std::size_t lights = view.mask ? 1 : view.lights.size();
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
-        const Pass pass{scene, view, view.slices[s], s == 0};
+        const Pass pass{scene, view, view.slices[s], s == 0, clock};
         drawDepthAndAmbient(pass);
         for (std::size_t i = 0; i < lights; ++i) {
             if ((view.drawnLights >> i & 1u) == 0) continue;
@@ -95,6 +96,7 @@ void Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
 }
 
 void Renderer::drawDepthAndAmbient(const Pass& pass) {
+    const StageScope stage(pass.clock, FrameStage::ambient);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
@@ -133,6 +135,7 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
         });
     }
 
+    const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
     if (groups) {
         // What a group has shaded has alpha 0 and takes no light.
@@ -154,9 +157,23 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const ShadowOfB
     glDisable(GL_BLEND);
     glEnable(GL_STENCIL_TEST);
     glStencilMask(0xFF);
+    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    if (pass.clock && pass.clock->wantsSilhouette()) {
+        const StageScope stage(pass.clock, FrameStage::silhouette);
+        glViewport(0, 0, 1, 1);
+        countVolumes(pass, light, shadowOf);
+        glViewport(0, 0, pass.view.width, pass.view.height);
+    }
+    const StageScope stage(pass.clock, FrameStage::volumes);
     glClearStencil(0);
     glClear(GL_STENCIL_BUFFER_BIT);
-    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    countVolumes(pass, light, shadowOf);
+    for (std::size_t i = 0; i < pass.scene.batches.size(); ++i)
+        if (!pass.scene.batches[i].hidden)
+            vertexRuns_ += shadowOf(i).vertexRuns(pass.scene.materials);
+}
+
+void Renderer::countVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf) {
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
         const GpuBatch& batch = pass.scene.batches[i];
         if (batch.hidden) continue;
@@ -176,7 +193,9 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const ShadowOfB
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
+    const StageScope stage(pass.clock, FrameStage::map);
     const ShadowMapLookup map = maps_->draw(pass.scene, pass.view.bounds, light);
+    vertexRuns_ += maps_->vertexRuns();
     glViewport(0, 0, pass.view.width, pass.view.height);
     glDisable(GL_STENCIL_TEST);
     return map;
@@ -214,6 +233,8 @@ void Renderer::drawBlended(const Pass& pass) {
     std::stable_sort(items.begin(), items.end(),
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });
 
+    if (items.empty()) return;
+    const StageScope stage(pass.clock, FrameStage::lit);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -237,7 +258,7 @@ void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
     SurfaceShading shading;
     shading.mask = true;
     const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
-    drawSurfaces({scene, view, whole, false}, shading);
+    drawSurfaces({scene, view, whole, false, nullptr}, shading);
 }
 
 } // namespace edgeshade

@@ -6,6 +6,7 @@
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
 #include "src/render/sides_pass.hpp"
+#include "src/render/stage_clock.hpp"
 #include "src/render/surface_pass.hpp"
 
 #include <functional>
@@ -41,9 +42,10 @@ class Renderer {
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
     /// `groups`: for each light of the view its casters in groups, where view.layers asks for
-    /// them, else empty; an empty vector where no light needs any.
+    /// them, else empty; an empty vector where no light needs any. `clock`, which may be null, is
+    /// told of the stages.
     void draw(const GpuScene& scene, const FrameView& view,
-              const std::vector<GroupedShadow>& groups = {});
+              const std::vector<GroupedShadow>& groups = {}, StageClock* clock = nullptr);
 
     const RenderSettings& settings() const { return settings_; }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
@@ -55,6 +57,9 @@ class Renderer {
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
+    /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame.
+    std::size_t vertexRuns() const { return vertexRuns_; }
+
   private:
     /// One depth slice of one frame.
     struct Pass {
@@ -62,12 +67,14 @@ class Renderer {
         const FrameView& view;
         const DepthSlice& slice;
         bool first; ///< the farthest slice, which clears the picture
+        StageClock* clock = nullptr;
     };
     using ShadowOfBatch = std::function<const ShadowBuffers&(std::size_t)>;
 
     void drawDepthAndAmbient(const Pass& pass);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
     void drawVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf);
+    void countVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
@@ -81,6 +88,7 @@ class Renderer {
     CapsPass caps_;
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
+    std::size_t vertexRuns_ = 0;        ///< of the last frame
 };
 
 /// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.

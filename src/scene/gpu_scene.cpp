@@ -9,19 +9,23 @@ std::size_t GpuScene::shadowBytes() const {
     return total;
 }
 
-GpuScene uploadScene(const LoadedScene& loaded, SidesLayout layout,
+GpuScene uploadScene(const LoadedScene& loaded, std::optional<SidesLayout> volumes,
                      const gl::Capabilities& capabilities) {
     const Scene& scene = loaded.scene;
     GpuScene gpu{{}, scene.materials, Textures(loaded.document, scene.materials, capabilities)};
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const Batch& batch = scene.batches[i];
+        GpuBatch& uploaded = gpu.batches.emplace_back();
+        uploaded.worldFromBatch = batch.worldFromBatch;
+        uploaded.surfaces = uploadSurfaces(batch);
+        uploaded.shadow.groups = loaded.shadows[i].groups; // they tell maps what casts
+        if (!volumes) continue;
         std::vector<glm::vec4> holes;
         if (loaded.settings.castMasked) {
             const Casters casters = castersOf(batch, scene.materials, true);
             holes = capHoles(batch, casters, weldCasters(batch, casters));
         }
-        gpu.batches.push_back({batch.worldFromBatch, false, uploadSurfaces(batch),
-                               uploadShadow(loaded.shadows[i], holes, layout)});
+        uploaded.shadow = uploadShadow(loaded.shadows[i], holes, *volumes);
     }
     return gpu;
 }

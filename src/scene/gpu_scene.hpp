@@ -34,8 +34,9 @@ struct GpuScene {
 /// Shadow data in groups, each of which a stencil can count: by group, then by batch.
 using GroupedShadow = std::vector<std::vector<ShadowBuffers>>;
 
-/// Uploads everything. Throws InputError for broken images, Error(unavailable) if the GL can't.
-GpuScene uploadScene(const LoadedScene& loaded, SidesLayout layout,
+/// Uploads the surfaces, and the records of shadow volumes in the layout `volumes`, nothing where
+/// none will be drawn. Throws InputError for broken images, Error(unavailable) if the GL can't.
+GpuScene uploadScene(const LoadedScene& loaded, std::optional<SidesLayout> volumes,
                      const gl::Capabilities& capabilities);
 
 /// Builds and uploads `groupCount` groups of casters; see groupShadow().
