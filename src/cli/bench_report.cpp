@@ -16,8 +16,10 @@ using Json = nlohmann::ordered_json;
 constexpr int fewFrames = 10;
 constexpr double unsteady = 1.25; // times as long
 
-const Choices<std::optional<gl::Timing>> timingNames = {
-    {"auto", std::nullopt}, {"query", gl::Timing::query}, {"finish", gl::Timing::finish}};
+const Choices<std::optional<gl::Timing>> timingNames = {{"auto", std::nullopt},
+                                                        {"query", gl::Timing::query},
+                                                        {"finish", gl::Timing::finish},
+                                                        {"processor", gl::Timing::processor}};
 
 std::string sizeName(const bench::Task& task) {
     return std::to_string(task.width) + "x" + std::to_string(task.height);
@@ -67,7 +69,15 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
 } // namespace
 
 const char* nameOf(gl::Timing timing) {
-    return timing == gl::Timing::query ? "query" : "finish";
+    switch (timing) {
+    case gl::Timing::query:
+        return "query";
+    case gl::Timing::finish:
+        return "finish";
+    case gl::Timing::processor:
+        break;
+    }
+    return "processor";
 }
 
 std::string softwareWarning(const gl::Capabilities& device) {
@@ -83,9 +93,11 @@ bench::Setting toTask(const BenchSetting& setting) {
 }
 
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {
-    addChoice(verb, "--timing", timing, timingNames,
-              "By the GPU's timer queries, or by waiting (auto: queries where the GL has them and "
-              "they tell all)");
+    addChoice(
+        verb, "--timing", timing, timingNames,
+        "By the GPU's timer queries, by waiting, or by the processor's time on all cores, which "
+        "suits a software GL on a busy machine (auto: queries where the GL has them and they "
+        "tell all, else waiting)");
 }
 
 void Countdown::show(double share, const std::string& doing) const {

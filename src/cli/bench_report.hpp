@@ -16,13 +16,13 @@ struct BenchSetting {
 /// How the setting is measured.
 bench::Setting toTask(const BenchSetting& setting);
 
-/// `--timing auto|query|finish`; nothing: auto.
+/// `--timing auto|query|finish|processor`; nothing: auto.
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);
 
 /// That figures of this device are those of a processor.
 std::string softwareWarning(const gl::Capabilities& device);
 
-/// "query" or "finish".
+/// "query", "finish" or "processor".
 const char* nameOf(gl::Timing timing);
 
 /// A bar that says how long it will take.

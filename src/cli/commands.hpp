@@ -10,6 +10,7 @@ void addInfoCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addBenchCommand(CLI::App& program);
+void addTradeoffCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
 
 } // namespace edgeshade::cli

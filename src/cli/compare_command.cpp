@@ -7,6 +7,7 @@
 #include <memory>
 
 #ifdef EDGESHADE_HAS_LAB
+#include "src/cli/contender.hpp"
 #include "src/image/png.hpp"
 #include "src/lab/compare.hpp"
 
@@ -31,20 +32,6 @@ struct CompareOptions {
 #ifdef EDGESHADE_HAS_LAB
 
 using Json = nlohmann::ordered_json;
-
-lab::Contender contenderOf(const std::string& name, const DrawSettings& settings) {
-    lab::Contender contender;
-    contender.name = name;
-    contender.settings = settings.render;
-    contender.depthSlices = settings.depthSlices;
-    contender.tuneMapBias = settings.render.shadows == ShadowMethod::map && !settings.hasMapBias();
-    // The best there is, where nothing was asked for: the studio falls back by itself.
-    contender.settings.layout =
-        settings.instancing == InstancingChoice::off         ? SidesLayout::notInstanced
-        : settings.instancing == InstancingChoice::multiDraw ? SidesLayout::multiDraw
-                                                             : SidesLayout::instanced;
-    return contender;
-}
 
 Json countsJson(const lab::WrongCounts& counts) {
     return {{"pixels", counts.pixels},
@@ -74,10 +61,6 @@ Json resultJson(const lab::CompareResult& result, DrawSettings settings,
     return json;
 }
 
-double percent(std::size_t part, std::size_t whole) {
-    return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
 std::string tableOf(const std::vector<lab::CompareResult>& results) {
     std::ostringstream text;
     text << std::left << std::setw(34) << "percent of visible pixels" << std::right << std::setw(12)
@@ -87,10 +70,11 @@ std::string tableOf(const std::vector<lab::CompareResult>& results) {
     for (const lab::CompareResult& result : results) {
         const lab::WrongCounts& c = result.counts;
         text << std::left << std::setw(34) << result.name << std::right << std::fixed
-             << std::setprecision(5) << std::setw(12) << percent(c.wrongMaskPixels, c.visiblePixels)
-             << std::setw(12) << percent(c.wrongMaskBeyond1px, c.visiblePixels) << std::setw(13)
-             << percent(c.wrongImagePixels, c.visiblePixels) << std::setw(12)
-             << percent(c.wrongImageBeyond1px, c.visiblePixels) << std::setw(10)
+             << std::setprecision(5) << std::setw(12)
+             << lab::percent(c.wrongMaskPixels, c.visiblePixels) << std::setw(12)
+             << lab::percent(c.wrongMaskBeyond1px, c.visiblePixels) << std::setw(13)
+             << lab::percent(c.wrongImagePixels, c.visiblePixels) << std::setw(12)
+             << lab::percent(c.wrongImageBeyond1px, c.visiblePixels) << std::setw(10)
              << c.beyond1pxNotTied << "\n";
     }
     std::string table = text.str();

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
     edgeshade::cli::addRenderCommand(program);
     edgeshade::cli::addCompareCommand(program);
     edgeshade::cli::addBenchCommand(program);
+    edgeshade::cli::addTradeoffCommand(program);
     edgeshade::cli::addViewCommand(program);
     requireKnownVerb(program, argc, argv);
     try {

@@ -2,6 +2,8 @@
 
 #include "preprocess/error.hpp"
 
+#include <chrono>
+#include <ctime>
 #include <GLES2/gl2.h>
 #include <utility>
 
@@ -28,11 +30,18 @@ SpanTimer::~SpanTimer() {
         queries_->destroy(pending.query);
 }
 
+double SpanTimer::now() const {
+    if (timing_ == Timing::processor)
+        return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    const auto time = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(time).count();
+}
+
 void SpanTimer::begin(int label) {
     label_ = label;
-    if (timing_ == Timing::finish) {
+    if (timing_ != Timing::query) {
         glFinish();
-        start_ = Clock::now();
+        start_ = now();
         return;
     }
     if (free_.empty()) free_.push_back(queries_->make());
@@ -44,8 +53,7 @@ void SpanTimer::begin(int label) {
 void SpanTimer::end() {
     if (timing_ == Timing::query) return queries_->end();
     glFinish();
-    const std::chrono::duration<double, std::milli> passed = Clock::now() - start_;
-    complete_.push_back({label_, passed.count(), false});
+    complete_.push_back({label_, now() - start_, false});
 }
 
 std::vector<SpanTimer::Span> SpanTimer::take(bool wait) {

@@ -2,7 +2,6 @@
 
 #include "src/gl/capabilities.hpp"
 
-#include <chrono>
 #include <deque>
 #include <vector>
 
@@ -10,8 +9,10 @@ namespace edgeshade::gl {
 
 /// How the GL's work is timed.
 enum class Timing {
-    query,  ///< by the GPU's clock, GL_EXT_disjoint_timer_query
-    finish, ///< by the wall clock, waiting (glFinish) before and after
+    query,     ///< by the GPU's clock, GL_EXT_disjoint_timer_query
+    finish,    ///< by the wall clock, waiting (glFinish) before and after
+    processor, ///< waiting too, but by this process's time on all cores: the work of a software GL,
+               ///< whatever else the machine does; says nothing about a GPU
 };
 
 /// Queries where the context has them and they tell all; else waiting. The timer queries of Mesa's
@@ -48,7 +49,6 @@ class SpanTimer {
     std::vector<Span> takeAll() { return take(true); }
 
   private:
-    using Clock = std::chrono::steady_clock;
     struct Pending {
         int label;
         Name query;
@@ -62,7 +62,8 @@ class SpanTimer {
     std::deque<Pending> pending_; ///< in their order
     std::vector<Span> complete_;  ///< of waiting
     int label_ = 0;               ///< of the span that runs
-    Clock::time_point start_;
+    double now() const;
+    double start_ = 0.0; ///< milliseconds
 };
 
 } // namespace edgeshade::gl

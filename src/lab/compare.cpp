@@ -153,6 +153,10 @@ float tunedBias(Jury& jury, const CompareTask& task, Renderer& renderer,
 
 } // namespace
 
+double percent(std::size_t part, std::size_t whole) {
+    return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
 std::vector<CompareResult>
 compareAll(const LoadedScene& loaded, const CompareTask& task,
            const std::function<void(double, const std::string&)>& progress) {

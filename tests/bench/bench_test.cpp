@@ -171,7 +171,7 @@ TEST(StageTimes, TheSilhouetteIsTakenOffTheVolumes) {
 
 TEST(SpanTimer, GivesEverySpanOnceInItsOrder) {
     const gl::HeadlessContext context({16, 16});
-    std::vector<gl::Timing> timings = {gl::Timing::finish};
+    std::vector<gl::Timing> timings = {gl::Timing::finish, gl::Timing::processor};
     if (context.capabilities().timerQueries) timings.push_back(gl::Timing::query);
     for (const gl::Timing timing : timings) {
         gl::SpanTimer timer(timing, context.capabilities());

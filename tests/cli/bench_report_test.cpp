@@ -33,7 +33,8 @@ class BenchReport : public testing::Test {
             EXPECT_TRUE(result["stage_ms"][key].is_number()) << key;
         EXPECT_TRUE(result["vertex_runs"].is_number_unsigned());
         EXPECT_TRUE(result["bytes_gpu"].is_number_unsigned());
-        EXPECT_TRUE(result["timing"] == "query" || result["timing"] == "finish");
+        EXPECT_TRUE(result["timing"] == "query" || result["timing"] == "finish" ||
+                    result["timing"] == "processor");
     }
 
     TempFolder folder_;
@@ -66,6 +67,11 @@ TEST_F(BenchReport, OfSeveralSettingsHasOneOfEachAndRatios) {
         EXPECT_LE(ratio["min"], ratio["median"]);
         EXPECT_LE(ratio["median"], ratio["max"]);
     }
+}
+
+TEST_F(BenchReport, SaysHowItWasTimed) {
+    for (const char* timing : {"finish", "processor"})
+        EXPECT_EQ(report({"--timing", timing})["timing"], timing);
 }
 
 TEST_F(BenchReport, AMovingLightDrawsMapsAnew) {
