@@ -1,7 +1,7 @@
 // Sides of the shadow volumes from records of one or two planes (preprocess/adapted_data.hpp).
 //
 // Variants: PAIR, two planes, else one; SUN, all points at infinity coincide, so that a side is the
-// triangle of A, B and the first of them; PROBE, for tests.
+// triangle of A, B and the first of them; PROBE and DEGENERATE as in sides.vert.
 #include "plane_side.glsl"
 #include "extrusion.glsl"
 
@@ -17,6 +17,9 @@ uniform vec4 u_light;   // in object space
 uniform vec2 u_counted; // see countedSide()
 uniform float u_side;   // index of the quad: 0 or 1
 uniform mat4 u_clipFromObject;
+#ifdef DEGENERATE
+uniform float u_degenerate;
+#endif
 
 invariant gl_Position;
 
@@ -50,5 +53,8 @@ void main() {
     vec4 p = corner > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
     // A useless vertex makes its triangle a point, which covers no pixel.
     gl_Position = u_side < abs(multiplicity) ? clipPosition(u_clipFromObject, p) : vec4(0.0);
+#ifdef DEGENERATE
+    gl_Position *= u_degenerate;
+#endif
 #endif
 }

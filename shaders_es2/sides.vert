@@ -3,7 +3,8 @@
 // Variants: MAX_MULTIPLICITY 1..5, opposite vertices a record; INSTANCED, records come once an
 // instance and the corner from its own attribute, else from spare components; SIDE_IS_UNIFORM
 // (with INSTANCED), one draw a side; PROBE, for tests: the record's multiplicity as a coloured
-// point instead of its sides.
+// point instead of its sides; DEGENERATE, for measuring: all is computed, and every vertex ends up at
+// (0,0,0,0).
 #include "record_layout.glsl"
 #include "multiplicity.glsl"
 #include "extrusion.glsl"
@@ -31,6 +32,9 @@ uniform vec4 u_light;            // in object space
 uniform mat4 u_clipFromObject;
 #ifdef SIDE_IS_UNIFORM
 uniform float u_side;
+#endif
+#ifdef DEGENERATE
+uniform float u_degenerate; // never set, so 0; no compiler knows
 #endif
 
 invariant gl_Position;
@@ -78,5 +82,8 @@ void main() {
     vec4 corner = id > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
     // A useless vertex makes its triangle a point, which covers no pixel.
     gl_Position = side < abs(multiplicity) ? clipPosition(u_clipFromObject, corner) : vec4(0.0);
+#ifdef DEGENERATE
+    gl_Position *= u_degenerate;
+#endif
 #endif
 }

@@ -9,6 +9,8 @@ void addPackCommand(CLI::App& program);
 void addInfoCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
+void addBenchCommand(CLI::App& program);
+void addTradeoffCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
 
 } // namespace edgeshade::cli

@@ -7,6 +7,7 @@
 #include <memory>
 
 #ifdef EDGESHADE_HAS_LAB
+#include "src/cli/contender.hpp"
 #include "src/image/png.hpp"
 #include "src/lab/compare.hpp"
 
@@ -31,20 +32,6 @@ struct CompareOptions {
 #ifdef EDGESHADE_HAS_LAB
 
 using Json = nlohmann::ordered_json;
-
-lab::Contender contenderOf(const std::string& name, const DrawSettings& settings) {
-    lab::Contender contender;
-    contender.name = name;
-    contender.settings = settings.render;
-    contender.depthSlices = settings.depthSlices;
-    contender.tuneMapBias = settings.render.shadows == ShadowMethod::map && !settings.hasMapBias();
-    // The best there is, where nothing was asked for: the studio falls back by itself.
-    contender.settings.layout =
-        settings.instancing == InstancingChoice::off         ? SidesLayout::notInstanced
-        : settings.instancing == InstancingChoice::multiDraw ? SidesLayout::multiDraw
-                                                             : SidesLayout::instanced;
-    return contender;
-}
 
 Json countsJson(const lab::WrongCounts& counts) {
     return {{"pixels", counts.pixels},
@@ -74,10 +61,6 @@ Json resultJson(const lab::CompareResult& result, DrawSettings settings,
     return json;
 }
 
-double percent(std::size_t part, std::size_t whole) {
-    return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
 std::string tableOf(const std::vector<lab::CompareResult>& results) {
     std::ostringstream text;
     text << std::left << std::setw(34) << "percent of visible pixels" << std::right << std::setw(12)
@@ -87,31 +70,16 @@ std::string tableOf(const std::vector<lab::CompareResult>& results) {
     for (const lab::CompareResult& result : results) {
         const lab::WrongCounts& c = result.counts;
         text << std::left << std::setw(34) << result.name << std::right << std::fixed
-             << std::setprecision(5) << std::setw(12) << percent(c.wrongMaskPixels, c.visiblePixels)
-             << std::setw(12) << percent(c.wrongMaskBeyond1px, c.visiblePixels) << std::setw(13)
-             << percent(c.wrongImagePixels, c.visiblePixels) << std::setw(12)
-             << percent(c.wrongImageBeyond1px, c.visiblePixels) << std::setw(10)
+             << std::setprecision(5) << std::setw(12)
+             << lab::percent(c.wrongMaskPixels, c.visiblePixels) << std::setw(12)
+             << lab::percent(c.wrongMaskBeyond1px, c.visiblePixels) << std::setw(13)
+             << lab::percent(c.wrongImagePixels, c.visiblePixels) << std::setw(12)
+             << lab::percent(c.wrongImageBeyond1px, c.visiblePixels) << std::setw(10)
              << c.beyond1pxNotTied << "\n";
     }
     std::string table = text.str();
     table.pop_back();
     return table;
-}
-
-void printBar(double share, const std::string& doing) {
-    constexpr int width = 24;
-    const int full = static_cast<int>(share * width + 0.5);
-    std::cerr << "\r\033[K[" << std::string(full, '#') << std::string(width - full, '.') << "] "
-              << doing.substr(0, 90) << std::flush;
-    if (share >= 1.0) std::cerr << "\n";
-}
-
-std::string nameOfSetting(const DrawSettings& settings) {
-    const Json json = settingsJson(settings);
-    std::string name = json["shadows"].get<std::string>();
-    if (settings.render.shadows == ShadowMethod::map)
-        name += " " + std::to_string(settings.render.map.size);
-    return name;
 }
 
 void compare(const CompareOptions& options, bool viewsTyped) {
@@ -139,7 +107,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         task.views = lab::labViews(loaded.scene, static_cast<std::size_t>(options.views),
                                    options.view.fovDegrees, aspect);
     }
-    task.contenders.push_back(contenderOf(nameOfSetting(settings[0]), settings[0]));
+    task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0]));
     for (std::size_t i = 0; i < options.against.size(); ++i)
         task.contenders.push_back(contenderOf(options.against[i], settings[i + 1]));
 

@@ -119,7 +119,7 @@ void resolve(DrawSettings& settings) {
     MultiplicityMethod& method = settings.render.multiplicity;
     method = settings.multiplicity.value_or(published ? MultiplicityMethod::referenceEdge
                                                       : MultiplicityMethod::plane);
-    if (settings.layout && settings.render.records().volumes != *settings.layout)
+    if (settings.layout && volumeLayoutOf(method) != *settings.layout)
         throw Error(ExitStatus::usage, std::string("--multiplicity ") +
                                            nameIn(multiplicityNames, method) + " needs --layout " +
                                            (published ? "adapted." : "published."));
@@ -173,11 +173,18 @@ SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilit
     }
 }
 
+std::string shortName(const DrawSettings& settings) {
+    const RenderSettings& render = settings.render;
+    std::string name = nameIn(shadowNames, render.shadows);
+    if (render.shadows == ShadowMethod::map) name += " " + std::to_string(render.map.size);
+    return name;
+}
+
 nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     nlohmann::ordered_json json = {
         {"shadows", nameIn(shadowNames, render.shadows)},
-        {"layout", nameIn(layoutNames, render.records().volumes)},
+        {"layout", nameIn(layoutNames, volumeLayoutOf(render.multiplicity))},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
@@ -196,6 +203,7 @@ nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities) {
             {"version", capabilities.version},
             {"depth_bits", capabilities.depthBits},
             {"stencil_bits", capabilities.stencilBits},
+            {"extensions", capabilities.extensions},
             {"vertex_mantissa_bits", capabilities.vertexHighpMantissaBits}};
 }
 

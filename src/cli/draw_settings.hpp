@@ -39,6 +39,9 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
 /// The layout that the choice means in this context.
 SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities);
 
+/// What tells the settings apart at a glance: "volumes", "map 2048", "none".
+std::string shortName(const DrawSettings& settings);
+
 /// The settings as report keys, by the options' names.
 nlohmann::ordered_json settingsJson(const DrawSettings& settings);
 

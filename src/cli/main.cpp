@@ -45,6 +45,8 @@ int run(int argc, char** argv) {
     edgeshade::cli::addInfoCommand(program);
     edgeshade::cli::addRenderCommand(program);
     edgeshade::cli::addCompareCommand(program);
+    edgeshade::cli::addBenchCommand(program);
+    edgeshade::cli::addTradeoffCommand(program);
     edgeshade::cli::addViewCommand(program);
     requireKnownVerb(program, argc, argv);
     try {

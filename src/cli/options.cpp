@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <tuple>
 
 namespace edgeshade::cli {
 namespace {
@@ -33,24 +34,6 @@ glm::dvec3 vectorFrom(const std::string& text, const std::string& option) {
     return vector;
 }
 
-/// "WxH", both 1 to 65536.
-void sizeFrom(const std::string& text, ViewOptions& options) {
-    int values[2] = {};
-    const char* at = text.data();
-    const char* end = text.data() + text.size();
-    for (int i = 0; i < 2; ++i) {
-        const auto result = std::from_chars(at, end, values[i]);
-        const bool separated = i == 1 ? result.ptr == end : result.ptr != end && *result.ptr == 'x';
-        if (result.ec != std::errc() || !separated || values[i] < 1 || values[i] > 65536)
-            throw CLI::ValidationError("--size", "'" + text +
-                                                     "' is not of the form WIDTHxHEIGHT with "
-                                                     "numbers from 1 to 65536");
-        at = result.ptr + 1;
-    }
-    options.width = values[0];
-    options.height = values[1];
-}
-
 template <class Use>
 void addTextOption(CLI::App& verb, const std::string& name, const std::string& type,
                    const std::string& help, Use use) {
@@ -59,11 +42,29 @@ void addTextOption(CLI::App& verb, const std::string& name, const std::string& t
 
 } // namespace
 
+std::pair<int, int> sizeFrom(const std::string& text, const std::string& option) {
+    int values[2] = {};
+    const char* at = text.data();
+    const char* end = text.data() + text.size();
+    for (int i = 0; i < 2; ++i) {
+        const auto result = std::from_chars(at, end, values[i]);
+        const bool separated = i == 1 ? result.ptr == end : result.ptr != end && *result.ptr == 'x';
+        if (result.ec != std::errc() || !separated || values[i] < 1 || values[i] > 65536)
+            throw CLI::ValidationError(option, "'" + text +
+                                                   "' is not of the form WIDTHxHEIGHT with "
+                                                   "numbers from 1 to 65536");
+        at = result.ptr + 1;
+    }
+    return {values[0], values[1]};
+}
+
 void addViewOptions(CLI::App& verb, ViewOptions& options) {
     addTextOption(verb, "--size", "WxH",
                   "Picture size in pixels (" + std::to_string(options.width) + "x" +
                       std::to_string(options.height) + ")",
-                  [&](const std::string& text) { sizeFrom(text, options); });
+                  [&](const std::string& text) {
+                      std::tie(options.width, options.height) = sizeFrom(text, "--size");
+                  });
     addTextOption(
         verb, "--camera-from", "X,Y,Z", "Where the eye is (frames the scene)",
         [&](const std::string& text) { options.from = vectorFrom(text, "--camera-from"); });

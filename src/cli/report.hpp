@@ -16,6 +16,10 @@ void printResult(const std::string& text, const std::string& reportPath);
 /// Warnings, a line each, on standard error.
 void printWarnings(const std::vector<std::string>& warnings);
 
+/// A bar on standard error that the next call draws over; the last has a share of 1. `doing`: what
+/// is being done.
+void printBar(double share, const std::string& doing);
+
 /// A line about progress, on standard error.
 void printProgress(const std::string& text);
 

@@ -18,6 +18,11 @@ int integer(GLenum name) {
 
 } // namespace
 
+bool Capabilities::isSoftware() const {
+    const auto named = [&](const char* name) { return renderer.find(name) != std::string::npos; };
+    return named("llvmpipe") || named("softpipe") || named("SwiftShader");
+}
+
 Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     Capabilities capabilities;
     capabilities.vendor = text(GL_VENDOR);
@@ -34,6 +39,7 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.vertexHighpMantissaBits = mantissa;
     capabilities.instancing =
         Instancing::find(capabilities.version, capabilities.extensions, lookUp);
+    capabilities.timerQueries = TimerQueries::find(capabilities.extensions, lookUp);
     return capabilities;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/gl/instancing.hpp"
+#include "src/gl/timer_queries.hpp"
 
 #include <optional>
 #include <string>
@@ -20,6 +21,10 @@ struct Capabilities {
     int largestTexture = 0;
     int vertexHighpMantissaBits = 0;
     std::optional<Instancing> instancing;
+    std::optional<TimerQueries> timerQueries;
+
+    /// Whether the processor draws: Mesa's llvmpipe and softpipe, SwiftShader.
+    bool isSoftware() const;
 
     bool has(const std::string& extension) const {
         return (" " + extensions + " ").find(" " + extension + " ") != std::string::npos;

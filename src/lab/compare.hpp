@@ -39,6 +39,9 @@ struct CompareResult {
     std::vector<std::uint8_t> heatmap; ///< of the worst view, RGBA
 };
 
+/// Part of the whole in percent; 0 of nothing.
+double percent(std::size_t part, std::size_t whole);
+
 /// Draws every view by every contender and counts what is wrong. BLEND surfaces are left out: they
 /// take no part in shadows. `progress` gets the share done and what is being done. Throws Error.
 std::vector<CompareResult>

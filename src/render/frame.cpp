@@ -55,13 +55,14 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              VolumeRecords records) {
+                                              std::optional<VolumeRecords> records) {
+    if (!records) return {};
     std::vector<GroupedShadow> groups(view.layers.size());
     bool needed = false;
     for (std::size_t i = 0; i < view.layers.size(); ++i) {
         const LayerBound& bound = view.layers[i];
         if (bound.groupCount <= 1) continue;
-        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, records);
+        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, *records);
         needed = true;
     }
     return needed ? std::move(groups) : std::vector<GroupedShadow>();
@@ -70,9 +71,10 @@ std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const F
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), surfaces_(settings.map.pcf) {
     const auto& instancing = requireInstancing(settings, capabilities).instancing;
-    if (settings.records().volumes == VolumeLayout::adapted) {
+    const auto records = settings.records();
+    if (records && records->volumes == VolumeLayout::adapted)
         adapted_.emplace(settings.layout, instancing);
-    } else {
+    if (records && records->volumes == VolumeLayout::published) {
         sides_.emplace(settings.multiplicity, settings.layout, instancing);
         caps_.emplace(settings.multiplicity, settings.layout, instancing);
     }
@@ -80,14 +82,15 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
 }
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view,
-                    const std::vector<GroupedShadow>& groups) {
+                    const std::vector<GroupedShadow>& groups, StageClock* clock) {
+    vertexRuns_ = 0;
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
     const std::size_t lights = view.mask ? 1 : view.lights.size();
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
-        const Pass pass{scene, view, view.slices[s], s == 0};
+        const Pass pass{scene, view, view.slices[s], s == 0, clock};
         drawDepthAndAmbient(pass);
         for (std::size_t i = 0; i < lights; ++i) {
             if ((view.drawnLights >> i & 1u) == 0) continue;
@@ -113,6 +116,7 @@ void Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
 }
 
 void Renderer::drawDepthAndAmbient(const Pass& pass) {
+    const StageScope stage(pass.clock, FrameStage::ambient);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
@@ -151,6 +155,7 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
         });
     }
 
+    const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
     if (groups) {
         // What a group has shaded has alpha 0 and takes no light.
@@ -172,34 +177,49 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const VolumesOf
     glDisable(GL_BLEND);
     glEnable(GL_STENCIL_TEST);
     glStencilMask(0xFF);
+    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    if (pass.clock && pass.clock->wantsSilhouette()) {
+        const StageScope stage(pass.clock, FrameStage::silhouette);
+        glViewport(0, 0, 1, 1);
+        countVolumes(pass, light, volumesOf);
+        glViewport(0, 0, pass.view.width, pass.view.height);
+    }
+    const StageScope stage(pass.clock, FrameStage::volumes);
     glClearStencil(0);
     glClear(GL_STENCIL_BUFFER_BIT);
-    glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    vertexRuns_ += countVolumes(pass, light, volumesOf);
+}
+
+std::size_t Renderer::countVolumes(const Pass& pass, const Light& light,
+                                   const VolumesOfBatch& volumesOf) {
+    std::size_t runs = 0;
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
         const GpuBatch& batch = pass.scene.batches[i];
         if (batch.hidden) continue;
-        if (adapted_)
-            drawAdapted(pass, light, batch, *volumesOf(i).adapted);
-        else
-            drawPublished(pass, light, i, *volumesOf(i).published);
+        runs += adapted_ ? countAdapted(pass, light, batch, *volumesOf(i).adapted)
+                         : countPublished(pass, light, i, *volumesOf(i).published);
     }
+    return runs;
 }
 
-void Renderer::drawAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
-                           const AdaptedBuffers& buffers) {
+std::size_t Renderer::countAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+                                   const AdaptedBuffers& buffers) {
     const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-    const PlanView planned = planView(pass.view, pass.slice, light, batch.worldFromBatch);
-    for (const VolumeDraw& draw : planVolumes(buffers.shadow().clusters, planned)) {
+    const std::vector<VolumeDraw> draws = planVolumes(
+        buffers.shadow().clusters, planView(pass.view, pass.slice, light, batch.worldFromBatch));
+    for (const VolumeDraw& draw : draws) {
         countInStencil(draw.zFail, batchView.mirrored);
         adapted_->drawSides(buffers, draw, lightHere, batchView.clipFromObject);
         adapted_->drawCaps(buffers, draw, pass.scene.materials, pass.scene.textures, lightHere,
                            batchView.clipFromObject);
     }
+    return edgeshade::vertexRuns(buffers.shadow(), draws, pass.scene.materials,
+                                 light.position.w == 0.0);
 }
 
-void Renderer::drawPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
-                             const ShadowBuffers& shadow) {
+std::size_t Renderer::countPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
+                                     const ShadowBuffers& shadow) {
     const GpuBatch& batch = pass.scene.batches[batchIndex];
     const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
@@ -208,10 +228,13 @@ void Renderer::drawPublished(const Pass& pass, const Light& light, std::size_t b
     const bool nearDiscard = pass.view.nearestDepths[batchIndex] <= pass.slice.near;
     caps_->draw(shadow, pass.scene.materials, pass.scene.textures, lightHere,
                 batchView.clipFromObject, nearDiscard);
+    return shadow.vertexRuns(pass.scene.materials);
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
+    const StageScope stage(pass.clock, FrameStage::map);
     const ShadowMapLookup map = maps_->draw(pass.scene, pass.view.bounds, light);
+    vertexRuns_ += maps_->vertexRuns();
     glViewport(0, 0, pass.view.width, pass.view.height);
     glDisable(GL_STENCIL_TEST);
     return map;
@@ -249,6 +272,8 @@ void Renderer::drawBlended(const Pass& pass) {
     std::stable_sort(items.begin(), items.end(),
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });
 
+    if (items.empty()) return;
+    const StageScope stage(pass.clock, FrameStage::lit);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -272,7 +297,7 @@ void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
     SurfaceShading shading;
     shading.mask = true;
     const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
-    drawSurfaces({scene, view, whole, false}, shading);
+    drawSurfaces({scene, view, whole, false, nullptr}, shading);
 }
 
 } // namespace edgeshade

@@ -7,6 +7,7 @@
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
 #include "src/render/sides_pass.hpp"
+#include "src/render/stage_clock.hpp"
 #include "src/render/surface_pass.hpp"
 
 #include <functional>
@@ -25,12 +26,10 @@ struct RenderSettings {
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
-    /// What volumes are drawn from: planes are in adapted records, opposite vertices in published
-    /// ones.
-    VolumeRecords records() const {
-        return {multiplicity == MultiplicityMethod::plane ? VolumeLayout::adapted
-                                                          : VolumeLayout::published,
-                layout};
+    /// What volumes are drawn from; nothing where shadows are something else.
+    std::optional<VolumeRecords> records() const {
+        if (shadows != ShadowMethod::volumes) return std::nullopt;
+        return VolumeRecords{volumeLayoutOf(multiplicity), layout};
     }
 };
 
@@ -50,9 +49,10 @@ class Renderer {
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
     /// `groups`: for each light of the view its casters in groups, where view.layers asks for
-    /// them, else empty; an empty vector where no light needs any.
+    /// them, else empty; an empty vector where no light needs any. `clock`, which may be null, is
+    /// told of the stages.
     void draw(const GpuScene& scene, const FrameView& view,
-              const std::vector<GroupedShadow>& groups = {});
+              const std::vector<GroupedShadow>& groups = {}, StageClock* clock = nullptr);
 
     const RenderSettings& settings() const { return settings_; }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
@@ -64,6 +64,9 @@ class Renderer {
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
+    /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame.
+    std::size_t vertexRuns() const { return vertexRuns_; }
+
   private:
     /// One depth slice of one frame.
     struct Pass {
@@ -71,16 +74,19 @@ class Renderer {
         const FrameView& view;
         const DepthSlice& slice;
         bool first; ///< the farthest slice, which clears the picture
+        StageClock* clock = nullptr;
     };
     using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
 
     void drawDepthAndAmbient(const Pass& pass);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
     void drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
-    void drawAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
-                     const AdaptedBuffers& buffers);
-    void drawPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
-                       const ShadowBuffers& shadow);
+    /// These return how many vertices they sent through shaders.
+    std::size_t countVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
+    std::size_t countAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+                             const AdaptedBuffers& buffers);
+    std::size_t countPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
+                               const ShadowBuffers& shadow);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
@@ -95,11 +101,12 @@ class Renderer {
     std::optional<CapsPass> caps_;          ///< likewise
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
+    std::size_t vertexRuns_ = 0;        ///< of the last frame
 };
 
 /// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              VolumeRecords records);
+                                              std::optional<VolumeRecords> records);
 
 /// Where the view's camera sees a batch from, drawn with the slice's depth range.
 BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice);

@@ -83,6 +83,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
     const ShadowMapView view = shadowMapView(light, fitted, settings_, map.depthBits());
     const bool masksCast = scene.castMasked;
     Subject subject = subjectOf(scene, fitted, light);
+    vertexRuns_ = 0;
     if (drawn_[kind] != subject) {
         drawFaces(scene, view, map, masksCast);
         drawn_[kind] = std::move(subject);
@@ -163,6 +164,7 @@ void ShadowMapPass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk,
     }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
     glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
+    vertexRuns_ += static_cast<std::size_t>(chunk.indexCount);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 

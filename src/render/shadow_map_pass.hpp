@@ -28,6 +28,9 @@ class ShadowMapPass {
     /// Of the maps that were needed so far.
     std::size_t bytes() const;
 
+    /// Vertices that the last call of draw() sent through shaders: 0 where the map was kept.
+    std::size_t vertexRuns() const { return vertexRuns_; }
+
   private:
     struct Variant {
         ShadowMapKind kind;
@@ -58,6 +61,7 @@ class ShadowMapPass {
     std::map<ShadowMapKind, ShadowMapTarget> targets_;
     std::map<ShadowMapKind, Subject> drawn_; ///< what each target holds
     std::map<Variant, gl::Program> programs_;
+    std::size_t vertexRuns_ = 0;
 };
 
 } // namespace edgeshade

@@ -41,7 +41,9 @@ class AdaptedBuffers {
     const CapBuffers& capsOf(std::size_t cluster) const;
     /// Whether records are copied for every vertex.
     bool copied() const { return layout_ == SidesLayout::notInstanced; }
-    std::size_t bytes() const; ///< of what was uploaded so far
+    std::size_t sideBytes() const { return pairs_.size() + singles_.size(); }
+    std::size_t capBytes() const; ///< of what was uploaded so far
+    std::size_t bytes() const { return sideBytes() + capBytes(); }
 
   private:
     std::shared_ptr<const AdaptedShadow> shadow_;

@@ -86,7 +86,7 @@ std::size_t GpuScene::shadowBytes() const {
     return total;
 }
 
-GpuScene uploadScene(const LoadedScene& loaded, VolumeRecords records,
+GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities) {
     const Scene& scene = loaded.scene;
     GpuScene gpu{{},
@@ -95,7 +95,7 @@ GpuScene uploadScene(const LoadedScene& loaded, VolumeRecords records,
                  loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
         gpu.batches.push_back({batch.worldFromBatch, false, uploadSurfaces(batch), {}});
-    addVolumes(gpu, loaded, records);
+    if (records) addVolumes(gpu, loaded, *records);
     return gpu;
 }
 

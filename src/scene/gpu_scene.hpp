@@ -35,8 +35,9 @@ struct GpuScene {
 /// Shadow data in groups, each of which a stencil can count: by group, then by batch.
 using GroupedShadow = std::vector<std::vector<BatchVolumes>>;
 
-/// Uploads everything. Throws InputError for broken images, Error(unavailable) if the GL can't.
-GpuScene uploadScene(const LoadedScene& loaded, VolumeRecords records,
+/// Uploads the surfaces, and the records that shadow volumes are drawn from, none where none will
+/// be drawn. Throws InputError for broken images, Error(unavailable) if the GL can't.
+GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities);
 
 /// Uploads shadow data in a further layout, if they are not there yet. Those of one VolumeLayout

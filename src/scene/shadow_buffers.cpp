@@ -54,14 +54,32 @@ std::vector<glm::vec4> copiedForEveryVertex(const std::vector<glm::vec4>& texcoo
     return copies;
 }
 
+std::size_t bytesOf(const std::vector<RecordChunk>& chunks) {
+    std::size_t total = 0;
+    for (const RecordChunk& chunk : chunks)
+        total += chunk.buffer.size();
+    return total;
+}
+
 } // namespace
 
-std::size_t ShadowBuffers::bytes() const {
-    std::size_t total = capHoles.size();
-    for (const auto* chunks : {&sides, &caps})
-        for (const RecordChunk& chunk : *chunks)
-            total += chunk.buffer.size();
-    return total;
+std::size_t ShadowBuffers::sideBytes() const {
+    return bytesOf(sides);
+}
+
+std::size_t ShadowBuffers::capBytes() const {
+    return bytesOf(caps) + capHoles.size();
+}
+
+std::size_t ShadowBuffers::vertexRuns(const std::vector<Material>& materials) const {
+    std::size_t runs = 0;
+    for (const RecordChunk& chunk : sides)
+        runs += chunk.recordCount * static_cast<std::size_t>(maxMultiplicity) * VERTICES_PER_SIDE;
+    for (const CasterGroup& group : groups) {
+        const std::size_t times = materials[group.material].alphaMode == AlphaMode::opaque ? 1 : 2;
+        runs += times * group.capCount * VERTICES_PER_CAP_PAIR;
+    }
+    return runs;
 }
 
 ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capHoles,

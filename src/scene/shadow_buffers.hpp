@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/material.hpp"
 #include "preprocess/shadow_data.hpp"
 #include "src/gl/objects.hpp"
 
@@ -29,7 +30,12 @@ struct ShadowBuffers {
     std::vector<CasterGroup> groups;
     gl::Buffer capHoles; ///< three vec4s a cap, copied six times when not instanced; or empty
 
-    std::size_t bytes() const;
+    std::size_t sideBytes() const;
+    std::size_t capBytes() const; ///< with capHoles
+    std::size_t bytes() const { return sideBytes() + capBytes(); }
+
+    /// Vertices that drawing them once sends through shaders; caps with holes are drawn twice.
+    std::size_t vertexRuns(const std::vector<Material>& materials) const;
 };
 
 /// Uploads sides and caps; `capHoles` (see scene/load.hpp) may be empty.

@@ -15,7 +15,7 @@ void expectHelp(const std::vector<std::string>& arguments, const std::string& wo
 } // namespace
 
 TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
-    for (const char* word : {"pack", "info", "render", "compare", "view", "Exit status"})
+    for (const char* word : {"pack", "info", "render", "compare", "bench", "view", "Exit status"})
         expectHelp({"--help"}, word);
 }
 
@@ -31,6 +31,9 @@ TEST(Help, EveryVerbNamesItsOptions) {
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);
+    for (const char* word : {"FILE", "--frames", "--warm-up", "--sizes", "--against",
+                             "--light-moves", "--timing", "--synthetic", "--shadows", "--report"})
+        expectHelp({"bench", "--help"}, word);
 }
 
 TEST(Help, TheVersionIsOneLine) {

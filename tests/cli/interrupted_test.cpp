@@ -59,6 +59,19 @@ TEST(Interrupted, RenderLeavesNoPartialFile) {
     interruptAtSeveralDelays(SIGINT, {"render", pavilion, "--size", "320x180"}, 480, isWholePng);
 }
 
+TEST(Interrupted, BenchLeavesNoPartialReport) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TempFolder folder;
+        const std::string report = folder / "report.json";
+        ChildProcess process(EDGESHADE_PROGRAM, {"bench", pavilion, "--size", "320x180", "--frames",
+                                                 "100000", "--report", report});
+        std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+        process.send(signal);
+        EXPECT_EQ(process.wait().signal, signal);
+        EXPECT_TRUE(folder.names().empty());
+    }
+}
+
 TEST(Concurrent, PacksToOneOutputLeaveAWholeFile) {
     const TempFolder folder;
     const std::string output = folder / "packed.glb";

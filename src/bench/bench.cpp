@@ -1,0 +1,249 @@
+#include "src/bench/bench.hpp"
+
+#include "preprocess/error.hpp"
+#include "preprocess/stopwatch.hpp"
+#include "src/bench/flythrough.hpp"
+#include "src/gl/headless_context.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace edgeshade::bench {
+namespace {
+
+constexpr int framesPerStageFrame = 4; // stages cost further frames, so not all have some
+constexpr int repeatedFrames = 3;      // drawn again at the end
+constexpr int mostTries = 5;           // where the GPU was disturbed
+
+/// One setting, ready to draw.
+struct Contender {
+    Contender(const Setting& setting_, const RenderSettings& render,
+              const gl::Capabilities& capabilities)
+        : setting(setting_), renderer(render, capabilities), volumes(render.records()) {}
+
+    const Setting& setting;
+    Renderer renderer;
+    std::optional<VolumeRecords> volumes; ///< nothing: draws none
+    std::vector<double> frameMs, planMs, vertexRuns, repeatMs;
+    std::vector<StageMs> stages;
+};
+
+/// The contenders of a task in one context, with all that they draw.
+class Course {
+  public:
+    Course(const LoadedScene& loaded, const Task& task)
+        : loaded_(loaded), task_(task), context_({task.width, task.height, task.samples}),
+          bounds_(worldBounds(loaded.scene)),
+          timer_(task.timing.value_or(gl::bestTiming(context_.capabilities())),
+                 context_.capabilities()) {
+        for (const Setting& setting : task.settings) {
+            RenderSettings render = setting.render;
+            render.layout = setting.layout.value_or(bestLayout(context_.capabilities()));
+            contenders_.push_back(
+                std::make_unique<Contender>(setting, render, context_.capabilities()));
+        }
+    }
+
+    void warmUp() {
+        look(0.0);
+        for (int i = 0; i < task_.warmUp; ++i)
+            for (auto& contender : contenders_)
+                frameMs(*contender);
+    }
+
+    /// Draws frame `index` by all, and now and then the stages of one half a frame on.
+    void measure(int index) {
+        look(shareOf(index));
+        inTurn(index, [&](Contender& contender) {
+            contender.frameMs.push_back(frameMs(contender));
+            contender.planMs.push_back(planMs_ + (contender.volumes ? layersMs_ : 0.0));
+            contender.vertexRuns.push_back(static_cast<double>(contender.renderer.vertexRuns()));
+        });
+        if (index % framesPerStageFrame != 0) return;
+        look(shareOf(index + 0.5));
+        inTurn(index, [&](Contender& contender) {
+            StageTimer clock(timer_, true);
+            const auto spans = timed([&] { draw(contender, &clock); });
+            contender.stages.push_back(stageMs(spans));
+        });
+    }
+
+    /// Draws a frame of the beginning once more.
+    void repeat(int index) {
+        look(shareOf(index));
+        inTurn(index,
+               [&](Contender& contender) { contender.repeatMs.push_back(frameMs(contender)); });
+    }
+
+    Report report() {
+        Report report{context_.capabilities(), timer_.timing(), {}};
+        for (const auto& contender : contenders_)
+            report.results.push_back(resultOf(*contender));
+        return report;
+    }
+
+  private:
+    double shareOf(double index) const { return index / task_.frames; }
+
+    /// Works out what the frame shows. Groups of casters are kept while the lights rest.
+    void look(double share) {
+        Stopwatch watch;
+        FrameRequest request;
+        request.camera = task_.cameraAt(share);
+        request.width = task_.width;
+        request.height = task_.height;
+        request.depth.near = task_.near;
+        request.lights =
+            task_.lightMoves ? movedLights(task_.lights, bounds_, share) : task_.lights;
+        view_ = makeFrameView(loaded_, request, bounds_);
+        planMs_ = 1e3 * watch.lap();
+        layersMs_ = 0.0;
+        if (layersAreOf(request.lights) || !anyVolumes()) return;
+        lights_ = request.lights;
+        layers_.clear();
+        groups_.clear();
+        for (const Light& light : lights_)
+            layers_.push_back(
+                boundLayers(loaded_.scene, loaded_.settings.castMasked, light, stencilLimit));
+        layersMs_ = 1e3 * watch.lap();
+    }
+
+    bool layersAreOf(const std::vector<Light>& lights) const {
+        return std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(),
+                          [](const Light& a, const Light& b) { return a.position == b.position; });
+    }
+
+    bool anyVolumes() const {
+        return std::any_of(contenders_.begin(), contenders_.end(),
+                           [](const auto& contender) { return contender->volumes.has_value(); });
+    }
+
+    /// Calls `use` for every contender, each time with another one first.
+    template <class Use>
+    void inTurn(int index, Use use) {
+        for (std::size_t i = 0; i < contenders_.size(); ++i)
+            use(*contenders_[(static_cast<std::size_t>(index) + i) % contenders_.size()]);
+    }
+
+    const GpuScene& sceneFor(const std::optional<VolumeRecords>& volumes) {
+        auto found = scenes_.find(volumes);
+        if (found == scenes_.end())
+            found = scenes_.emplace(volumes, uploadScene(loaded_, volumes, context_.capabilities()))
+                        .first;
+        return found->second;
+    }
+
+    const std::vector<GroupedShadow>& groupsFor(const std::optional<VolumeRecords>& volumes) {
+        if (!volumes) return noGroups_;
+        auto found = groups_.find(*volumes);
+        if (found == groups_.end()) {
+            FrameView withLayers = view_;
+            withLayers.layers = layers_;
+            found =
+                groups_.emplace(*volumes, uploadNeededGroups(loaded_, withLayers, *volumes)).first;
+        }
+        return found->second;
+    }
+
+    void draw(Contender& contender, StageClock* clock) {
+        FrameView view = view_;
+        view.slices = divideDepth(view.near(), view.farthestDepth, contender.setting.depthSlices);
+        contender.renderer.draw(sceneFor(contender.volumes), view, groupsFor(contender.volumes),
+                                clock);
+        gl::requireNoError("drawing for measuring");
+    }
+
+    /// The spans of what `use` draws; drawn again where the GPU was disturbed.
+    template <class Use>
+    std::vector<gl::SpanTimer::Span> timed(Use use) {
+        for (int i = 0; i < mostTries; ++i) {
+            use();
+            auto spans = timer_.takeAll();
+            const bool disturbed = std::any_of(spans.begin(), spans.end(),
+                                               [](const auto& span) { return span.disturbed; });
+            if (!disturbed) return spans;
+        }
+        throw Error(ExitStatus::unavailable,
+                    "The GPU's clock is disturbed in every frame; '--timing finish' does without.");
+    }
+
+    double frameMs(Contender& contender) {
+        // What is made on first use is no part of a frame.
+        sceneFor(contender.volumes);
+        groupsFor(contender.volumes);
+        return timed([&] {
+                   timer_.begin(0);
+                   draw(contender, nullptr);
+                   timer_.end();
+               })
+            .front()
+            .milliseconds;
+    }
+
+    Result resultOf(const Contender& contender) {
+        Result result;
+        result.name = contender.setting.name;
+        result.settings = contender.renderer.settings();
+        result.frameMs = contender.frameMs;
+        const auto stage = [&](double StageMs::*part) {
+            std::vector<double> values;
+            for (const StageMs& one : contender.stages)
+                values.push_back(one.*part);
+            return median(values);
+        };
+        result.stageMs = {stage(&StageMs::ambient), stage(&StageMs::map),
+                          stage(&StageMs::silhouette), stage(&StageMs::rasterise),
+                          stage(&StageMs::lit)};
+        result.planMs = median(contender.planMs);
+        result.vertexRuns = static_cast<std::size_t>(median(contender.vertexRuns));
+        const auto count = [&](const BatchVolumes& shadow) {
+            result.sideBytes += shadow.sideBytes();
+            result.capBytes += shadow.capBytes();
+        };
+        for (const GpuBatch& batch : sceneFor(contender.volumes).batches)
+            count(batch.volumes);
+        for (const GroupedShadow& light : groupsFor(contender.volumes))
+            for (const auto& group : light)
+                std::for_each(group.begin(), group.end(), count);
+        result.mapBytes = contender.renderer.mapBytes();
+        const auto first = contender.frameMs.begin();
+        const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());
+        result.repeated =
+            median(contender.repeatMs) / median(std::vector<double>(first, first + repeated));
+        return result;
+    }
+
+    const LoadedScene& loaded_;
+    const Task& task_;
+    gl::HeadlessContext context_;
+    Box bounds_;
+    gl::SpanTimer timer_;
+    std::vector<std::unique_ptr<Contender>> contenders_;
+    std::map<std::optional<VolumeRecords>, GpuScene> scenes_;
+    FrameView view_;
+    std::vector<Light> lights_; ///< whose layers_ these are
+    std::vector<LayerBound> layers_;
+    std::map<VolumeRecords, std::vector<GroupedShadow>> groups_; ///< for lights_
+    const std::vector<GroupedShadow> noGroups_;
+    double planMs_ = 0.0;
+    double layersMs_ = 0.0;
+};
+
+} // namespace
+
+Report measure(const LoadedScene& loaded, const Task& task,
+               const std::function<void(double)>& progress) {
+    Course course(loaded, task);
+    progress(0.0);
+    course.warmUp();
+    for (int frame = 0; frame < task.frames; ++frame) {
+        course.measure(frame);
+        progress(static_cast<double>(frame + 1) / (task.frames + 1));
+    }
+    for (int frame = 0; frame < std::min(repeatedFrames, task.frames); ++frame)
+        course.repeat(frame);
+    progress(1.0);
+    return course.report();
+}
+
+} // namespace edgeshade::bench

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "src/bench/statistics.hpp"
+#include "src/gl/span_timer.hpp"
+#include "src/render/frame.hpp"
+#include "src/render/stage_timer.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace edgeshade::bench {
+
+/// One way of drawing that is timed.
+struct Setting {
+    std::string name;
+    RenderSettings render;
+    std::optional<SidesLayout> layout; ///< nothing: the best that the GL has
+    std::optional<int> depthSlices;    ///< nothing: as many as pay
+};
+
+/// What is drawn, and how often.
+struct Task {
+    int width = 1920;
+    int height = 1080;
+    int samples = 0;
+    int frames = 120;                       ///< measured, at least 1
+    int warmUp = 3;                         ///< frames before, not measured
+    std::function<Camera(double)> cameraAt; ///< after a share 0..1 of the flight
+    std::vector<Light> lights;
+    bool lightMoves = false;          ///< by movedLights(); else shadow maps are drawn once
+    std::optional<double> near;       ///< nothing: fitted to each view
+    std::optional<gl::Timing> timing; ///< nothing: bestTiming()
+    std::vector<Setting> settings;
+};
+
+/// What one setting's frames took.
+struct Result {
+    std::string name;
+    RenderSettings settings; ///< with the layout that was used
+    std::vector<double> frameMs;
+    StageMs stageMs;            ///< medians, over a quarter of the frames, drawn apart for it
+    double planMs = 0.0;        ///< median, on the CPU before drawing; not in frameMs
+    std::size_t vertexRuns = 0; ///< a frame's, of shadows alone; median
+    std::size_t sideBytes = 0;  ///< on the GPU, of shadows alone
+    std::size_t capBytes = 0;
+    std::size_t mapBytes = 0;
+    double repeated = 1.0; ///< time of the first frames, drawn again at the end, over theirs
+
+    std::size_t bytes() const { return sideBytes + capBytes + mapBytes; }
+};
+
+struct Report {
+    gl::Capabilities device;
+    gl::Timing timing = gl::Timing::finish;
+    std::vector<Result> results; ///< one a setting, in their order
+};
+
+/// Draws every frame of the flight by every setting in turn, whoever is first changing from frame
+/// to frame, in one context. Each frame is timed as a whole; the stages are timed in further
+/// frames, half way between two, since timing them holds up the GL. `progress` gets the share done.
+/// Throws Error.
+Report measure(const LoadedScene& loaded, const Task& task,
+               const std::function<void(double)>& progress);
+
+} // namespace edgeshade::bench

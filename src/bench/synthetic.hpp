@@ -1,0 +1,53 @@
+#pragma once
+
+#include "src/bench/equation_fit.hpp"
+#include "src/bench/synthetic_mesh.hpp"
+#include "src/gl/span_timer.hpp"
+#include "src/render/volume_program.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace edgeshade::bench {
+
+/// How evaluating the silhouette is measured with nothing else going on (thesis, 6.3.3).
+struct SyntheticTask {
+    std::vector<std::size_t> edges{10'000, 20'000, 30'000, 40'000, 50'000,
+                                   60'000, 70'000, 80'000, 90'000};
+    std::vector<int> multiplicities{1, 2, 3, 4, 5, 6, 7, 8, 9}; ///< opposite vertices an edge
+    int repeats = 9; ///< medians of as many draws, after one that is not measured
+    MultiplicityMethod method = MultiplicityMethod::referenceEdge;
+    std::optional<gl::Timing> timing; ///< nothing: bestTiming()
+};
+
+/// One cell of the table.
+struct SyntheticRow {
+    std::string layout;
+    Silhouette silhouette = Silhouette::all;
+    std::size_t edges = 0;
+    int multiplicity = 0;
+    double ms = 0.0;
+};
+
+/// What the rows of one layout and silhouette add up to.
+struct SyntheticFit {
+    std::string layout;
+    Silhouette silhouette = Silhouette::all;
+    EquationFit equation;
+    double leastRSquared = 1.0; ///< of the lines time over edges, one a multiplicity
+};
+
+struct SyntheticReport {
+    gl::Capabilities device;
+    gl::Timing timing = gl::Timing::finish;
+    std::vector<SyntheticRow> rows;
+    std::vector<SyntheticFit> fits;
+};
+
+/// Draws the sides of synthetic meshes in every layout that the GL has, their output degenerated
+/// in the vertex shader. `progress` gets the share done and what is being done. Throws Error.
+SyntheticReport measureSynthetic(const SyntheticTask& task,
+                                 const std::function<void(double, const std::string&)>& progress);
+
+} // namespace edgeshade::bench

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "src/bench/synthetic_mesh.hpp"
+#include "src/gl/capabilities.hpp"
+#include "src/render/volume_program.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace edgeshade::bench {
+
+/// A synthetic mesh on the GPU, in some layout.
+class SyntheticSubject {
+  public:
+    virtual ~SyntheticSubject() = default;
+    /// Draws the sides of the first `edgeCount` edges, degenerated in the vertex shader.
+    virtual void draw(std::size_t edgeCount) = 0;
+};
+
+/// A layout that can be measured: its name, and what uploads a mesh of edges with as many opposite
+/// vertices each.
+struct SyntheticLayout {
+    std::string name;
+    std::function<std::unique_ptr<SyntheticSubject>(const SyntheticMesh&, int oppositeCount)>
+        upload;
+};
+
+/// All layouts that the GL has. `method`: how published records find their signs.
+std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
+                                              const gl::Capabilities& capabilities);
+
+} // namespace edgeshade::bench

@@ -1,0 +1,179 @@
+#include "preprocess/error.hpp"
+#include "src/bench/bench.hpp"
+#include "src/bench/flythrough.hpp"
+#include "src/cli/bench_report.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
+#include "src/cli/report.hpp"
+#include "src/cli/synthetic_report.hpp"
+
+#include <memory>
+#include <sstream>
+
+namespace edgeshade::cli {
+namespace {
+
+struct BenchOptions {
+    std::string input;
+    std::string report;
+    bool synthetic = false;
+    int frames = 0; ///< 0: defaultFrames, or defaultRepeats
+    int warmUp = 3;
+    std::vector<std::pair<int, int>> sizes; ///< of --sizes; else view's
+    bool lightMoves = false;
+    std::optional<gl::Timing> timing;
+    ViewOptions view;
+    CasterOptions casters;
+    DrawSettings settings;
+    int samples = 0;
+    std::vector<std::string> against;
+};
+
+constexpr int defaultFrames = 120;
+constexpr int defaultRepeats = 9;
+
+/// The sizes of the thesis' measurements.
+const std::vector<std::pair<int, int>> allSizes = {
+    {800, 600}, {1920, 1080}, {2560, 1600}, {3840, 2160}};
+
+std::vector<std::pair<int, int>> sizesFrom(const std::string& text) {
+    if (text == "all") return allSizes;
+    std::vector<std::pair<int, int>> sizes;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ',');)
+        sizes.push_back(sizeFrom(part, "--sizes"));
+    if (sizes.empty()) sizes.push_back(sizeFrom(text, "--sizes"));
+    return sizes;
+}
+
+/// The flight, or the camera that was typed, which stays where it is.
+std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& scene,
+                                        double aspect) {
+    if (view.from || view.to)
+        return [camera = requestFor(view, scene).camera](double) { return camera; };
+    return [flight = bench::Flythrough(worldBounds(scene), view.fovDegrees, aspect)](double share) {
+        return flight.cameraAt(share);
+    };
+}
+
+void benchScene(const BenchOptions& options) {
+    std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings}};
+    for (const std::string& text : options.against)
+        settings.push_back({text, settingsFrom(options.settings, text)});
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    BenchReport report;
+    report.warnings = loaded.scene.warnings.sentences();
+    printWarnings(report.warnings);
+
+    const auto sizes = options.sizes.empty()
+                           ? std::vector{std::pair(options.view.width, options.view.height)}
+                           : options.sizes;
+    const Countdown countdown;
+    for (std::size_t s = 0; s < sizes.size(); ++s) {
+        ViewOptions view = options.view;
+        std::tie(view.width, view.height) = sizes[s];
+        bench::Task task;
+        task.width = view.width;
+        task.height = view.height;
+        task.samples = options.samples;
+        task.frames = options.frames > 0 ? options.frames : defaultFrames;
+        task.warmUp = options.warmUp;
+        task.cameraAt =
+            flightFor(view, loaded.scene, static_cast<double>(view.width) / view.height);
+        task.lights = requestFor(view, loaded.scene).lights;
+        task.lightMoves = options.lightMoves;
+        task.near = view.depth.near;
+        task.timing = options.timing;
+        for (const BenchSetting& setting : settings)
+            task.settings.push_back(toTask(setting));
+        const std::string size =
+            std::to_string(view.width) + "x" + std::to_string(view.height) + " pixels";
+        const bench::Report measured = bench::measure(loaded, task, [&](double share) {
+            countdown.show((static_cast<double>(s) + share) / static_cast<double>(sizes.size()),
+                           size);
+        });
+        report.add(task, settings, measured);
+    }
+    printWarnings(report.warningsOfMeasuring());
+    printResult(report.table(), options.report);
+    writeReport(report.json(), options.report);
+}
+
+void benchSynthetic(const BenchOptions& options) {
+    bench::SyntheticTask task;
+    if (options.frames > 0) task.repeats = options.frames;
+    if (options.settings.multiplicity) task.method = *options.settings.multiplicity;
+    task.timing = options.timing;
+    const Countdown countdown;
+    const bench::SyntheticReport measured = bench::measureSynthetic(
+        task, [&](double share, const std::string& doing) { countdown.show(share, doing); });
+    if (measured.device.isSoftware()) printWarnings({softwareWarning(measured.device)});
+    printResult(syntheticTable(measured), options.report);
+    writeReport(syntheticJson(measured, options.settings), options.report);
+}
+
+/// A synthetic mesh has nothing to see, and nothing else can be asked of it.
+void bench(const BenchOptions& options, const CLI::App& verb) {
+    if (options.synthetic == !options.input.empty())
+        throw Error(ExitStatus::usage, options.synthetic ? "--synthetic takes no FILE."
+                                                         : "bench needs a FILE, or --synthetic.");
+    if (!options.synthetic) return benchScene(options);
+    for (const CLI::Option* option : verb.get_options()) {
+        const std::string name = option->get_name();
+        const bool fits = name == "--synthetic" || name == "--frames" || name == "--timing" ||
+                          name == "--multiplicity" || name == "--report" || name == "--help";
+        if (option->count() > 0 && !fits)
+            throw Error(ExitStatus::usage, name + " means nothing with --synthetic.");
+    }
+    benchSynthetic(options);
+}
+
+} // namespace
+
+void addBenchCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand(
+        "bench",
+        "Measure frame times over a camera flight around and through a scene, by stage; or "
+        "what evaluating edges costs");
+    const auto options = std::make_shared<BenchOptions>();
+    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
+    verb->add_flag(
+        "--synthetic", options->synthetic,
+        "No scene: 10,000 to 90,000 edges of multiplicity 1 to 9 in every layout, vertex "
+        "work alone, with the thesis' Equation 6.10 fitted");
+    verb->add_option("--frames", options->frames,
+                     "Frames of the flight, 1 to 100000 (120); of each cell with --synthetic (9). "
+                     "With a camera of yours it stays there")
+        ->check(CLI::Range(1, 100000))
+        ->type_name("N");
+    verb->add_option("--warm-up", options->warmUp, "Frames before that are not measured (3)")
+        ->check(CLI::Range(0, 1000))
+        ->type_name("N");
+    verb->add_flag("--light-moves", options->lightMoves,
+                   "Lights draw small circles, so shadow maps are drawn anew for every frame; "
+                   "without, they are kept, as they are where nothing moves");
+    CLI::Option* sizes =
+        verb->add_option_function<std::string>(
+                "--sizes", [options](const std::string& text) { options->sizes = sizesFrom(text); },
+                "Several picture sizes, WxH,WxH,...; all: 800x600, 1920x1080, 2560x1600, 3840x2160")
+            ->type_name("all|WxH,...");
+    verb->add_option("--against", options->against,
+                     "Another setting, drawn frame by frame in turn with this one, e.g. "
+                     "shadows=map,map-size=2048; may be repeated. Reports ratios")
+        ->type_name("SETTING")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addTimingOption(*verb, options->timing);
+    addViewOptions(*verb, options->view);
+    sizes->excludes(verb->get_option("--size"));
+    addDrawOptions(*verb, options->settings);
+    addSamplesOption(*verb, options->samples);
+    addCasterOptions(*verb, options->casters);
+    addReportOption(*verb, options->report);
+    verb->callback([options, verb] {
+        resolve(options->settings);
+        bench(*options, *verb);
+    });
+}
+
+} // namespace edgeshade::cli

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "src/bench/bench.hpp"
+#include "src/cli/draw_settings.hpp"
+
+#include <chrono>
+
+namespace edgeshade::cli {
+
+/// A setting with the name that it has in reports.
+struct BenchSetting {
+    std::string name;
+    DrawSettings settings;
+};
+
+/// How the setting is measured.
+bench::Setting toTask(const BenchSetting& setting);
+
+/// `--timing auto|query|finish|processor`; nothing: auto.
+void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);
+
+/// That figures of this device are those of a processor.
+std::string softwareWarning(const gl::Capabilities& device);
+
+/// "query", "finish" or "processor".
+const char* nameOf(gl::Timing timing);
+
+/// A bar that says how long it will take.
+class Countdown {
+  public:
+    void show(double share, const std::string& doing) const;
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// What `bench` says of what it measured: the contract's keys, and a table.
+class BenchReport {
+  public:
+    std::vector<std::string> warnings; ///< of loading
+
+    /// Adds what was measured at one size; `settings` in the order of the task's.
+    void add(const bench::Task& task, const std::vector<BenchSetting>& settings,
+             const bench::Report& measured);
+
+    /// What makes the figures say less than they seem to.
+    const std::vector<std::string>& warningsOfMeasuring() const { return doubts_; }
+
+    std::string table() const;
+
+    /// {device, size, frames, timing, light, settings, frame_ms, stage_ms, plan_ms, vertex_runs,
+    /// bytes_gpu, bytes, repeated, warnings} of a single result, else {results, ratios, warnings}.
+    nlohmann::ordered_json json() const;
+
+  private:
+    struct Row {
+        std::string size;
+        bench::Result result;
+        bench::Ratios ratios; ///< the first row of that size over this one
+        bool first;
+    };
+    std::vector<Row> rows_;
+    std::string heading_;
+    std::vector<std::string> doubts_;
+    nlohmann::ordered_json results_ = nlohmann::ordered_json::array();
+    nlohmann::ordered_json ratios_ = nlohmann::ordered_json::array();
+};
+
+} // namespace edgeshade::cli

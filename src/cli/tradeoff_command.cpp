@@ -1,0 +1,322 @@
+#include "preprocess/error.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/options.hpp"
+
+#include <memory>
+
+#ifdef EDGESHADE_HAS_LAB
+#include "src/bench/bench.hpp"
+#include "src/bench/flythrough.hpp"
+#include "src/bench/pareto.hpp"
+#include "src/cli/bench_report.hpp"
+#include "src/cli/contender.hpp"
+#include "src/cli/report.hpp"
+#include "src/cli/tradeoff_settings.hpp"
+#include "src/gl/headless_context.hpp"
+#include "src/lab/compare.hpp"
+#include "src/plot/trade_plot.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#endif
+
+namespace edgeshade::cli {
+namespace {
+
+struct TradeoffOptions {
+    std::string input;
+    std::string report;
+    std::string plot;
+    int frames = 40;
+    int views = 16;
+    int largestMap = 8192;
+    bool lightMoves = false;
+    std::optional<double> budgetMs;
+    std::optional<double> maxWrongPercent;
+    std::optional<gl::Timing> timing;
+    std::vector<std::string> against;
+    ViewOptions view;
+    CasterOptions casters;
+};
+
+#ifdef EDGESHADE_HAS_LAB
+
+using Json = nlohmann::ordered_json;
+
+/// A setting with what it costs and what it gets wrong.
+struct Row {
+    TradeSetting setting; ///< with the bias that was tuned
+    DrawSettings settings;
+    bench::Result cost;
+    lab::CompareResult accuracy;
+    bool pareto = false;
+
+    double milliseconds() const { return bench::median(cost.frameMs); }
+    double wrongPercent() const {
+        return lab::percent(accuracy.counts.wrongImagePixels, accuracy.counts.visiblePixels);
+    }
+    double beyond1pxPercent() const {
+        return lab::percent(accuracy.counts.wrongImageBeyond1px, accuracy.counts.visiblePixels);
+    }
+};
+
+std::string plotEnding(const std::string& path) {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string::npos ? "" : path.substr(dot);
+}
+
+void requirePlottable(const std::string& path) {
+    if (path.empty()) return;
+    const std::string ending = plotEnding(path);
+    if (ending == ".png") plot::pngCanvas(1, 1); // says so now where it can't
+    if (ending != ".png" && ending != ".svg")
+        throw Error(ExitStatus::usage, "--plot: '" + path + "' ends neither in .svg nor in .png.");
+}
+
+/// The settings that this GL can draw; what it can't is left out with a warning.
+std::vector<Row> possibleRows(const TradeoffOptions& options, std::vector<std::string>& warnings) {
+    std::vector<TradeSetting> all = tradeSettings(options.largestMap);
+    for (const std::string& text : options.against)
+        all.push_back({text, text});
+    const gl::HeadlessContext context({16, 16});
+    std::vector<Row> rows;
+    for (const TradeSetting& setting : all) {
+        Row row;
+        row.setting = setting;
+        row.settings = settingsFrom(DrawSettings(), setting.text);
+        RenderSettings render = row.settings.render;
+        render.layout = layoutFor(row.settings.instancing, context.capabilities());
+        try {
+            Renderer(render, context.capabilities());
+            rows.push_back(std::move(row));
+        } catch (const Error& error) {
+            if (error.status() != ExitStatus::unavailable) throw;
+            warnings.push_back(setting.name + " is left out: " + error.what());
+        }
+    }
+    return rows;
+}
+
+bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& loaded,
+                           std::vector<Row>& rows) {
+    bench::Task task;
+    task.width = options.view.width;
+    task.height = options.view.height;
+    task.frames = options.frames;
+    task.cameraAt = [flight = bench::Flythrough(worldBounds(loaded.scene), options.view.fovDegrees,
+                                                static_cast<double>(task.width) / task.height)](
+                        double share) { return flight.cameraAt(share); };
+    task.lights = requestFor(options.view, loaded.scene).lights;
+    task.lightMoves = options.lightMoves;
+    task.near = options.view.depth.near;
+    task.timing = options.timing;
+    for (const Row& row : rows)
+        task.settings.push_back(toTask({row.setting.name, row.settings}));
+    const Countdown countdown;
+    bench::Report report =
+        bench::measure(loaded, task, [&](double share) { countdown.show(share, "times"); });
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].cost = report.results[i];
+    return report;
+}
+
+void measureErrors(const TradeoffOptions& options, const LoadedScene& loaded,
+                   std::vector<Row>& rows) {
+    lab::CompareTask task;
+    task.width = options.view.width;
+    task.height = options.view.height;
+    task.near = options.view.depth.near;
+    task.lights = options.view.lights;
+    task.views =
+        lab::labViews(loaded.scene, static_cast<std::size_t>(options.views),
+                      options.view.fovDegrees, static_cast<double>(task.width) / task.height);
+    for (const Row& row : rows)
+        task.contenders.push_back(contenderOf(row.setting.name, row.settings));
+    const Countdown countdown;
+    const auto results = lab::compareAll(loaded, task, [&](double share, const std::string& doing) {
+        countdown.show(share, doing);
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Row& row = rows[i];
+        row.accuracy = results[i];
+        if (!task.contenders[i].tuneMapBias) continue;
+        row.settings.render.map.biasTexels = results[i].settings.map.biasTexels;
+        std::ostringstream bias;
+        bias << ",map-bias=" << results[i].settings.map.biasTexels;
+        row.setting.text += bias.str();
+    }
+}
+
+std::vector<bench::Trade> tradesOf(const std::vector<Row>& rows) {
+    std::vector<bench::Trade> trades;
+    for (const Row& row : rows)
+        trades.push_back({row.milliseconds(), row.wrongPercent()});
+    return trades;
+}
+
+std::string tableOf(const std::vector<Row>& rows) {
+    std::ostringstream text;
+    text << std::left << std::setw(28) << "setting" << std::right << std::setw(11) << "median ms"
+         << std::setw(10) << "p95" << std::setw(11) << "MB on GPU" << std::setw(15)
+         << "image wrong %" << std::setw(13) << "beyond 1px"
+         << "  front  options";
+    for (const Row& row : rows)
+        text << "\n"
+             << std::left << std::setw(28) << row.setting.name << std::right << std::fixed
+             << std::setprecision(2) << std::setw(11) << row.milliseconds() << std::setw(10)
+             << bench::percentile(row.cost.frameMs, 0.95) << std::setw(11)
+             << static_cast<double>(row.cost.bytes()) / (1 << 20) << std::setprecision(5)
+             << std::setw(15) << row.wrongPercent() << std::setw(13) << row.beyond1pxPercent()
+             << (row.pareto ? "    *    " : "         ") << asOptions(row.setting.text);
+    return text.str();
+}
+
+Json rowJson(const Row& row) {
+    return {{"name", row.setting.name},
+            {"settings", settingsJson(row.settings)},
+            {"options", asOptions(row.setting.text)},
+            {"frame_ms", row.milliseconds()},
+            {"bytes_gpu", row.cost.bytes()},
+            {"wrong_image_percent", row.wrongPercent()},
+            {"wrong_image_beyond_1px_percent", row.beyond1pxPercent()},
+            {"pareto", row.pareto}};
+}
+
+plot::TradePoint pointOf(const Row& row) {
+    using Family = plot::TradePoint::Family;
+    const ShadowMethod shadows = row.settings.render.shadows;
+    const Family family = shadows == ShadowMethod::volumes ? Family::volumes
+                          : shadows == ShadowMethod::map   ? Family::map
+                                                           : Family::none;
+    return {row.setting.name, family, row.milliseconds(), row.wrongPercent(), row.pareto};
+}
+
+void writePlot(const TradeoffOptions& options, const std::vector<Row>& rows,
+               const bench::Report& measured) {
+    if (options.plot.empty()) return;
+    plot::TradePlot trade;
+    trade.title = "What shadows cost, and what is wrong with them: " +
+                  std::filesystem::path(options.input).filename().string();
+    trade.subtitle =
+        std::to_string(options.view.width) + "x" + std::to_string(options.view.height) +
+        ", median of " + std::to_string(options.frames) + " frames, " +
+        (options.lightMoves ? "light moving" : "light at rest, maps kept") + ", " +
+        std::to_string(options.views) + " views against the oracle; " + measured.device.renderer;
+    for (const Row& row : rows)
+        trade.points.push_back(pointOf(row));
+    const auto canvas = plotEnding(options.plot) == ".png"
+                            ? plot::pngCanvas(plot::tradePlotWidth, plot::tradePlotHeight)
+                            : plot::svgCanvas(plot::tradePlotWidth, plot::tradePlotHeight);
+    plot::drawTradePlot(*canvas, trade);
+    writeFile(options.plot, canvas->file());
+}
+
+std::string limitsOf(const TradeoffOptions& options) {
+    std::ostringstream text;
+    if (options.budgetMs) text << *options.budgetMs << " ms";
+    if (options.budgetMs && options.maxWrongPercent) text << " and ";
+    if (options.maxWrongPercent) text << *options.maxWrongPercent << " % wrong pixels";
+    return text.str();
+}
+
+void tradeoff(const TradeoffOptions& options) {
+    requirePlottable(options.plot);
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    std::vector<std::string> warnings = loaded.scene.warnings.sentences();
+    std::vector<Row> rows = possibleRows(options, warnings);
+    const bool demanding = options.budgetMs || options.maxWrongPercent;
+    printWarnings(warnings);
+
+    const bench::Report measured = measureCosts(options, loaded, rows);
+    if (measured.device.isSoftware()) {
+        warnings.push_back(softwareWarning(measured.device));
+        printWarnings({warnings.back()});
+    }
+    measureErrors(options, loaded, rows);
+    const std::vector<bench::Trade> trades = tradesOf(rows);
+    const std::vector<bool> front = bench::paretoFront(trades);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].pareto = front[i];
+
+    const Row* best = nullptr;
+    if (const auto found = bench::bestWithin(trades, {options.budgetMs, options.maxWrongPercent}))
+        best = demanding ? &rows[*found] : nullptr;
+    std::string result = tableOf(rows);
+    if (best) result += "\nwithin " + limitsOf(options) + ": " + asOptions(best->setting.text);
+    printResult(result, options.report);
+    writePlot(options, rows, measured);
+    Json json = {{"device", deviceJson(measured.device)},
+                 {"size", {options.view.width, options.view.height}},
+                 {"frames", options.frames},
+                 {"views", options.views},
+                 {"timing", nameOf(measured.timing)},
+                 {"light", options.lightMoves ? "moves" : "rests"},
+                 {"rows", Json::array()}};
+    for (const Row& row : rows)
+        json["rows"].push_back(rowJson(row));
+    if (demanding) json["take"] = best ? rowJson(*best) : Json(nullptr);
+    json["warnings"] = warnings;
+    writeReport(json, options.report);
+    if (demanding && !best)
+        throw Error(ExitStatus::unavailable,
+                    "No setting keeps within " + limitsOf(options) + " here.");
+}
+
+#else
+
+void tradeoff(const TradeoffOptions&) {
+    throw Error(ExitStatus::unavailable,
+                "tradeoff needs the ray-traced oracle, and this program was built without Embree.");
+}
+
+#endif
+
+} // namespace
+
+void addTradeoffCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand(
+        "tradeoff", "What every setting costs and what it gets wrong: a table, a plot, and the one "
+                    "setting to take");
+    const auto options = std::make_shared<TradeoffOptions>();
+    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
+    verb->add_option("--plot", options->plot,
+                     "Draw time against wrong pixels, as .svg or .png by its ending")
+        ->type_name("OUT");
+    verb->add_option("--budget-ms", options->budgetMs,
+                     "Say which setting has the fewest wrong pixels within this time of a frame")
+        ->check(CLI::PositiveNumber)
+        ->type_name("MS");
+    verb->add_option("--max-wrong-percent", options->maxWrongPercent,
+                     "Say which setting is the fastest with no more wrong pixels than this, in "
+                     "percent of visible ones")
+        ->check(CLI::Range(0.0, 100.0))
+        ->type_name("P");
+    verb->add_option("--frames", options->frames, "Frames to time, 1 to 100000 (40)")
+        ->check(CLI::Range(1, 100000))
+        ->type_name("N");
+    verb->add_option("--views", options->views,
+                     "Views to count wrong pixels in, 1 to 1000 (16), those of compare")
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+    verb->add_option("--largest-map", options->largestMap,
+                     "Leave larger shadow maps out (8192; its cube takes 1.9 GB)")
+        ->check(CLI::Range(512, 8192))
+        ->type_name("N");
+    verb->add_option("--against", options->against,
+                     "Another setting to weigh too, e.g. shadows=map,map-size=3000; may be "
+                     "repeated")
+        ->type_name("SETTING")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    verb->add_flag("--light-moves", options->lightMoves,
+                   "Lights draw small circles while times are taken, so shadow maps are drawn anew "
+                   "for every frame; without, they are kept");
+    addTimingOption(*verb, options->timing);
+    addViewOptions(*verb, options->view);
+    addCasterOptions(*verb, options->casters);
+    addReportOption(*verb, options->report);
+    verb->callback([options] { tradeoff(*options); });
+}
+
+} // namespace edgeshade::cli

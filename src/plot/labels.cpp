@@ -1,0 +1,58 @@
+#include "src/plot/labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace edgeshade::plot {
+namespace {
+
+double overlap(const Rectangle& a, const Rectangle& b) {
+    const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
+    const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+    return width > 0.0 && height > 0.0 ? width * height : 0.0;
+}
+
+double areaOf(const Rectangle& r) {
+    return (r.right - r.left) * (r.bottom - r.top);
+}
+
+} // namespace
+
+LabelPlaces::LabelPlaces(const Rectangle& inside, std::vector<Point> points, double radius)
+    : inside_(inside) {
+    for (const Point& p : points)
+        taken_.push_back({p.x - radius, p.y - radius, p.x + radius, p.y + radius});
+}
+
+double LabelPlaces::covered(const Rectangle& candidate) const {
+    double area = 4.0 * (areaOf(candidate) - overlap(candidate, inside_));
+    for (const Rectangle& other : taken_)
+        area += overlap(candidate, other);
+    return area;
+}
+
+Rectangle LabelPlaces::place(const Point& point, double width, double height) {
+    constexpr int directions = 16;
+    Rectangle best;
+    double least = std::numeric_limits<double>::infinity();
+    for (double distance = 9.0; distance < 80.0; distance += 7.0)
+        for (int i = 0; i < directions; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / directions;
+            const double x = point.x + distance * std::cos(angle);
+            const double y = point.y - distance * std::sin(angle);
+            // The name's nearest edge is at the distance.
+            const double left = x - width * 0.5 * (1.0 - std::cos(angle));
+            const double top = y - height * 0.5 * (1.0 + std::sin(angle));
+            const Rectangle candidate{left, top, left + width, top + height};
+            const double cost = covered(candidate) + 0.6 * distance;
+            if (cost < least) {
+                least = cost;
+                best = candidate;
+            }
+        }
+    taken_.push_back(best);
+    return best;
+}
+
+} // namespace edgeshade::plot

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "src/plot/canvas.hpp"
+
+#include <vector>
+
+namespace edgeshade::plot {
+
+/// A rectangle in pixels.
+struct Rectangle {
+    double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+};
+
+/// Finds places for names beside points, where they cover as little as they can of each other, of
+/// the points and of what is outside.
+class LabelPlaces {
+  public:
+    /// `points`: all of them, each `radius` large.
+    LabelPlaces(const Rectangle& inside, std::vector<Point> points, double radius);
+
+    /// The rectangle for a name of that size at the point; later names keep away from it.
+    Rectangle place(const Point& point, double width, double height);
+
+  private:
+    double covered(const Rectangle& candidate) const;
+
+    Rectangle inside_;
+    std::vector<Rectangle> taken_;
+};
+
+} // namespace edgeshade::plot

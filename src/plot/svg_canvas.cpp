@@ -1,0 +1,89 @@
+#include "src/plot/canvas.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace edgeshade::plot {
+namespace {
+
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        if (c == '&')
+            safe += "&amp;";
+        else if (c == '<')
+            safe += "&lt;";
+        else if (c == '>')
+            safe += "&gt;";
+        else
+            safe += c;
+    }
+    return safe;
+}
+
+/// A tenth of a pixel is enough.
+std::string number(double value) {
+    std::ostringstream text;
+    text << std::round(10.0 * value) / 10.0;
+    return text.str();
+}
+
+std::string hex(Color color) {
+    std::ostringstream text;
+    text << '#' << std::hex << std::setw(6) << std::setfill('0') << color;
+    return text.str();
+}
+
+class SvgCanvas : public Canvas {
+  public:
+    SvgCanvas(int width, int height) {
+        text_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\""
+              << height << "\" viewBox=\"0 0 " << width << " " << height
+              << "\" font-family=\"DejaVu Sans, Verdana, sans-serif\">\n"
+              << "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+    }
+
+    void line(std::span<const Point> points, Color color, double width, bool dashed) override {
+        text_ << "<polyline fill=\"none\" stroke=\"" << hex(color) << "\" stroke-width=\""
+              << number(width) << "\"" << (dashed ? " stroke-dasharray=\"5 4\"" : "")
+              << " points=\"";
+        for (std::size_t i = 0; i < points.size(); ++i)
+            text_ << (i > 0 ? " " : "") << number(points[i].x) << "," << number(points[i].y);
+        text_ << "\"/>\n";
+    }
+
+    void disc(Point center, double radius, Color fill, Color rim) override {
+        text_ << "<circle cx=\"" << number(center.x) << "\" cy=\"" << number(center.y) << "\" r=\""
+              << number(radius) << "\" fill=\"" << hex(fill) << "\" stroke=\"" << hex(rim)
+              << "\" stroke-width=\"1.5\"/>\n";
+    }
+
+    void text(Point baseline, const std::string& text, const TextStyle& style) override {
+        constexpr const char* anchors[] = {"start", "middle", "end"};
+        text_ << "<text x=\"" << number(baseline.x) << "\" y=\"" << number(baseline.y)
+              << "\" font-size=\"" << number(style.size) << "\" fill=\"" << hex(style.color)
+              << "\" text-anchor=\"" << anchors[static_cast<int>(style.anchor)] << "\""
+              << (style.bold ? " font-weight=\"bold\"" : "");
+        if (style.upwards)
+            text_ << " transform=\"rotate(-90 " << number(baseline.x) << " " << number(baseline.y)
+                  << ")\"";
+        text_ << ">" << escaped(text) << "</text>\n";
+    }
+
+    Bytes file() override {
+        const std::string whole = text_.str() + "</svg>\n";
+        return Bytes(whole.begin(), whole.end());
+    }
+
+  private:
+    std::ostringstream text_;
+};
+
+} // namespace
+
+std::unique_ptr<Canvas> svgCanvas(int width, int height) {
+    return std::make_unique<SvgCanvas>(width, height);
+}
+
+} // namespace edgeshade::plot
