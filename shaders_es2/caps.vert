@@ -54,7 +54,8 @@ void main() {
     bool isA = vertex == (facing < 0.0 ? 1.0 : 0.0);
     bool isC = vertex == 2.0;
     vec3 p = isA ? a_capA.xyz : (isC ? a_capC.xyz : a_capB.xyz);
-    vec4 clip = clipPosition(u_clipFromObject, front ? vec4(p, 1.0) : toInfinity(p, u_light));
+    vec4 corner = front ? vec4(p, 1.0) : toInfinity(p, u_light);
+    vec4 clip = rasterizable(clipPosition(u_clipFromObject, corner));
 #ifdef NEAR_DISCARD
     v_clipZW = clip.zw;
 #endif
