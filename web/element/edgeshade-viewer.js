@@ -2,6 +2,7 @@
 // event and method does, stand in edgeshade-viewer.d.ts.
 
 import { changesFromAttributes, viewAttributes } from './attributes.js';
+import { watchBackground } from './background.js';
 import { sceneAmong } from './files.js';
 import { FrameLoop } from './frame-loop.js';
 import { listenForGestures } from './gestures.js';
@@ -33,6 +34,7 @@ export class EdgeshadeViewer extends HTMLElement {
   #viewer = null; // null: not started, or it can't be
   #lost = false;
   #stopWatching = () => {};
+  #background = null; // [r, g, b], of the theme
   #home = null; // changes that reset() goes back to; null: what the attributes say
 
   constructor() {
@@ -56,7 +58,11 @@ export class EdgeshadeViewer extends HTMLElement {
   connectedCallback() {
     this.#label();
     this.#started ??= this.#start();
-    this.#stopWatching = watchPictureSize(this.#canvas, (...size) => this.#resize(...size));
+    const watches = [
+      watchPictureSize(this.#canvas, (...size) => this.#resize(...size)),
+      watchBackground(this, (color) => this.#paintBackground(color)),
+    ];
+    this.#stopWatching = () => watches.forEach((stop) => stop());
     this.#loop.wake();
   }
 
@@ -169,6 +175,7 @@ export class EdgeshadeViewer extends HTMLElement {
       const problem = viewer.start();
       if (problem) throw new Error(problem);
       this.#viewer = viewer;
+      if (this.#background) this.#paintBackground(this.#background);
       this.#resize(this.#canvas.width, this.#canvas.height, window.devicePixelRatio || 1);
     } catch (error) {
       this.#problem = error.message;
@@ -280,6 +287,13 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#viewer.resize(w, h, ratio * shrink);
     this.#viewer.invalidate();
     if (!this.#lost && this.loaded) this.#draw(performance.now() / 1000); // no empty picture between
+  }
+
+  #paintBackground(color) {
+    this.#background = color;
+    if (!this.#viewer) return;
+    this.#viewer.change(JSON.stringify({ background: color }));
+    this.#loop.wake();
   }
 
   #wantsFrame() {
