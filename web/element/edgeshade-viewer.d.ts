@@ -101,7 +101,8 @@ export interface EdgeshadeViewerEventMap {
  *   label       what screen readers say of the picture
  *
  * Behind the scene is the element's CSS background-color, by default a light or a dark one as the
- * reader's theme has it; the state's `background` overrides it until the theme changes.
+ * reader's theme has it; the state's `background` overrides it until the theme or
+ * the scene changes.
  *
  * Events: load (LoadDetail), progress (ProgressDetail), error ({message}, a sentence that the
  * element also shows), contextlost, contextrestored, change (the state), frame (one was drawn).

@@ -2,7 +2,7 @@
 // event and method does, stand in edgeshade-viewer.d.ts.
 
 import { changesFromAttributes, viewAttributes } from './attributes.js';
-import { watchBackground } from './background.js';
+import { backgroundOf, watchTheme } from './background.js';
 import { sceneAmong } from './files.js';
 import { FrameLoop } from './frame-loop.js';
 import { listenForGestures } from './gestures.js';
@@ -34,7 +34,6 @@ export class EdgeshadeViewer extends HTMLElement {
   #viewer = null; // null: not started, or it can't be
   #lost = false;
   #stopWatching = () => {};
-  #background = null; // [r, g, b], of the theme
   #home = null; // changes that reset() goes back to; null: what the attributes say
 
   constructor() {
@@ -60,7 +59,7 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#started ??= this.#start();
     const watches = [
       watchPictureSize(this.#canvas, (...size) => this.#resize(...size)),
-      watchBackground(this, (color) => this.#paintBackground(color)),
+      watchTheme(() => this.#takeBackground()),
     ];
     this.#stopWatching = () => watches.forEach((stop) => stop());
     this.#loop.wake();
@@ -175,7 +174,6 @@ export class EdgeshadeViewer extends HTMLElement {
       const problem = viewer.start();
       if (problem) throw new Error(problem);
       this.#viewer = viewer;
-      if (this.#background) this.#paintBackground(this.#background);
       this.#resize(this.#canvas.width, this.#canvas.height, window.devicePixelRatio || 1);
     } catch (error) {
       this.#problem = error.message;
@@ -218,6 +216,7 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#tellProgress('draw');
     const isOfSrc = source.given !== undefined && source.given === this.getAttribute('src');
     this.#home = home ?? (isOfSrc ? null : {});
+    this.#takeBackground();
     this.#goHome();
     if (state) this.#changeOrSay(state);
     this.#makeCurrent();
@@ -289,10 +288,10 @@ export class EdgeshadeViewer extends HTMLElement {
     if (!this.#lost && this.loaded) this.#draw(performance.now() / 1000); // no empty picture between
   }
 
-  #paintBackground(color) {
-    this.#background = color;
-    if (!this.#viewer) return;
-    this.#viewer.change(JSON.stringify({ background: color }));
+  #takeBackground() {
+    const background = backgroundOf(this);
+    if (!this.#viewer || !background) return;
+    this.#viewer.change(JSON.stringify({ background }));
     this.#loop.wake();
   }
 

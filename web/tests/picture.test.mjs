@@ -9,14 +9,15 @@ import { compare, picture } from './support/pictures.mjs';
 const shared = useBrowser();
 
 /** The picture is the native one but for outlines that the two rasterisers, with 4 and 8 bits below
- * a pixel, put next to each other. */
-async function requireAlike(page, name) {
+ * a pixel, put next to each other, and slivers whose depth the coarser one loses (docs/robustness.md):
+ * at most `most` pixels away from outlines, and `share` of all. */
+async function requireAlike(page, name, most = 100, share = 0.002) {
   const native = rendered(await stateOf(page));
   const { pixels, different, astray, colors } = await compare(page, await picture(page), native);
   console.log(`${name}: ${different} of ${pixels} pixels differ, ${astray} away from outlines`);
   assert.ok(colors > 500, `${name}: a picture, not a plain surface (${colors} colours)`);
-  assert.ok(different <= 0.002 * pixels, `${name}: ${different} of ${pixels} pixels differ`);
-  assert.ok(astray <= 60, `${name}: ${astray} pixels differ away from outlines`);
+  assert.ok(different <= share * pixels, `${name}: ${different} of ${pixels} pixels differ`);
+  assert.ok(astray <= most, `${name}: ${astray} pixels differ away from outlines`);
 }
 
 test('the first frame of the sample equals the native picture', async () => {
@@ -27,9 +28,9 @@ test('the first frame of the sample equals the native picture', async () => {
 
 test('other eyes and lights see what the native program draws', async () => {
   const page = await shared.open('/tests/plain.html');
-  for (const { name, camera, lights } of views) {
+  for (const { name, camera, lights, astray, share } of views) {
     await page.evaluate((changes) => document.querySelector('edgeshade-viewer').change(changes), { camera, lights });
-    await requireAlike(page, name);
+    await requireAlike(page, name, astray, share);
   }
   await shared.check(page);
 });
