@@ -61,7 +61,7 @@ struct Viewer::Parts {
     std::optional<Animation> animation; ///< of the loaded scene
     std::unique_ptr<Gpu> gpu;           ///< null: the context is lost
     bool dirty = true;
-    bool timed = false; ///< somebody asked for statistics
+    bool timed = false;    ///< somebody asked for statistics
     bool unchecked = true; ///< something new is drawn, which the GL may refuse
     RecentMean frameMs, planMs;
     std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< of that light
