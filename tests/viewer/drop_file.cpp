@@ -27,7 +27,7 @@ class Drag {
         send("XdndPosition", 0, middle(), CurrentTime, static_cast<long>(atom("XdndActionCopy")));
         if (!(waitFor("XdndStatus").data.l[1] & 1)) return false;
         send("XdndDrop", 0, CurrentTime, 0, 0);
-        return waitFor("XdndFinished").data.l[1] & 1;
+        return waitFor("XdndFinished").data.l[1] != 0; // GLFW puts a length there
     }
 
   private:
