@@ -203,6 +203,8 @@ void writePlot(const TradeoffOptions& options, const std::vector<Row>& rows,
         ", median of " + std::to_string(options.frames) + " frames, " +
         (options.lightMoves ? "light moving" : "light at rest, maps kept") + ", " +
         std::to_string(options.views) + " views against the oracle; " + measured.device.renderer;
+    trade.timeLabel = measured.timing == gl::Timing::processor ? "processor time of a frame, ms"
+                                                               : "time of a frame, ms";
     for (const Row& row : rows)
         trade.points.push_back(pointOf(row));
     const auto canvas = plotEnding(options.plot) == ".png"

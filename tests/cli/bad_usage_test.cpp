@@ -94,6 +94,17 @@ const BadUsage usages[] = {
     {"BenchAgainstMapSizeWithoutMap",
      {"bench", "IN", "--against", "map-size=512"},
      {"--map-size", "--shadows map"}},
+    {"TradeoffOfNothing", {"tradeoff"}, {"FILE"}},
+    {"TradeoffPlotOfNoKind", {"tradeoff", "IN", "--plot", "OUT"}, {"--plot", ".svg", ".png"}},
+    {"TradeoffBudgetOfZero", {"tradeoff", "IN", "--budget-ms", "0"}, {"--budget-ms", "0"}},
+    {"TradeoffBudgetIsText", {"tradeoff", "IN", "--budget-ms", "fast"}, {"--budget-ms", "fast"}},
+    {"TradeoffWrongNegative",
+     {"tradeoff", "IN", "--max-wrong-percent", "-1"},
+     {"--max-wrong-percent", "-1"}},
+    {"TradeoffOfNoViews", {"tradeoff", "IN", "--views", "0"}, {"--views", "0"}},
+    {"TradeoffAgainstUnknownOption",
+     {"tradeoff", "IN", "--against", "speed=high"},
+     {"--against", "speed"}},
     badRender("AmbientNaN", {"--ambient", "nan"}),
 };
 
