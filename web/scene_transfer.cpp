@@ -92,8 +92,9 @@ void transfer(Archive& archive, Maybe<Batch> auto& batch) {
 }
 
 template <class Archive>
-void transfer(Archive& archive, Maybe<BatchShadow> auto& shadow) {
-    archive(shadow.sides.maxMultiplicity, shadow.sides.records, shadow.caps.records, shadow.groups);
+void transfer(Archive& archive, Maybe<AdaptedShadow> auto& shadow) {
+    archive(shadow.pairs, shadow.singles, shadow.caps, shadow.capTriangles, shadow.groups,
+            shadow.clusters, shadow.edges, shadow.flatPairs);
 }
 
 /// A GLB that has nothing but the images which materials use, at their indices.
@@ -137,8 +138,10 @@ Bytes toTransfer(const LoadedScene& loaded) {
     Bytes bytes;
     Writer writer(bytes);
     writer(charactersOf(loaded.document.path.string()), documentFor(loaded), loaded.scene.batches,
-           loaded.scene.movers, loaded.scene.materials, loaded.shadows, loaded.settings,
-           loaded.scene.warnings.sentences().size());
+           loaded.scene.movers, loaded.scene.materials, loaded.settings);
+    for (const auto& shadow : loaded.adapted)
+        transfer(writer, *shadow);
+    writer(loaded.scene.warnings.sentences().size());
     for (const std::string& sentence : loaded.scene.warnings.sentences())
         writer(charactersOf(sentence));
     return bytes;
@@ -151,7 +154,13 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     Bytes document;
     std::size_t warnings = 0;
     reader(characters, document, loaded.scene.batches, loaded.scene.movers, loaded.scene.materials,
-           loaded.shadows, loaded.settings, warnings);
+           loaded.settings);
+    for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
+        AdaptedShadow shadow;
+        transfer(reader, shadow);
+        loaded.adapted.push_back(std::make_shared<const AdaptedShadow>(std::move(shadow)));
+    }
+    reader(warnings);
     loaded.document = parseGltf(document, textOf(characters));
     for (std::size_t i = 0; i < warnings; ++i) {
         reader(characters);

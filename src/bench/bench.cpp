@@ -20,12 +20,12 @@ struct Contender {
     Contender(const Setting& setting_, const RenderSettings& render,
               const gl::Capabilities& capabilities)
         : setting(setting_), renderer(render, capabilities),
-          volumes(render.shadows == ShadowMethod::volumes ? std::optional(render.layout)
+          volumes(render.shadows == ShadowMethod::volumes ? std::optional(render.records())
                                                           : std::nullopt) {}
 
     const Setting& setting;
     Renderer renderer;
-    std::optional<SidesLayout> volumes; ///< nothing: draws none
+    std::optional<VolumeRecords> volumes; ///< nothing: draws none
     std::vector<double> frameMs, planMs, vertexRuns, repeatMs;
     std::vector<StageMs> stages;
 };
@@ -127,7 +127,7 @@ class Course {
             use(*contenders_[(static_cast<std::size_t>(index) + i) % contenders_.size()]);
     }
 
-    const GpuScene& sceneFor(const std::optional<SidesLayout>& volumes) {
+    const GpuScene& sceneFor(const std::optional<VolumeRecords>& volumes) {
         auto found = scenes_.find(volumes);
         if (found == scenes_.end())
             found = scenes_.emplace(volumes, uploadScene(loaded_, volumes, context_.capabilities()))
@@ -135,7 +135,7 @@ class Course {
         return found->second;
     }
 
-    const std::vector<GroupedShadow>& groupsFor(const std::optional<SidesLayout>& volumes) {
+    const std::vector<GroupedShadow>& groupsFor(const std::optional<VolumeRecords>& volumes) {
         if (!volumes) return noGroups_;
         auto found = groups_.find(*volumes);
         if (found == groups_.end()) {
@@ -198,12 +198,12 @@ class Course {
                           stage(&StageMs::lit)};
         result.planMs = median(contender.planMs);
         result.vertexRuns = static_cast<std::size_t>(median(contender.vertexRuns));
-        const auto count = [&](const ShadowBuffers& shadow) {
-            result.sideBytes += shadow.sideBytes();
-            result.capBytes += shadow.capBytes();
+        const auto count = [&](const BatchVolumes& volumes) {
+            result.sideBytes += volumes.sideBytes();
+            result.capBytes += volumes.bytes() - volumes.sideBytes();
         };
         for (const GpuBatch& batch : sceneFor(contender.volumes).batches)
-            count(batch.shadow);
+            count(batch.volumes);
         for (const GroupedShadow& light : groupsFor(contender.volumes))
             for (const auto& group : light)
                 std::for_each(group.begin(), group.end(), count);
@@ -221,11 +221,11 @@ class Course {
     Box bounds_;
     gl::SpanTimer timer_;
     std::vector<std::unique_ptr<Contender>> contenders_;
-    std::map<std::optional<SidesLayout>, GpuScene> scenes_;
+    std::map<std::optional<VolumeRecords>, GpuScene> scenes_;
     FrameView view_;
     std::vector<Light> lights_; ///< whose layers_ these are
     std::vector<LayerBound> layers_;
-    std::map<SidesLayout, std::vector<GroupedShadow>> groups_; ///< for lights_
+    std::map<VolumeRecords, std::vector<GroupedShadow>> groups_; ///< for lights_
     const std::vector<GroupedShadow> noGroups_;
     double planMs_ = 0.0;
     double layersMs_ = 0.0;

@@ -1,5 +1,6 @@
 #include "src/bench/synthetic_layouts.hpp"
 
+#include "src/render/adapted_volumes.hpp"
 #include "src/render/sides_pass.hpp"
 
 #include <algorithm>
@@ -39,11 +40,67 @@ class PublishedSubject : public SyntheticSubject {
     std::size_t recordsPerEdge_ = 1;
 };
 
+/// The plane of a triangle; where the light is in it exactly, exactly so.
+glm::vec4 planeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+    return glm::vec4(glm::dvec4(normal, -glm::dot(normal, a)));
+}
+
+/// Records of one plane or two (preprocess/adapted_data.hpp), with no flat edges among them.
+class AdaptedSubject : public SyntheticSubject {
+  public:
+    AdaptedSubject(const SyntheticMesh& mesh, SidesLayout layout,
+                   const gl::Capabilities& capabilities)
+        : volumes_(layout, capabilities.instancing, {"DEGENERATE"}),
+          shadow_(std::make_shared<AdaptedShadow>()) {
+        for (const Edge& edge : mesh.edges.edges)
+            addRecords(mesh, edge);
+        const std::size_t edges = mesh.edges.edges.size();
+        pairsPerEdge_ = shadow_->pairs.size() / edges;
+        singlesPerEdge_ = shadow_->singles.size() / edges;
+        shadow_->clusters.emplace_back();
+        buffers_.emplace(shadow_, std::vector<glm::vec4>(), layout);
+    }
+
+    void draw(std::size_t edgeCount) override {
+        ShadowCluster& cluster = shadow_->clusters.front();
+        cluster.pairs.count = static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
+        cluster.singles.count = static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
+        volumes_.drawSides(*buffers_, VolumeDraw{.clusters = {0, 1}}, syntheticLight,
+                           glm::mat4(1.0f));
+    }
+
+  private:
+    /// Triangles in the light's plane come last, so that those of a pair cancel where they should.
+    void addRecords(const SyntheticMesh& mesh, const Edge& edge) {
+        const glm::vec3 &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
+        std::vector<glm::vec4> planes;
+        for (const Opposite& opposite : mesh.edges.oppositesOf(edge))
+            planes.push_back(planeOf(a, b, mesh.positions[opposite.vertex]));
+        std::stable_partition(planes.begin(), planes.end(),
+                              [](const glm::vec4& plane) { return plane.w != 0.0f; });
+        for (std::size_t i = 0; i + 1 < planes.size(); i += 2)
+            shadow_->pairs.push_back({a, b, planes[i], -planes[i + 1]});
+        if (planes.size() % 2 == 1) shadow_->singles.push_back({a, b, planes.back()});
+    }
+
+    AdaptedVolumes volumes_;
+    std::shared_ptr<AdaptedShadow> shadow_;
+    std::optional<AdaptedBuffers> buffers_;
+    std::size_t pairsPerEdge_ = 0;
+    std::size_t singlesPerEdge_ = 0;
+};
+
 } // namespace
 
 std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
                                               const gl::Capabilities& capabilities) {
     std::vector<SyntheticLayout> layouts;
+    const auto addAdapted = [&](const std::string& name, SidesLayout layout) {
+        layouts.push_back({name, [=](const SyntheticMesh& mesh, int) {
+                               return std::make_unique<AdaptedSubject>(mesh, layout, capabilities);
+                           }});
+    };
     const auto addPublished = [&](const std::string& name, SidesLayout layout) {
         layouts.push_back({name, [=](const SyntheticMesh& mesh, int oppositeCount) {
                                return std::make_unique<PublishedSubject>(
@@ -51,9 +108,11 @@ std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
                            }});
     };
     if (capabilities.instancing) {
+        addAdapted("adapted", SidesLayout::instanced);
         addPublished("instanced", SidesLayout::instanced);
         addPublished("multi-draw", SidesLayout::multiDraw);
     }
+    addAdapted("adapted not-instanced", SidesLayout::notInstanced);
     addPublished("not-instanced", SidesLayout::notInstanced);
     return layouts;
 }

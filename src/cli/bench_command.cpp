@@ -57,7 +57,6 @@ std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& sc
 }
 
 void benchScene(const BenchOptions& options) {
-    requireConsistent(options.settings);
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text)});
@@ -103,14 +102,17 @@ void benchScene(const BenchOptions& options) {
 void benchSynthetic(const BenchOptions& options) {
     bench::SyntheticTask task;
     if (options.frames > 0) task.repeats = options.frames;
-    task.method = options.settings.render.multiplicity;
+    task.method = options.settings.multiplicity.value_or(task.method);
+    if (task.method == MultiplicityMethod::plane)
+        throw Error(ExitStatus::usage, "--multiplicity: with --synthetic it is that of the "
+                                       "published layouts, which have no planes.");
     task.timing = options.timing;
     const Countdown countdown;
     const bench::SyntheticReport measured = bench::measureSynthetic(
         task, [&](double share, const std::string& doing) { countdown.show(share, doing); });
     if (measured.device.isSoftware()) printWarnings({softwareWarning(measured.device)});
     printResult(syntheticTable(measured), options.report);
-    writeReport(syntheticJson(measured, options.settings), options.report);
+    writeReport(syntheticJson(measured, task.method), options.report);
 }
 
 /// A synthetic mesh has nothing to see, and nothing else can be asked of it.
@@ -171,7 +173,10 @@ void addBenchCommand(CLI::App& program) {
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
-    verb->callback([options, verb] { bench(*options, *verb); });
+    verb->callback([options, verb] {
+        resolve(options->settings);
+        bench(*options, *verb);
+    });
 }
 
 } // namespace edgeshade::cli

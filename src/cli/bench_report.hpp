@@ -16,7 +16,7 @@ struct BenchSetting {
 /// How the setting is measured.
 bench::Setting toTask(const BenchSetting& setting);
 
-/// `--timing auto|query|finish|processor`; nothing: auto.
+/// `--timing query|finish|processor`; nothing: the best.
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);
 
 /// That figures of this device are those of a processor.

@@ -162,7 +162,7 @@ void addCompareCommand(CLI::App& program) {
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
-        requireConsistent(options->settings);
+        resolve(options->settings);
         compare(*options, views->count() > 0);
     });
 }

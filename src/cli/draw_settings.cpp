@@ -14,9 +14,12 @@ namespace {
 const Choices<ShadowMethod> shadowNames = {
     {"volumes", ShadowMethod::volumes}, {"map", ShadowMethod::map}, {"none", ShadowMethod::none}};
 const Choices<MultiplicityMethod> multiplicityNames = {
+    {"plane", MultiplicityMethod::plane},
     {"reference-edge", MultiplicityMethod::referenceEdge},
     {"three-edge", MultiplicityMethod::threeEdge},
     {"single-edge", MultiplicityMethod::singleEdge}};
+const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::adapted},
+                                           {"published", VolumeLayout::published}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
@@ -79,11 +82,16 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--shadows", settings.render.shadows, shadowNames,
               "How shadows are made (volumes)");
     addMapOptions(verb, settings);
-    addChoice(verb, "--multiplicity", settings.render.multiplicity, multiplicityNames,
-              "How a triangle's facing is decided (reference-edge); single-edge is not robust");
-    addChoice(verb, "--instancing", settings.instancing, instancingNames,
-              "A record an instance, a copy for every vertex, or one draw a side (on where the "
-              "GL can)");
+    addChoice(verb, "--multiplicity", settings.multiplicity, multiplicityNames,
+              "How a triangle's facing is decided (plane; reference-edge with --layout published); "
+              "single-edge is not robust");
+    addChoice(verb, "--layout", settings.layout, layoutNames,
+              "What volumes are drawn from: records of what the scene requires, which hold planes, "
+              "or the published ones of opposite vertices (adapted)");
+    addChoice(
+        verb, "--instancing", settings.instancing, instancingNames,
+        "A record an instance, a copy for every vertex, or one draw a side, as adapted records "
+        "always have (on where the GL can)");
     verb.add_option_function<std::string>(
             "--depth-slices",
             [&settings](const std::string& text) {
@@ -106,7 +114,15 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
         ->type_name("0..1");
 }
 
-void requireConsistent(const DrawSettings& settings) {
+void resolve(DrawSettings& settings) {
+    const bool published = settings.layout == VolumeLayout::published;
+    MultiplicityMethod& method = settings.render.multiplicity;
+    method = settings.multiplicity.value_or(published ? MultiplicityMethod::referenceEdge
+                                                      : MultiplicityMethod::plane);
+    if (settings.layout && settings.render.records().volumes != *settings.layout)
+        throw Error(ExitStatus::usage, std::string("--multiplicity ") +
+                                           nameIn(multiplicityNames, method) + " needs --layout " +
+                                           (published ? "adapted." : "published."));
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
 }
@@ -114,6 +130,9 @@ void requireConsistent(const DrawSettings& settings) {
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     DrawSettings settings = base;
     settings.mapOptions.clear();
+    // Either of the two that is typed here says what the other one is.
+    settings.multiplicity.reset();
+    settings.layout.reset();
     CLI::App parser;
     parser.set_help_flag();
     addDrawOptions(parser, settings);
@@ -133,7 +152,11 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, "--against " + text + ": " + error.what() + ".");
     }
-    requireConsistent(settings);
+    if (!settings.multiplicity && !settings.layout) {
+        settings.multiplicity = base.multiplicity;
+        settings.layout = base.layout;
+    }
+    resolve(settings);
     return settings;
 }
 
@@ -161,6 +184,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     nlohmann::ordered_json json = {
         {"shadows", nameIn(shadowNames, render.shadows)},
+        {"layout", nameIn(layoutNames, render.records().volumes)},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)

@@ -15,6 +15,8 @@ enum class InstancingChoice { automatic, on, off, multiDraw };
 /// How pictures are drawn, as typed: what `--against` can vary.
 struct DrawSettings {
     RenderSettings render;
+    std::optional<MultiplicityMethod> multiplicity; ///< as typed; see resolve()
+    std::optional<VolumeLayout> layout;             ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;      ///< nothing: as many as pay
     std::vector<std::string> mapOptions; ///< those typed that only shadow maps have
@@ -25,8 +27,10 @@ struct DrawSettings {
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Throws Error(usage) for options that another one makes meaningless.
-void requireConsistent(const DrawSettings& settings);
+/// Works out render.multiplicity from what was typed: adapted records hold planes, published ones
+/// opposite vertices, so that layout or method follows from the other. Throws Error(usage) where
+/// they don't go together, and for options that another one makes meaningless.
+void resolve(DrawSettings& settings);
 
 /// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512".
 /// Throws Error(usage).

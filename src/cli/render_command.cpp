@@ -48,7 +48,6 @@ nlohmann::ordered_json planJson(const FrameView& view) {
 }
 
 void render(const RenderOptions& options) {
-    requireConsistent(options.settings);
     Stopwatch watch;
     const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
     const auto& warnings = loaded.scene.warnings.sentences();
@@ -64,10 +63,11 @@ void render(const RenderOptions& options) {
     settings.layout = layoutFor(options.settings.instancing, capabilities);
     Renderer renderer(settings, capabilities);
     const bool volumes = settings.shadows == ShadowMethod::volumes;
-    const GpuScene scene =
-        uploadScene(loaded, volumes ? std::optional(settings.layout) : std::nullopt, capabilities);
+    const GpuScene scene = uploadScene(
+        loaded, volumes ? std::optional(settings.records()) : std::nullopt, capabilities);
     const std::vector<GroupedShadow> groups =
-        volumes ? uploadNeededGroups(loaded, view, settings.layout) : std::vector<GroupedShadow>();
+        volumes ? uploadNeededGroups(loaded, view, settings.records())
+                : std::vector<GroupedShadow>();
     const double loadSeconds = watch.lap();
 
     renderer.draw(scene, view, groups);
@@ -124,7 +124,10 @@ void addRenderCommand(CLI::App& program) {
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
-    verb->callback([options] { render(*options); });
+    verb->callback([options] {
+        resolve(options->settings);
+        render(*options);
+    });
 }
 
 } // namespace edgeshade::cli

@@ -43,7 +43,6 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
 }
 
 void view(const WindowOptions& options) {
-    requireConsistent(options.settings);
     const auto load = [&](const std::filesystem::path& path) {
         LoadedScene loaded = loadScene(path, options.casters.wanted());
         printWarnings(loaded.scene.warnings.sentences());
@@ -93,7 +92,10 @@ void addViewCommand(CLI::App& program) {
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
-    verb->callback([options] { view(*options); });
+    verb->callback([options] {
+        resolve(options->settings);
+        view(*options);
+    });
 }
 #else
 void addViewCommand(CLI::App& program) {

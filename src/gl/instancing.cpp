@@ -23,4 +23,8 @@ void Instancing::drawTriangles(int vertices, int instances) const {
     drawArrays_(GL_TRIANGLES, 0, vertices, instances);
 }
 
+void Instancing::drawTriangleStrips(int vertices, int instances) const {
+    drawArrays_(GL_TRIANGLE_STRIP, 0, vertices, instances);
+}
+
 } // namespace edgeshade::gl

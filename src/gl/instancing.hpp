@@ -16,6 +16,7 @@ class Instancing {
 
     void divisor(unsigned attribute, unsigned value) const { divisor_(attribute, value); }
     void drawTriangles(int vertices, int instances) const;
+    void drawTriangleStrips(int vertices, int instances) const;
 
   private:
     using Divisor = void (*)(unsigned, unsigned);

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<float, 7> mapBiases = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f}; // texels
 constexpr std::size_t tuningViews = 3;
 
-/// The scene on the GPU, in one context, by layout.
+/// The scene on the GPU, in one context, by its records.
 class Studio {
   public:
     Studio(const LoadedScene& loaded, int width, int height)
@@ -26,7 +26,7 @@ class Studio {
 
     std::vector<std::uint8_t> draw(Renderer& renderer, const FrameView& view,
                                    const std::vector<GroupedShadow>& groups) {
-        renderer.draw(sceneFor(renderer.settings().layout), view, groups);
+        renderer.draw(sceneFor(renderer.settings().records()), view, groups);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();
     }
@@ -36,17 +36,17 @@ class Studio {
     }
 
   private:
-    const GpuScene& sceneFor(SidesLayout layout) {
-        auto found = scenes_.find(layout);
+    const GpuScene& sceneFor(VolumeRecords records) {
+        auto found = scenes_.find(records);
         if (found == scenes_.end())
-            found = scenes_.emplace(layout, uploadScene(loaded_, layout, context_.capabilities()))
+            found = scenes_.emplace(records, uploadScene(loaded_, records, context_.capabilities()))
                         .first;
         return found->second;
     }
 
     const LoadedScene& loaded_;
     gl::HeadlessContext context_;
-    std::map<SidesLayout, GpuScene> scenes_;
+    std::map<VolumeRecords, GpuScene> scenes_;
 };
 
 /// One view with its oracle, which all contenders share.
@@ -93,7 +93,7 @@ class Jury {
         FrameView frame = frameWith(depthSlices);
         drawUnshadowed(renderer.settings(), frame);
         const auto groups = renderer.settings().shadows == ShadowMethod::volumes
-                                ? uploadNeededGroups(loaded_, frame, renderer.settings().layout)
+                                ? uploadNeededGroups(loaded_, frame, renderer.settings().records())
                                 : std::vector<GroupedShadow>();
         pictures_.image = studio_.draw(renderer, frame, groups);
         frame.mask = true;

@@ -21,6 +21,20 @@ const gl::Capabilities& requireInstancing(const RenderSettings& settings,
     return capabilities;
 }
 
+/// Counts volumes that begin before a surface and end behind it: by what of them is behind it
+/// (z-fail), or before it (z-pass). A mirroring transform turns every winding over.
+void countInStencil(bool zFail, bool mirrored) {
+    const GLenum front = mirrored ? GL_BACK : GL_FRONT;
+    const GLenum back = mirrored ? GL_FRONT : GL_BACK;
+    if (zFail) {
+        glStencilOpSeparate(front, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+        glStencilOpSeparate(back, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    } else {
+        glStencilOpSeparate(front, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+        glStencilOpSeparate(back, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+    }
+}
+
 } // namespace
 
 BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice) {
@@ -41,23 +55,27 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              SidesLayout layout) {
+                                              VolumeRecords records) {
     std::vector<GroupedShadow> groups(view.layers.size());
     bool needed = false;
     for (std::size_t i = 0; i < view.layers.size(); ++i) {
         const LayerBound& bound = view.layers[i];
         if (bound.groupCount <= 1) continue;
-        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, layout);
+        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, records);
         needed = true;
     }
     return needed ? std::move(groups) : std::vector<GroupedShadow>();
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings), surfaces_(settings.map.pcf),
-      sides_(settings.multiplicity, settings.layout,
-             requireInstancing(settings, capabilities).instancing),
-      caps_(settings.multiplicity, settings.layout, capabilities.instancing) {
+    : settings_(settings), surfaces_(settings.map.pcf) {
+    const auto& instancing = requireInstancing(settings, capabilities).instancing;
+    if (settings.records().volumes == VolumeLayout::adapted) {
+        adapted_.emplace(settings.layout, instancing);
+    } else {
+        sides_.emplace(settings.multiplicity, settings.layout, instancing);
+        caps_.emplace(settings.multiplicity, settings.layout, instancing);
+    }
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
 }
 
@@ -126,12 +144,12 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
         mark_.clear();
         for (const auto& group : *groups) {
             drawVolumes(pass, light,
-                        [&](std::size_t b) -> const ShadowBuffers& { return group[b]; });
+                        [&](std::size_t b) -> const BatchVolumes& { return group[b]; });
             mark_.markCounted();
         }
     } else if (settings_.shadows == ShadowMethod::volumes) {
-        drawVolumes(pass, light, [&](std::size_t b) -> const ShadowBuffers& {
-            return pass.scene.batches[b].shadow;
+        drawVolumes(pass, light, [&](std::size_t b) -> const BatchVolumes& {
+            return pass.scene.batches[b].volumes;
         });
     }
 
@@ -150,7 +168,7 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
     glDisable(GL_STENCIL_TEST);
 }
 
-void Renderer::drawVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf) {
+void Renderer::drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -161,35 +179,54 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const ShadowOfB
     if (pass.clock && pass.clock->wantsSilhouette()) {
         const StageScope stage(pass.clock, FrameStage::silhouette);
         glViewport(0, 0, 1, 1);
-        countVolumes(pass, light, shadowOf);
+        countVolumes(pass, light, volumesOf);
         glViewport(0, 0, pass.view.width, pass.view.height);
     }
     const StageScope stage(pass.clock, FrameStage::volumes);
     glClearStencil(0);
     glClear(GL_STENCIL_BUFFER_BIT);
-    countVolumes(pass, light, shadowOf);
-    for (std::size_t i = 0; i < pass.scene.batches.size(); ++i)
-        if (!pass.scene.batches[i].hidden)
-            vertexRuns_ += shadowOf(i).vertexRuns(pass.scene.materials);
+    vertexRuns_ += countVolumes(pass, light, volumesOf);
 }
 
-void Renderer::countVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf) {
+std::size_t Renderer::countVolumes(const Pass& pass, const Light& light,
+                                   const VolumesOfBatch& volumesOf) {
+    std::size_t runs = 0;
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
         const GpuBatch& batch = pass.scene.batches[i];
         if (batch.hidden) continue;
-        const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
-        // A mirroring transform turns every winding over.
-        const GLenum front = batchView.mirrored ? GL_BACK : GL_FRONT;
-        const GLenum back = batchView.mirrored ? GL_FRONT : GL_BACK;
-        glStencilOpSeparate(front, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-        glStencilOpSeparate(back, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        const ShadowBuffers& shadow = shadowOf(i);
-        sides_.draw(shadow, lightHere, batchView.clipFromObject);
-        const bool nearDiscard = pass.view.nearestDepths[i] <= pass.slice.near;
-        caps_.draw(shadow, pass.scene.materials, pass.scene.textures, lightHere,
-                   batchView.clipFromObject, nearDiscard);
+        runs += adapted_ ? drawAdapted(pass, light, batch, *volumesOf(i).adapted)
+                         : drawPublished(pass, light, i, *volumesOf(i).published);
     }
+    return runs;
+}
+
+std::size_t Renderer::drawAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+                                  const AdaptedBuffers& buffers) {
+    const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
+    const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
+    const PlanView planned = planView(pass.view, pass.slice, light, batch.worldFromBatch);
+    const std::vector<VolumeDraw> draws = planVolumes(buffers.shadow().clusters, planned);
+    for (const VolumeDraw& draw : draws) {
+        countInStencil(draw.zFail, batchView.mirrored);
+        adapted_->drawSides(buffers, draw, lightHere, batchView.clipFromObject);
+        adapted_->drawCaps(buffers, draw, pass.scene.materials, pass.scene.textures, lightHere,
+                           batchView.clipFromObject);
+    }
+    return edgeshade::vertexRuns(buffers.shadow(), draws, pass.scene.materials,
+                                 lightHere.w == 0.0f);
+}
+
+std::size_t Renderer::drawPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
+                                    const ShadowBuffers& shadow) {
+    const GpuBatch& batch = pass.scene.batches[batchIndex];
+    const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
+    const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
+    countInStencil(true, batchView.mirrored);
+    sides_->draw(shadow, lightHere, batchView.clipFromObject);
+    const bool nearDiscard = pass.view.nearestDepths[batchIndex] <= pass.slice.near;
+    caps_->draw(shadow, pass.scene.materials, pass.scene.textures, lightHere,
+                batchView.clipFromObject, nearDiscard);
+    return shadow.vertexRuns(pass.scene.materials);
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/gl/capabilities.hpp"
+#include "src/render/adapted_volumes.hpp"
 #include "src/render/caps_pass.hpp"
 #include "src/render/frame_view.hpp"
 #include "src/render/shadow_map_pass.hpp"
@@ -19,11 +20,19 @@ enum class ShadowMethod { volumes, map, none };
 /// How frames are drawn; fixed for a renderer, but for `ambient`.
 struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
-    MultiplicityMethod multiplicity = MultiplicityMethod::referenceEdge;
+    MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SidesLayout layout = SidesLayout::instanced;
     ShadowMapSettings map; ///< where shadows are maps
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};
+
+    /// What volumes are drawn from: planes are in adapted records, opposite vertices in published
+    /// ones.
+    VolumeRecords records() const {
+        return {multiplicity == MultiplicityMethod::plane ? VolumeLayout::adapted
+                                                          : VolumeLayout::published,
+                layout};
+    }
 };
 
 /// Draws frames by the three passes of the method (section 3): ambient light and depth; for each
@@ -69,12 +78,17 @@ class Renderer {
         bool first; ///< the farthest slice, which clears the picture
         StageClock* clock = nullptr;
     };
-    using ShadowOfBatch = std::function<const ShadowBuffers&(std::size_t)>;
+    using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
 
     void drawDepthAndAmbient(const Pass& pass);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
-    void drawVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf);
-    void countVolumes(const Pass& pass, const Light& light, const ShadowOfBatch& shadowOf);
+    void drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
+    // These return how many vertices went through the shaders.
+    std::size_t countVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
+    std::size_t drawAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+                            const AdaptedBuffers& buffers);
+    std::size_t drawPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
+                              const ShadowBuffers& shadow);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
@@ -84,8 +98,9 @@ class Renderer {
 
     RenderSettings settings_;
     SurfacePass surfaces_;
-    SidesPass sides_;
-    CapsPass caps_;
+    std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
+    std::optional<SidesPass> sides_;        ///< where not
+    std::optional<CapsPass> caps_;          ///< likewise
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
     std::size_t vertexRuns_ = 0;        ///< of the last frame
@@ -93,7 +108,7 @@ class Renderer {
 
 /// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              SidesLayout layout);
+                                              VolumeRecords records);
 
 /// Where the view's camera sees a batch from, drawn with the slice's depth range.
 BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice);

@@ -15,15 +15,6 @@ bool isOpaque(const Material& material) {
     return material.alphaMode == AlphaMode::opaque;
 }
 
-/// Whether the scene's shadow data were made with MASK and BLEND surfaces as casters.
-bool masksCastIn(const GpuScene& scene) {
-    return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const GpuBatch& batch) {
-        return std::any_of(
-            batch.shadow.groups.begin(), batch.shadow.groups.end(),
-            [&](const CasterGroup& group) { return !isOpaque(scene.materials[group.material]); });
-    });
-}
-
 bool hasSurfaces(const GpuScene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(),
                        [](const GpuBatch& batch) { return !batch.surfaces.empty(); });
@@ -90,7 +81,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
     const ShadowMapTarget& map = target(kind);
     const Box fitted = bounds.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : bounds;
     const ShadowMapView view = shadowMapView(light, fitted, settings_, map.depthBits());
-    const bool masksCast = masksCastIn(scene);
+    const bool masksCast = scene.castMasked;
     Subject subject = subjectOf(scene, fitted, light);
     vertexRuns_ = 0;
     if (drawn_[kind] != subject) {

@@ -1,45 +1,119 @@
 #include "src/scene/gpu_scene.hpp"
 
+#include <algorithm>
+
 namespace edgeshade {
+namespace {
+
+/// What of a batch casts, welded; found anew only where casters may have holes.
+struct HoleSource {
+    Casters casters;
+    CasterMesh mesh;
+};
+
+std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& batch) {
+    if (!loaded.settings.castMasked) return std::nullopt;
+    HoleSource source{castersOf(batch, loaded.scene.materials, true), {}};
+    source.mesh = weldCasters(batch, source.casters);
+    return source;
+}
+
+/// Shadow data of every batch in its group, by the layout.
+std::vector<BatchVolumes> uploadGroup(const LoadedScene& loaded,
+                                      const std::vector<GroupTopology>& topology,
+                                      VolumeRecords records) {
+    const Scene& scene = loaded.scene;
+    std::uint32_t largest = 0;
+    for (const GroupTopology& of : topology)
+        largest = std::max(largest, of.edges.largestOppositeCount());
+    std::vector<BatchVolumes> group;
+    for (std::size_t i = 0; i < topology.size(); ++i) {
+        const auto& [casters, mesh, edges] = topology[i];
+        const Batch& batch = scene.batches[i];
+        const bool holes = loaded.settings.castMasked;
+        BatchVolumes& volumes = group.emplace_back();
+        if (records.volumes == VolumeLayout::adapted) {
+            auto shadow =
+                std::make_shared<const AdaptedShadow>(buildAdapted(mesh, edges, scene.materials));
+            volumes.adapted.emplace(
+                shadow, holes ? capHoles(batch, casters, mesh, *shadow) : std::vector<glm::vec4>(),
+                records.layout);
+        } else {
+            const BatchShadow shadow{
+                buildSides(mesh.welded.positions, edges, recordMultiplicityFor(largest)),
+                buildCaps(mesh.welded), mesh.groups};
+            volumes.published = uploadShadow(
+                shadow, holes ? capHoles(batch, casters, mesh) : std::vector<glm::vec4>(),
+                records.layout);
+        }
+    }
+    return group;
+}
+
+void addAdapted(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
+    for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
+        const Batch& batch = loaded.scene.batches[i];
+        const auto& shadow = loaded.adapted[i];
+        const auto source = holeSource(loaded, batch);
+        gpu.batches[i].volumes.adapted.emplace(
+            shadow,
+            source ? capHoles(batch, source->casters, source->mesh, *shadow)
+                   : std::vector<glm::vec4>(),
+            layout);
+    }
+}
+
+void addPublished(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
+    std::vector<BatchShadow> made;
+    if (loaded.shadows.empty()) made = buildShadows(loaded.scene, loaded.settings.castMasked);
+    const std::vector<BatchShadow>& shadows = loaded.shadows.empty() ? made : loaded.shadows;
+    for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
+        const Batch& batch = loaded.scene.batches[i];
+        const auto source = holeSource(loaded, batch);
+        gpu.batches[i].volumes.published = uploadShadow(
+            shadows[i],
+            source ? capHoles(batch, source->casters, source->mesh) : std::vector<glm::vec4>(),
+            layout);
+    }
+}
+
+} // namespace
 
 std::size_t GpuScene::shadowBytes() const {
     std::size_t total = 0;
     for (const GpuBatch& batch : batches)
-        total += batch.shadow.bytes();
+        total += batch.volumes.bytes();
     return total;
 }
 
-GpuScene uploadScene(const LoadedScene& loaded, std::optional<SidesLayout> volumes,
+GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities) {
     const Scene& scene = loaded.scene;
-    GpuScene gpu{{}, scene.materials, Textures(loaded.document, scene.materials, capabilities)};
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        const Batch& batch = scene.batches[i];
-        GpuBatch& uploaded = gpu.batches.emplace_back();
-        uploaded.worldFromBatch = batch.worldFromBatch;
-        uploaded.surfaces = uploadSurfaces(batch);
-        uploaded.shadow.groups = loaded.shadows[i].groups; // they tell maps what casts
-        if (!volumes) continue;
-        std::vector<glm::vec4> holes;
-        if (loaded.settings.castMasked) {
-            const Casters casters = castersOf(batch, scene.materials, true);
-            holes = capHoles(batch, casters, weldCasters(batch, casters));
-        }
-        uploaded.shadow = uploadShadow(loaded.shadows[i], holes, *volumes);
-    }
+    GpuScene gpu{{},
+                 scene.materials,
+                 Textures(loaded.document, scene.materials, capabilities),
+                 loaded.settings.castMasked};
+    for (const Batch& batch : scene.batches)
+        gpu.batches.push_back({batch.worldFromBatch, false, uploadSurfaces(batch), {}});
+    if (records) addVolumes(gpu, loaded, *records);
     return gpu;
 }
 
+void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records) {
+    if (gpu.batches.empty()) return;
+    const BatchVolumes& there = gpu.batches.front().volumes;
+    if (records.volumes == VolumeLayout::adapted && !there.adapted)
+        addAdapted(gpu, loaded, records.layout);
+    if (records.volumes == VolumeLayout::published && !there.published)
+        addPublished(gpu, loaded, records.layout);
+}
+
 GroupedShadow uploadGroups(const LoadedScene& loaded, std::span<const std::uint32_t> groupOf,
-                           std::size_t groupCount, SidesLayout layout) {
+                           std::size_t groupCount, VolumeRecords records) {
     GroupedShadow groups;
-    for (std::uint32_t g = 0; g < groupCount; ++g) {
-        const CasterGroupShadow built =
-            groupShadow(loaded.scene, loaded.settings.castMasked, groupOf, g);
-        auto& group = groups.emplace_back();
-        for (std::size_t i = 0; i < built.shadows.size(); ++i)
-            group.push_back(uploadShadow(built.shadows[i], built.holes[i], layout));
-    }
+    for (std::uint32_t g = 0; g < groupCount; ++g)
+        groups.push_back(uploadGroup(
+            loaded, groupTopology(loaded.scene, loaded.settings.castMasked, groupOf, g), records));
     return groups;
 }
 

@@ -21,28 +21,20 @@ Casters castersInGroup(const Casters& casters, std::span<const std::uint32_t> gr
 
 } // namespace
 
-CasterGroupShadow groupShadow(const Scene& scene, bool castMasked,
-                              std::span<const std::uint32_t> groupOf, std::uint32_t group) {
-    std::vector<BatchTopology> topology;
-    std::vector<Casters> castersOfBatch;
+std::vector<GroupTopology> groupTopology(const Scene& scene, bool castMasked,
+                                         std::span<const std::uint32_t> groupOf,
+                                         std::uint32_t group) {
+    std::vector<GroupTopology> topology;
     std::size_t first = 0;
     for (const Batch& batch : scene.batches) {
         const Casters all = castersOf(batch, scene.materials, castMasked);
-        castersOfBatch.push_back(castersInGroup(all, groupOf, first, group));
+        GroupTopology& built = topology.emplace_back();
+        built.casters = castersInGroup(all, groupOf, first, group);
         first += all.indices.size() / 3;
-        BatchTopology& built = topology.emplace_back();
-        built.mesh = weldCasters(batch, castersOfBatch.back());
+        built.mesh = weldCasters(batch, built.casters);
         built.edges = buildEdges(built.mesh.welded);
     }
-    CasterGroupShadow result;
-    const int maxMultiplicity = sceneMultiplicity(topology);
-    for (std::size_t i = 0; i < topology.size(); ++i) {
-        result.shadows.push_back(buildShadow(topology[i], maxMultiplicity));
-        result.holes.push_back(castMasked
-                                   ? capHoles(scene.batches[i], castersOfBatch[i], topology[i].mesh)
-                                   : std::vector<glm::vec4>());
-    }
-    return result;
+    return topology;
 }
 
 } // namespace edgeshade

@@ -36,14 +36,26 @@ LoadedScene loadScene(const std::filesystem::path& path,
     enter(LoadStage::shadows);
     if (usePacked) {
         loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
-    } else {
-        if (header)
-            loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
-                                      "data are made anew.");
-        loaded.shadows = buildShadows(loaded.scene, loaded.settings.castMasked);
+    } else if (header) {
+        loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
+                                  "data are made anew.");
     }
+    loaded.adapted = buildAdapted(loaded.scene, loaded.settings.castMasked);
     return loaded;
 }
+
+namespace {
+
+/// (u, v, alpha of the vertex colour, 0) of a corner of a welded triangle.
+glm::vec4 holesAt(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
+                  std::size_t triangle, std::size_t corner) {
+    const std::uint32_t vertex = casters.indices[3 * mesh.welded.source[triangle] + corner];
+    // Rounded as the surfaces' colours are.
+    const float alpha = std::round(batch.colors[vertex].a * 255.0f) / 255.0f;
+    return {batch.texcoords[vertex], alpha, 0.0f};
+}
+
+} // namespace
 
 std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters,
                                 const CasterMesh& mesh) {
@@ -54,13 +66,22 @@ std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters,
         std::array<std::size_t, 3> corners = {0, 1, 2};
         std::sort(corners.begin(), corners.end(),
                   [&](std::size_t a, std::size_t b) { return triangle[a] < triangle[b]; });
-        for (const std::size_t corner : corners) {
-            const std::uint32_t vertex = casters.indices[3 * mesh.welded.source[t] + corner];
-            // Rounded as the surfaces' colours are.
-            const float alpha = std::round(batch.colors[vertex].a * 255.0f) / 255.0f;
-            holes.emplace_back(batch.texcoords[vertex], alpha, 0.0f);
-        }
+        for (const std::size_t corner : corners)
+            holes.push_back(holesAt(batch, casters, mesh, t, corner));
     }
+    return holes;
+}
+
+std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
+                                const AdaptedShadow& shadow) {
+    std::vector<glm::vec4> holes;
+    const bool needed = std::any_of(shadow.clusters.begin(), shadow.clusters.end(),
+                                    [](const ShadowCluster& cluster) { return cluster.holes; });
+    if (!needed) return holes;
+    holes.reserve(3 * shadow.capTriangles.size());
+    for (const std::uint32_t triangle : shadow.capTriangles)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            holes.push_back(holesAt(batch, casters, mesh, triangle, corner));
     return holes;
 }
 

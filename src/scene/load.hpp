@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/adapted_data.hpp"
 #include "preprocess/shadow_extension.hpp"
 
 #include <functional>
@@ -11,7 +12,8 @@ namespace edgeshade {
 struct LoadedScene {
     GltfDocument document;
     Scene scene;
-    std::vector<BatchShadow> shadows; ///< one a batch
+    std::vector<std::shared_ptr<const AdaptedShadow>> adapted; ///< one a batch
+    std::vector<BatchShadow> shadows; ///< the published layout where the file has it; or empty
     CasterSettings settings;
 };
 
@@ -28,8 +30,13 @@ LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted,
                       const std::function<void(LoadStage)>& onStage = {});
 
-/// What tells the holes of a batch's caps: three vec4s a cap, one a corner of the sorted triangle,
-/// (u, v, alpha of the vertex colour, 0).
+/// What tells the holes of a batch's published caps: three vec4s a cap, one a corner of the sorted
+/// triangle, (u, v, alpha of the vertex colour, 0).
 std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters, const CasterMesh& mesh);
+
+/// The same of adapted caps, in their order and of their corners as they are wound; empty where
+/// nothing has holes.
+std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
+                                const AdaptedShadow& shadow);
 
 } // namespace edgeshade

@@ -8,24 +8,25 @@
 namespace edgeshade::viewer {
 namespace {
 
-GroupedShadow groupsFor(const Light& light, const LoadedScene& loaded, SidesLayout layout) {
+GroupedShadow groupsFor(const Light& light, const LoadedScene& loaded, VolumeRecords records) {
     const LayerBound bound =
         boundLayers(loaded.scene, loaded.settings.castMasked, light, stencilLimit);
     if (bound.groupCount <= 1) return {};
-    return uploadGroups(loaded, bound.groupOf, bound.groupCount, layout);
+    return uploadGroups(loaded, bound.groupOf, bound.groupCount, records);
 }
 
 } // namespace
 
 const std::vector<GroupedShadow>& CasterGroups::of(const std::vector<Light>& lights,
-                                                   const LoadedScene& loaded, SidesLayout layout) {
+                                                   const LoadedScene& loaded,
+                                                   VolumeRecords records) {
     std::vector<glm::dvec4> places;
     std::vector<GroupedShadow> groups;
     for (const Light& light : lights) {
         places.push_back(light.position);
         const auto kept = std::find(lights_.begin(), lights_.end(), light.position);
         if (kept == lights_.end()) {
-            groups.push_back(groupsFor(light, loaded, layout));
+            groups.push_back(groupsFor(light, loaded, records));
             continue;
         }
         groups.push_back(std::move(groups_[static_cast<std::size_t>(kept - lights_.begin())]));
@@ -34,11 +35,6 @@ const std::vector<GroupedShadow>& CasterGroups::of(const std::vector<Light>& lig
     lights_ = std::move(places);
     groups_ = std::move(groups);
     return groups_;
-}
-
-void CasterGroups::forget() {
-    lights_.clear();
-    groups_.clear();
 }
 
 } // namespace edgeshade::viewer

@@ -14,10 +14,7 @@ class CasterGroups {
     /// The groups as Renderer::draw() wants them. Those of lights that have not moved since the
     /// last call are there already.
     const std::vector<GroupedShadow>& of(const std::vector<Light>& lights,
-                                         const LoadedScene& loaded, SidesLayout layout);
-
-    /// The scene has moved: what is kept is no longer true.
-    void forget();
+                                         const LoadedScene& loaded, VolumeRecords records);
 
   private:
     std::vector<glm::dvec4> lights_;

@@ -7,7 +7,7 @@ Renderers::Key Renderers::keyOf(const SideSettings& side) {
     const bool map = side.shadows == ShadowMethod::map;
     const bool volumes = side.shadows == ShadowMethod::volumes;
     return {side.shadows, map ? side.mapSize : 0,
-            volumes ? side.multiplicity : MultiplicityMethod::referenceEdge};
+            volumes ? side.multiplicity : MultiplicityMethod::plane};
 }
 
 Renderer& Renderers::of(const SideSettings& side, float ambient) {

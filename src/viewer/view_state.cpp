@@ -20,8 +20,9 @@ using Words = std::array<std::pair<const char*, Value>, N>;
 
 constexpr Words<ShadowMethod, 3> shadowWords = {
     {{"volumes", ShadowMethod::volumes}, {"map", ShadowMethod::map}, {"none", ShadowMethod::none}}};
-constexpr Words<MultiplicityMethod, 3> multiplicityWords = {
-    {{"reference-edge", MultiplicityMethod::referenceEdge},
+constexpr Words<MultiplicityMethod, 4> multiplicityWords = {
+    {{"plane", MultiplicityMethod::plane},
+     {"reference-edge", MultiplicityMethod::referenceEdge},
      {"three-edge", MultiplicityMethod::threeEdge},
      {"single-edge", MultiplicityMethod::singleEdge}}};
 constexpr Words<DebugView, 2> debugWords = {

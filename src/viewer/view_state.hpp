@@ -11,7 +11,7 @@ namespace edgeshade::viewer {
 struct SideSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     int mapSize = 2048;
-    MultiplicityMethod multiplicity = MultiplicityMethod::referenceEdge;
+    MultiplicityMethod multiplicity = MultiplicityMethod::plane;
 };
 
 enum class DebugView {

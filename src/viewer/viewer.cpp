@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <GLES2/gl2.h>
+#include <map>
 
 namespace edgeshade::viewer {
 namespace {
@@ -42,13 +43,20 @@ struct Viewer::Parts {
             return *tint;
         }
 
+        VolumeRecords recordsOf(const SideSettings& side) const {
+            RenderSettings settings;
+            settings.multiplicity = side.multiplicity;
+            settings.layout = layout;
+            return settings.records();
+        }
+
         gl::Capabilities capabilities;
         SidesLayout layout;
         Renderers renderers;
         OverlayPass overlay;
         std::unique_ptr<VolumeTintPass> tint; ///< made when it is first asked for
-        MultiplicityMethod tintMethod = MultiplicityMethod::referenceEdge;
-        CasterGroups groups;
+        MultiplicityMethod tintMethod = MultiplicityMethod::plane;
+        std::map<VolumeRecords, CasterGroups> groups;
         std::optional<GpuScene> scene;
     };
 
@@ -66,12 +74,13 @@ struct Viewer::Parts {
     std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< of that light
 
     std::unique_ptr<Gpu> makeGpu(const gl::Capabilities& capabilities) const;
+    void addVolumesFor(const ViewState& of, Gpu& on) const;
     void adopt(const ViewState& next);
     void applyPose();
     void sceneMoved();
     void draw();
-    void drawSide(const SideSettings& side, const FrameView& view,
-                  const std::vector<GroupedShadow>& groups);
+    void drawSide(const SideSettings& side, const FrameView& view);
+    const std::vector<GroupedShadow>& groupsFor(const SideSettings& side);
     const EdgeCounts& edgesNow();
 };
 
@@ -80,8 +89,19 @@ Viewer::Parts::makeGpu(const gl::Capabilities& capabilities) const {
     RenderSettings render = settings.render;
     render.layout = settings.layout.value_or(bestLayout(capabilities));
     auto made = std::make_unique<Gpu>(capabilities, render);
-    if (loaded) made->scene = uploadScene(*loaded, render.layout, capabilities);
+    if (loaded) {
+        made->scene = uploadScene(*loaded, made->recordsOf(state.left), capabilities);
+        addVolumesFor(state, *made);
+    }
     return made;
+}
+
+/// Uploads the layouts of shadow data that the state draws from, where they aren't there yet.
+void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
+    if (!loaded || !on.scene) return;
+    for (const SideSettings* side : {&of.left, &of.right})
+        if (side->shadows == ShadowMethod::volumes && (side == &of.left || of.split))
+            addVolumes(*on.scene, *loaded, on.recordsOf(*side));
 }
 
 /// Makes what the next state needs before it becomes the state, so that a refusal changes nothing.
@@ -90,6 +110,7 @@ void Viewer::Parts::adopt(const ViewState& next) {
         gpu->renderers.of(next.left, next.ambient);
         if (next.split) gpu->renderers.of(next.right, next.ambient);
         gpu->renderers.dropUnusedMaps(next);
+        addVolumesFor(next, *gpu);
     }
     const bool posed = next.time != state.time;
     state = next;
@@ -117,7 +138,7 @@ void Viewer::Parts::applyPose() {
 void Viewer::Parts::sceneMoved() {
     stage.bounds = worldBounds(loaded->scene);
     edgeCounts.reset();
-    if (gpu) gpu->groups.forget();
+    if (gpu) gpu->groups.clear();
     dirty = true;
 }
 
@@ -128,9 +149,16 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
     return edgeCounts->second;
 }
 
-void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
-                             const std::vector<GroupedShadow>& groups) {
-    gpu->renderers.of(side, state.ambient).draw(*gpu->scene, view, groups);
+/// The casters in groups that a stencil can count, kept from frame to frame.
+const std::vector<GroupedShadow>& Viewer::Parts::groupsFor(const SideSettings& side) {
+    static const std::vector<GroupedShadow> none;
+    if (side.shadows != ShadowMethod::volumes) return none;
+    const VolumeRecords records = gpu->recordsOf(side);
+    return gpu->groups[records].of(state.lights, *loaded, records);
+}
+
+void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view) {
+    gpu->renderers.of(side, state.ambient).draw(*gpu->scene, view, groupsFor(side));
     if (state.debug == DebugView::volumes && side.shadows == ShadowMethod::volumes)
         gpu->tintOf(side.multiplicity).draw(*gpu->scene, view, state.lights[state.chosenLight]);
 }
@@ -144,21 +172,19 @@ void Viewer::Parts::draw() {
     request.lights = state.lights;
     request.depth = settings.depth;
     const FrameView view = makeFrameView(*loaded, request, stage.bounds);
-    const bool volumes = state.left.shadows == ShadowMethod::volumes ||
-                         (state.split && state.right.shadows == ShadowMethod::volumes);
-    const std::vector<GroupedShadow> none;
-    const auto& groups = volumes ? gpu->groups.of(state.lights, *loaded, gpu->layout) : none;
+    groupsFor(state.left);
+    if (state.split) groupsFor(state.right);
     const double planSeconds = watch.lap();
 
     if (!state.split) {
-        drawSide(state.left, view, groups);
+        drawSide(state.left, view);
     } else {
         const int at = static_cast<int>(std::lround(state.splitAt * stage.width));
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, at, stage.height);
-        if (at > 0) drawSide(state.left, view, groups);
+        if (at > 0) drawSide(state.left, view);
         glScissor(at, 0, stage.width - at, stage.height);
-        if (at < stage.width) drawSide(state.right, view, groups);
+        if (at < stage.width) drawSide(state.right, view);
         glDisable(GL_SCISSOR_TEST);
         gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
     }
@@ -185,12 +211,17 @@ void Viewer::show(LoadedScene scene) {
     Parts& parts = *parts_;
     std::optional<Animation> animation = readAnimation(scene.document, scene.scene.warnings);
     std::optional<GpuScene> uploaded;
-    if (parts.gpu) uploaded = uploadScene(scene, parts.gpu->layout, parts.gpu->capabilities);
+    if (parts.gpu)
+        uploaded =
+            uploadScene(scene, parts.gpu->recordsOf(parts.state.left), parts.gpu->capabilities);
     parts.loaded = std::move(scene);
     parts.animation = std::move(animation);
     parts.state.time = 0.0;
     parts.state.playing = false;
-    if (parts.gpu) parts.gpu->scene = std::move(uploaded);
+    if (parts.gpu) {
+        parts.gpu->scene = std::move(uploaded);
+        parts.addVolumesFor(parts.state, *parts.gpu);
+    }
     parts.interaction = Interaction();
     parts.sceneMoved();
     parts.state = framed(parts.state, parts.stage);

@@ -63,7 +63,7 @@ struct FrameStats {
     std::size_t triangles = 0;
     std::size_t edges = 0;
     std::size_t records = 0;
-    std::size_t silhouettes = 0; ///< edges with non-zero multiplicity for the chosen light
+    std::size_t silhouettes = 0; ///< records with non-zero multiplicity for the chosen light
     std::size_t shadowBytes = 0;
     std::size_t mapBytes = 0;
 };

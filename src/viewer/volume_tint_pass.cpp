@@ -7,9 +7,31 @@
 namespace edgeshade::viewer {
 
 VolumeTintPass::VolumeTintPass(MultiplicityMethod method, SidesLayout layout,
-                               std::optional<gl::Instancing> instancing)
-    : sides_(method, layout, instancing, {"TINT vec4(1.0, 0.5, 0.1, 0.10)"}),
-      caps_(method, layout, instancing, {"TINT vec4(0.15, 0.4, 1.0, 0.10)"}) {}
+                               std::optional<gl::Instancing> instancing) {
+    const std::vector<std::string> orange = {"TINT vec4(1.0, 0.5, 0.1, 0.10)"};
+    const std::vector<std::string> blue = {"TINT vec4(0.15, 0.4, 1.0, 0.10)"};
+    if (method == MultiplicityMethod::plane) {
+        adapted_.emplace(layout, instancing, orange, blue);
+    } else {
+        sides_.emplace(method, layout, instancing, orange);
+        caps_.emplace(method, layout, instancing, blue);
+    }
+}
+
+void VolumeTintPass::drawAdapted(const GpuBatch& batch, const GpuScene& scene,
+                                 const FrameView& view, const DepthSlice& slice, const Light& light,
+                                 const glm::mat4& clipFromObject) {
+    const AdaptedBuffers& buffers = *batch.volumes.adapted;
+    const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
+    const PlanView planned = planView(view, slice, light, batch.worldFromBatch);
+    for (const VolumeDraw& draw : planVolumes(buffers.shadow().clusters, planned)) {
+        adapted_->drawSides(buffers, draw, lightHere, clipFromObject);
+        glDisable(GL_DEPTH_TEST);
+        adapted_->drawCaps(buffers, draw, scene.materials, scene.textures, lightHere,
+                           clipFromObject);
+        glEnable(GL_DEPTH_TEST);
+    }
+}
 
 void VolumeTintPass::draw(const GpuScene& scene, const FrameView& view, const Light& light) {
     const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
@@ -39,11 +61,15 @@ void VolumeTintPass::draw(const GpuScene& scene, const FrameView& view, const Li
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const GpuBatch& batch = scene.batches[i];
         if (batch.hidden) continue;
+        if (adapted_) {
+            drawAdapted(batch, scene, view, whole, light, batchViews[i].clipFromObject);
+            continue;
+        }
         const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        sides_.draw(batch.shadow, lightHere, batchViews[i].clipFromObject);
+        sides_->draw(*batch.volumes.published, lightHere, batchViews[i].clipFromObject);
         glDisable(GL_DEPTH_TEST);
-        caps_.draw(batch.shadow, scene.materials, scene.textures, lightHere,
-                   batchViews[i].clipFromObject, false);
+        caps_->draw(*batch.volumes.published, scene.materials, scene.textures, lightHere,
+                    batchViews[i].clipFromObject, false);
         glEnable(GL_DEPTH_TEST);
     }
     glDisable(GL_BLEND);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/render/adapted_volumes.hpp"
 #include "src/render/caps_pass.hpp"
 #include "src/render/frame_view.hpp"
 #include "src/render/sides_pass.hpp"
@@ -8,7 +9,8 @@
 namespace edgeshade::viewer {
 
 /// A debug view: tints the picture by one light's shadow volumes, sides orange where they stand in
-/// front of what is visible, caps blue wherever they are drawn (all of them lie at infinity).
+/// front of what is visible, caps blue wherever they are drawn (all of them lie at infinity;
+/// volumes that are counted without caps have none).
 class VolumeTintPass {
   public:
     /// `instancing` must be there unless the layout is notInstanced.
@@ -20,9 +22,13 @@ class VolumeTintPass {
     void draw(const GpuScene& scene, const FrameView& view, const Light& light);
 
   private:
+    void drawAdapted(const GpuBatch& batch, const GpuScene& scene, const FrameView& view,
+                     const DepthSlice& slice, const Light& light, const glm::mat4& clipFromObject);
+
     SurfacePass surfaces_;
-    SidesPass sides_;
-    CapsPass caps_;
+    std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
+    std::optional<SidesPass> sides_;        ///< where not
+    std::optional<CapsPass> caps_;          ///< likewise
 };
 
 } // namespace edgeshade::viewer

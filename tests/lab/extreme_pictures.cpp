@@ -20,17 +20,19 @@ void coarsenDepth(int bits, const gl::Capabilities& capabilities) {
 
 } // namespace
 
-lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene, double& near) {
+lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
+                           MultiplicityMethod method, double& near) {
     const gl::HeadlessContext context({extreme.width, extreme.height, 0, extreme.depthBits});
     const gl::Capabilities& capabilities = context.capabilities();
     coarsenDepth(extreme.depthBits, capabilities);
     RenderSettings shadows, plain;
+    shadows.multiplicity = method;
     shadows.layout = plain.layout = bestLayout(capabilities);
     plain.shadows = ShadowMethod::none;
     FrameView frame = makeFrameView(
         scene, {extreme.camera, extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
-    const GpuScene gpu = uploadScene(scene, shadows.layout, capabilities);
+    const GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
     const auto draw = [&](const RenderSettings& settings,
                           const std::vector<GroupedShadow>& groups = {}) {
         Renderer(settings, capabilities).draw(gpu, frame, groups);
@@ -40,7 +42,7 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene, dou
 
     lab::Pictures pictures;
     {
-        const auto groups = uploadNeededGroups(scene, frame, shadows.layout);
+        const auto groups = uploadNeededGroups(scene, frame, shadows.records());
         pictures.image = draw(shadows, groups);
         frame.mask = true;
         pictures.mask = draw(shadows, groups);

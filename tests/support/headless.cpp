@@ -10,15 +10,15 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
                                     RenderSettings settings, bool castMasked) {
     const gl::HeadlessContext context({test.width, test.height});
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
-    const LoadedScene loaded{{}, scene, buildShadows(scene, castMasked), {0.0, castMasked}};
+    const LoadedScene loaded{{}, scene, buildAdapted(scene, castMasked), {}, {0.0, castMasked}};
     FrameView view =
         makeFrameView(loaded, {test.camera, test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;
     view.drawnLights = test.drawnLights;
     if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);
-    const GpuScene gpu = uploadScene(loaded, settings.layout, context.capabilities());
+    const GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
-    renderer.draw(gpu, view, uploadNeededGroups(loaded, view, settings.layout));
+    renderer.draw(gpu, view, uploadNeededGroups(loaded, view, settings.records()));
     gl::requireNoError("drawing a test scene");
     return context.readPixels();
 }

@@ -9,7 +9,9 @@
 
 namespace edgeshade::shader_arithmetic {
 
+using glm::clamp;
 using glm::sign;
+using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 
@@ -32,6 +34,10 @@ struct SingleEdge {
 #include "shaders_es2/multiplicity.glsl"
 };
 #undef MULTIPLICITY_SINGLE_EDGE
+
+struct Plane {
+#include "shaders_es2/plane_side.glsl"
+};
 
 #pragma GCC diagnostic pop
 

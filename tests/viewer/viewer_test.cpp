@@ -22,7 +22,7 @@ constexpr int height = 120;
 
 LoadedScene yardScene() {
     const Scene scene = test::yard().scene();
-    return {{}, scene, buildShadows(scene, false), {}};
+    return {{}, scene, buildAdapted(scene, false), {}, {}};
 }
 
 /// A viewer with the yard in a context of its own, without handles.
@@ -231,7 +231,7 @@ LoadedScene movingScene(const std::string& path, const std::vector<float>& value
     LoadedScene loaded;
     loaded.document = parseGltf(gltf.glb(), "moving.glb");
     loaded.scene = flattenScene(loaded.document, 0.0);
-    loaded.shadows = buildShadows(loaded.scene, false);
+    loaded.adapted = buildAdapted(loaded.scene, false);
     return loaded;
 }
 

@@ -1,0 +1,100 @@
+#include "preprocess/adapted_data.hpp"
+
+#include "preprocess/clustering.hpp"
+#include "preprocess/opposite_pairs.hpp"
+#include "preprocess/triangle_planes.hpp"
+
+namespace edgeshade {
+namespace {
+
+/// Puts records in the order of clusters.
+class Emitter {
+  public:
+    Emitter(const CasterMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes)
+        : mesh_(mesh.welded), edges_(edges), planes_(planes) {}
+
+    void emitEdge(const Edge& edge, AdaptedShadow& shadow) {
+        const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
+        ++shadow.edges;
+        pairUp(mesh_, edges_, edge, planes_, paired_);
+        for (const OppositePair& pair : paired_) {
+            if (!pair.second)
+                shadow.singles.push_back({a, b, pair.first});
+            else if (pair.first == *pair.second)
+                ++shadow.flatPairs;
+            else
+                shadow.pairs.push_back({a, b, pair.first, *pair.second});
+        }
+    }
+
+    void emitCap(std::uint32_t triangle, AdaptedShadow& shadow) const {
+        const Triangle& corners = mesh_.triangles[triangle];
+        shadow.caps.push_back({mesh_.positions[corners[0]], mesh_.positions[corners[1]],
+                               mesh_.positions[corners[2]], planes_[triangle]});
+        shadow.capTriangles.push_back(triangle);
+    }
+
+  private:
+    const WeldedMesh& mesh_;
+    const EdgeList& edges_;
+    const std::vector<glm::vec4>& planes_;
+    std::vector<OppositePair> paired_;
+};
+
+RecordRange rangeSince(std::size_t first, std::size_t end) {
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first)};
+}
+
+/// The caps of `triangles`, which are in order, by material where it matters.
+void addGroups(const CasterMesh& mesh, const std::vector<std::uint32_t>& triangles, bool holes,
+               std::uint32_t firstCap, std::vector<CasterGroup>& groups) {
+    std::size_t group = 0;
+    const std::size_t firstGroup = groups.size();
+    for (const std::uint32_t triangle : triangles) {
+        while (triangle >= mesh.groups[group].firstCap + mesh.groups[group].capCount)
+            ++group;
+        const std::size_t material = mesh.groups[group].material;
+        const bool same =
+            groups.size() > firstGroup && (!holes || groups.back().material == material);
+        if (!same) groups.push_back({material, firstCap, 0});
+        ++groups.back().capCount;
+        ++firstCap;
+    }
+}
+
+} // namespace
+
+AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
+                           const std::vector<Material>& materials) {
+    const std::vector<glm::vec4> planes = trianglePlanes(mesh.welded, edges);
+    Emitter emitter(mesh, edges, planes);
+    AdaptedShadow shadow;
+    for (const TriangleCluster& cluster : clusterTrianglesOf(mesh, edges, materials)) {
+        const std::size_t pairs = shadow.pairs.size(), singles = shadow.singles.size(),
+                          caps = shadow.caps.size(), groups = shadow.groups.size();
+        for (const std::uint32_t edge : cluster.edges)
+            emitter.emitEdge(edges.edges[edge], shadow);
+        for (const std::uint32_t triangle : cluster.triangles)
+            emitter.emitCap(triangle, shadow);
+        addGroups(mesh, cluster.triangles, cluster.holes, static_cast<std::uint32_t>(caps),
+                  shadow.groups);
+        shadow.clusters.push_back(
+            {cluster.bounds, cluster.closed, cluster.holes, rangeSince(pairs, shadow.pairs.size()),
+             rangeSince(singles, shadow.singles.size()), rangeSince(caps, shadow.caps.size()),
+             rangeSince(groups, shadow.groups.size())});
+    }
+    return shadow;
+}
+
+std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene,
+                                                               bool castMasked) {
+    std::vector<std::shared_ptr<const AdaptedShadow>> shadows;
+    for (const Batch& batch : scene.batches) {
+        const CasterMesh mesh = weldCasters(batch, castersOf(batch, scene.materials, castMasked));
+        shadows.push_back(std::make_shared<const AdaptedShadow>(
+            buildAdapted(mesh, buildEdges(mesh.welded), scene.materials)));
+    }
+    return shadows;
+}
+
+} // namespace edgeshade

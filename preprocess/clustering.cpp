@@ -1,0 +1,105 @@
+#include "preprocess/clustering.hpp"
+
+#include "preprocess/adapted_data.hpp"
+#include "preprocess/components.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace edgeshade {
+namespace {
+
+/// What is known of a component before it is put into a cluster.
+struct Part {
+    Box bounds;
+    bool closed = false;
+    bool holes = false;
+    std::size_t triangles = 0;
+    std::uint64_t place = 0; ///< on the Morton curve
+
+    int kind() const { return closed ? 0 : holes ? 2 : 1; }
+};
+
+/// Interleaves the lowest 21 bits with zeros.
+std::uint64_t spread(std::uint64_t bits) {
+    std::uint64_t result = 0;
+    for (int i = 0; i < 21; ++i)
+        result |= (bits >> i & 1u) << (3 * i);
+    return result;
+}
+
+std::uint64_t mortonCode(const glm::dvec3& point, const Box& all) {
+    std::uint64_t code = 0;
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        const double extent = all.high[axis] - all.low[axis];
+        const double at = extent > 0.0 ? (point[axis] - all.low[axis]) / extent : 0.0;
+        code |= spread(static_cast<std::uint64_t>(std::clamp(at, 0.0, 1.0) * 0x1FFFFF)) << axis;
+    }
+    return code;
+}
+
+std::vector<Part> partsOf(const CasterMesh& mesh, const Components& components,
+                          const std::vector<Material>& materials) {
+    std::vector<Part> parts(components.count());
+    Box all;
+    for (const CasterGroup& group : mesh.groups) {
+        const bool holes = materials[group.material].alphaMode != AlphaMode::opaque;
+        for (std::uint32_t t = group.firstCap; t < group.firstCap + group.capCount; ++t) {
+            Part& part = parts[components.ofTriangle[t]];
+            part.holes = part.holes || holes;
+            ++part.triangles;
+            for (const std::uint32_t vertex : mesh.welded.triangles[t])
+                part.bounds.add(glm::dvec3(mesh.welded.positions[vertex]));
+        }
+    }
+    for (const Part& part : parts) {
+        all.add(part.bounds.low);
+        all.add(part.bounds.high);
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        parts[i].closed = components.closed[i] && !parts[i].holes;
+        parts[i].place = mortonCode(parts[i].bounds.center(), all);
+    }
+    return parts;
+}
+
+} // namespace
+
+std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
+                                                const std::vector<Material>& materials) {
+    const Components components = findComponents(mesh.welded, edges);
+    const std::vector<Part> parts = partsOf(mesh, components, materials);
+    std::vector<std::uint32_t> order(parts.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::make_tuple(parts[a].kind(), parts[a].place, a) <
+               std::make_tuple(parts[b].kind(), parts[b].place, b);
+    });
+
+    std::vector<TriangleCluster> clusters;
+    std::vector<std::size_t> sizes;
+    std::vector<std::uint32_t> clusterOf(parts.size());
+    int kind = -1;
+    for (const std::uint32_t i : order) {
+        const Part& part = parts[i];
+        if (part.kind() != kind || sizes.back() + part.triangles > clusterTriangles) {
+            clusters.push_back({{}, part.closed, part.holes, {}, {}});
+            sizes.push_back(0);
+            kind = part.kind();
+        }
+        sizes.back() += part.triangles;
+        clusters.back().bounds.add(part.bounds.low);
+        clusters.back().bounds.add(part.bounds.high);
+        clusterOf[i] = static_cast<std::uint32_t>(clusters.size() - 1);
+    }
+    for (std::uint32_t t = 0; t < components.ofTriangle.size(); ++t)
+        clusters[clusterOf[components.ofTriangle[t]]].triangles.push_back(t);
+    for (std::uint32_t e = 0; e < edges.edges.size(); ++e) {
+        const std::uint32_t triangle = edges.opposites[edges.edges[e].firstOpposite].triangle;
+        clusters[clusterOf[components.ofTriangle[triangle]]].edges.push_back(e);
+    }
+    return clusters;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "preprocess/scene.hpp"
+#include "preprocess/topology.hpp"
+
+namespace edgeshade {
+
+/// Whole components that lie near each other and are alike: all closed and without holes, or none.
+struct TriangleCluster {
+    Box bounds;
+    bool closed = false;
+    bool holes = false;                   ///< some triangle is not opaque; never closed then
+    std::vector<std::uint32_t> triangles; ///< ascending
+    std::vector<std::uint32_t> edges;     ///< ascending
+};
+
+/// Divides a batch's casters: closed clusters first, then open ones, then those with holes; within
+/// these along a Morton curve.
+std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
+                                                const std::vector<Material>& materials);
+
+} // namespace edgeshade

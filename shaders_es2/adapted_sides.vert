@@ -1,0 +1,61 @@
+// Sides of the shadow volumes from records of one or two planes (preprocess/adapted_data.hpp).
+//
+// Variants: PAIR, two planes, else one; SUN, all points at infinity coincide, so that a side is the
+// triangle of A, B and the first of them; PROBE, for tests; DEGENERATE, for measuring: all is computed, and every
+// vertex ends up at (0,0,0,0).
+#include "plane_side.glsl"
+#include "extrusion.glsl"
+
+attribute float a_corner; // 0: A, 1: B, 2 and 3: their points at infinity
+attribute vec3 a_edgeA;
+attribute vec3 a_edgeB;
+attribute vec4 a_plane0;
+#ifdef PAIR
+attribute vec4 a_plane1;
+#endif
+
+uniform vec4 u_light;   // in object space
+uniform vec2 u_counted; // see countedSide()
+uniform float u_side;   // index of the quad: 0 or 1
+uniform mat4 u_clipFromObject;
+#ifdef DEGENERATE
+uniform float u_degenerate; // never set, so 0; no compiler knows
+#endif
+
+invariant gl_Position;
+
+float recordMultiplicity() {
+    float m = countedSide(a_plane0, u_light, u_counted);
+#ifdef PAIR
+    m -= countedSide(a_plane1, u_light, u_counted);
+#endif
+    return m;
+}
+
+#ifdef PROBE
+#include "probe.glsl"
+#endif
+
+void main() {
+    float multiplicity = recordMultiplicity();
+#ifdef PROBE
+    emitProbe(multiplicity);
+#else
+    // Drawn as (2, 1, 0), (1, 2, 3). To turn both over and keep their diagonal, 0 and 3 change
+    // places; in the one triangle of a sun, 0 and 1.
+    float corner = a_corner;
+    bool turned = multiplicity < 0.0;
+#ifdef SUN
+    if (turned && corner < 1.5) corner = 1.0 - corner;
+#else
+    if (turned && (corner < 0.5 || corner > 2.5)) corner = 3.0 - corner;
+#endif
+    vec3 end = corner == 0.0 || corner == 2.0 ? a_edgeA : a_edgeB;
+    vec4 p = corner > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
+    // A useless vertex makes its triangle a point, which covers no pixel.
+    gl_Position = u_side < abs(multiplicity) ? clipPosition(u_clipFromObject, p) : vec4(0.0);
+#ifdef DEGENERATE
+    gl_Position *= u_degenerate;
+#endif
+#endif
+}

@@ -1,0 +1,52 @@
+// Emits one corner of a pair of caps: what caps.vert and adapted_caps.vert have in common.
+//
+// Variants: NEAR_DISCARD, the front cap is cut where its triangle was clipped by the near plane;
+// ALPHA_TEST, texture coordinates and alpha for casters with holes, with u_frontCapAtInfinity
+// saying which front cap is drawn.
+#include "extrusion.glsl"
+
+invariant gl_Position;
+
+#ifdef ALPHA_TEST
+attribute vec4 a_holesA; // xy: texture coordinates, z: the vertex colour's alpha
+attribute vec4 a_holesB;
+attribute vec4 a_holesC;
+#endif
+
+uniform mat4 u_clipFromObject;
+
+#ifdef NEAR_DISCARD
+varying vec2 v_clipZW;
+#endif
+#ifdef ALPHA_TEST
+uniform float u_frontCapAtInfinity; // 1: both caps, the front one at infinity; 0: the front one
+                                    // alone, where it is
+varying vec3 v_holes;
+varying float v_isBack;
+#endif
+
+// v: 0..2, the front cap, 3..5, the back cap, of a triangle a, b, c that the light sees
+// counter-clockwise (facing > 0), clockwise (facing < 0) or not at all.
+void emitCap(float v, float facing, vec3 a, vec3 b, vec3 c, vec4 light) {
+    bool front = v < 2.5;
+    float vertex = front ? v : 5.0 - v;
+    // Facing away from the light swaps A and B.
+    bool isA = vertex == (facing < 0.0 ? 1.0 : 0.0);
+    bool isC = vertex == 2.0;
+    vec3 p = isA ? a : (isC ? c : b);
+    vec4 clip = clipPosition(u_clipFromObject, front ? vec4(p, 1.0) : toInfinity(p, light));
+#ifdef NEAR_DISCARD
+    v_clipZW = clip.zw;
+#endif
+    bool shifted = front;
+    bool drawn = facing != 0.0;
+#ifdef ALPHA_TEST
+    v_holes = isA ? a_holesA.xyz : (isC ? a_holesC.xyz : a_holesB.xyz);
+    v_isBack = front ? 0.0 : 1.0;
+    shifted = front && u_frontCapAtInfinity > 0.5;
+    drawn = drawn && (front || u_frontCapAtInfinity > 0.5);
+#endif
+    // At infinity the front cap fails the depth test wherever its surface is visible or hidden,
+    // and never fights with that surface for depth.
+    gl_Position = drawn ? vec4(clip.xy, shifted ? clip.w : clip.z, clip.w) : vec4(0.0);
+}

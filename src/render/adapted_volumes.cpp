@@ -1,0 +1,268 @@
+#include "src/render/adapted_volumes.hpp"
+
+#include "shaders_es2.hpp"
+#include "src/render/attributes.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace edgeshade {
+namespace {
+
+constexpr float aboveAnyAlpha = 2.0f;
+
+/// Quads that 16-bit indices reach, four vertices each.
+constexpr std::uint32_t quadsPerDraw = 65536 / verticesPerQuad;
+
+/// Components of the attributes after the corner.
+const std::vector<int> pairComponents = {3, 3, 4, 4};
+const std::vector<int> singleComponents = {3, 3, 4};
+const std::vector<int> capComponents = {3, 3, 3, 4};
+
+gl::Buffer indexBuffer(std::span<const std::uint16_t> pattern) {
+    std::vector<std::uint16_t> indices;
+    indices.reserve(quadsPerDraw * pattern.size());
+    for (std::uint32_t quad = 0; quad < quadsPerDraw; ++quad)
+        for (const std::uint16_t corner : pattern)
+            indices.push_back(static_cast<std::uint16_t>(verticesPerQuad * quad + corner));
+    return gl::Buffer(gl::Buffer::Kind::indices,
+                      std::as_bytes(std::span<const std::uint16_t>(indices)));
+}
+
+std::size_t floatsOf(const std::vector<int>& components) {
+    std::size_t floats = 0;
+    for (const int count : components)
+        floats += static_cast<std::size_t>(count);
+    return floats;
+}
+
+/// The attributes of records from byte `offset` on. Copied records have the corner in front; else
+/// it comes from a buffer of its own, from vertex `firstCorner` on.
+void bindRecords(AttributeBinding& binding, const gl::Buffer& buffer,
+                 const std::vector<int>& components, std::size_t offset, bool copied,
+                 const gl::Buffer& corners, std::size_t firstCorner) {
+    const std::size_t stride = sizeof(float) * (floatsOf(components) + (copied ? 1 : 0));
+    if (copied) {
+        binding.add(buffer, 1, GL_FLOAT, false, stride, offset, false);
+        offset += sizeof(float);
+    } else {
+        binding.add(corners, 1, GL_FLOAT, false, sizeof(float), firstCorner * sizeof(float), false);
+    }
+    for (const int count : components) {
+        binding.add(buffer, count, GL_FLOAT, false, stride, offset, !copied);
+        offset += sizeof(float) * static_cast<std::size_t>(count);
+    }
+}
+
+std::vector<std::string> joined(std::vector<std::string> words,
+                                const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+glm::vec2 rangeOf(Counted counted) {
+    return counted == Counted::all ? glm::vec2(-1.0f, 1.0f) : glm::vec2(0.0f, 1.0f);
+}
+
+/// From the first cluster's first record to the last one's last.
+template <class Member>
+RecordRange rangeOver(const AdaptedShadow& shadow, const RecordRange& clusters, Member member) {
+    const RecordRange& first = shadow.clusters[clusters.first].*member;
+    const RecordRange& last = shadow.clusters[clusters.end() - 1].*member;
+    return {first.first, last.end() - first.first};
+}
+
+} // namespace
+
+gl::Program makeAdaptedSidesProgram(const AdaptedSidesVariant& variant,
+                                    const std::vector<std::string>& extraDefines,
+                                    const std::vector<std::string>& extraAttributes) {
+    std::vector<std::string> defines = extraDefines;
+    if (variant.pair) defines.push_back("PAIR");
+    if (variant.sun) defines.push_back("SUN");
+    return {shaders::adapted_sides_vert, shaders::sides_frag, defines,
+            joined(variant.pair
+                       ? std::vector<std::string>{"a_corner", "a_edgeA", "a_edgeB", "a_plane0",
+                                                  "a_plane1"}
+                       : std::vector<std::string>{"a_corner", "a_edgeA", "a_edgeB", "a_plane0"},
+                   extraAttributes)};
+}
+
+gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
+                                   const std::vector<std::string>& extraDefines,
+                                   const std::vector<std::string>& extraAttributes) {
+    std::vector<std::string> defines = extraDefines;
+    std::vector<std::string> attributes = {"a_corner", "a_capA", "a_capB", "a_capC", "a_plane"};
+    if (nearDiscard) defines.push_back("NEAR_DISCARD");
+    if (alphaTest) {
+        defines.push_back("ALPHA_TEST");
+        attributes.insert(attributes.end(), {"a_holesA", "a_holesB", "a_holesC"});
+    }
+    return {shaders::adapted_caps_vert, shaders::caps_frag, defines,
+            joined(std::move(attributes), extraAttributes)};
+}
+
+AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
+                               std::vector<std::string> sidesDefines,
+                               std::vector<std::string> capsDefines)
+    : layout_(layout), instancing_(instancing), sidesDefines_(std::move(sidesDefines)),
+      capsDefines_(std::move(capsDefines)) {
+    if (layout == SidesLayout::notInstanced) {
+        quadIndices_ = indexBuffer(std::array<std::uint16_t, 6>{2, 1, 0, 1, 2, 3});
+        sunIndices_ = indexBuffer(std::array<std::uint16_t, 3>{2, 1, 0});
+        return;
+    }
+    // As a strip: (0, 2, 1) and (1, 2, 3).
+    quadCorners_ = gl::vertexBuffer<float>(std::array<float, 4>{0, 2, 1, 3});
+    capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
+}
+
+void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const VolumeDraw& draw,
+                               const glm::vec4& light, const glm::mat4& clipFromObject) {
+    const AdaptedShadow& shadow = buffers.shadow();
+    const bool sun = light.w == 0.0f;
+    for (const bool pair : {true, false}) {
+        const RecordRange range = rangeOver(shadow, draw.clusters,
+                                            pair ? &ShadowCluster::pairs : &ShadowCluster::singles);
+        if (range.count == 0) continue;
+        const AdaptedSidesVariant variant{pair, sun};
+        auto program = sides_.find(variant);
+        if (program == sides_.end())
+            program =
+                sides_.emplace(variant, makeAdaptedSidesProgram(variant, sidesDefines_)).first;
+        program->second.use();
+        program->second.set("u_light", light);
+        program->second.set("u_counted", rangeOf(draw.counted));
+        program->second.set("u_clipFromObject", clipFromObject);
+        // Two triangles that both cast make two quads.
+        const int quads = pair && draw.counted == Counted::all ? 2 : 1;
+        for (int quad = 0; quad < quads; ++quad) {
+            program->second.set("u_side", static_cast<float>(quad));
+            drawQuads(pair ? buffers.pairs() : buffers.singles(),
+                      pair ? pairComponents : singleComponents, buffers.copied(), range, sun);
+        }
+    }
+}
+
+void AdaptedVolumes::drawQuads(const gl::Buffer& buffer, const std::vector<int>& components,
+                               bool copied, const RecordRange& range, bool sun) {
+    if (!copied) {
+        AttributeBinding binding(&*instancing_);
+        bindRecords(binding, buffer, components, range.first * sizeof(float) * floatsOf(components),
+                    false, quadCorners_, 0);
+        instancing_->drawTriangleStrips(sun ? 3 : verticesPerQuad, static_cast<int>(range.count));
+        return;
+    }
+    const std::size_t recordBytes = verticesPerQuad * sizeof(float) * (floatsOf(components) + 1);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (sun ? sunIndices_ : quadIndices_).name());
+    for (std::uint32_t done = 0; done < range.count; done += quadsPerDraw) {
+        const std::uint32_t count = std::min(quadsPerDraw, range.count - done);
+        AttributeBinding binding(nullptr);
+        bindRecords(binding, buffer, components, (range.first + done) * recordBytes, true,
+                    quadCorners_, 0);
+        glDrawElements(GL_TRIANGLES, static_cast<int>(count) * (sun ? 3 : 6), GL_UNSIGNED_SHORT,
+                       nullptr);
+    }
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+}
+
+gl::Program& AdaptedVolumes::capsProgram(bool nearDiscard, bool alphaTest) {
+    const std::pair key(nearDiscard, alphaTest);
+    auto found = caps_.find(key);
+    if (found == caps_.end())
+        found =
+            caps_.emplace(key, makeAdaptedCapsProgram(nearDiscard, alphaTest, capsDefines_)).first;
+    return found->second;
+}
+
+void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& draw,
+                              const std::vector<Material>& materials, const Textures& textures,
+                              const glm::vec4& light, const glm::mat4& clipFromObject) {
+    const AdaptedShadow& shadow = buffers.shadow();
+    const bool backCaps = light.w != 0.0f; // a sun's points at infinity are one
+    if (!draw.zFail || !(draw.frontCaps || backCaps)) return;
+    const CapKind kind = !backCaps        ? CapKind::front
+                         : draw.frontCaps ? CapKind::both
+                                          : CapKind::back;
+    for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
+        const ShadowCluster& cluster = shadow.clusters[c];
+        if (cluster.caps.count == 0) continue;
+        const CapBuffers& caps = buffers.capsOf(c);
+        for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g) {
+            const CasterGroup& group = shadow.groups[g];
+            const Material& material = materials[group.material];
+            const bool alphaTest =
+                cluster.holes && material.alphaMode != AlphaMode::opaque && draw.frontCaps;
+            gl::Program& program = capsProgram(draw.nearDiscard, alphaTest);
+            program.use();
+            program.set("u_light", light);
+            program.set("u_counted", rangeOf(draw.counted));
+            program.set("u_clipFromObject", clipFromObject);
+            const RecordRange range{group.firstCap - cluster.caps.first, group.capCount};
+            if (!alphaTest) {
+                drawGroup(caps, buffers.copied(), range, cluster.caps.count, kind, false);
+                continue;
+            }
+            // Nothing of a BLEND surface is in the depth buffer, so all of it counts as a hole.
+            const bool blend = material.alphaMode == AlphaMode::blend;
+            glActiveTexture(GL_TEXTURE0);
+            glBindTexture(GL_TEXTURE_2D, textures.of(material));
+            program.setSampler("u_texture", 0);
+            program.set("u_alphaScale", material.baseColorFactor.a);
+            program.set("u_alphaCutoff", blend ? aboveAnyAlpha : material.alphaCutoff);
+            program.set("u_frontCapAtInfinity", 1.0f);
+            drawGroup(caps, buffers.copied(), range, cluster.caps.count, kind, true);
+            program.set("u_frontCapAtInfinity", 0.0f);
+            drawGroup(caps, buffers.copied(), range, cluster.caps.count, CapKind::front, true);
+        }
+    }
+}
+
+void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps,
+                               std::uint32_t clusterCaps, CapKind kind, bool holes) {
+    const std::size_t floats = floatsOf(capComponents);
+    if (!copied) {
+        AttributeBinding binding(&*instancing_);
+        bindRecords(binding, buffers.records, capComponents, caps.first * sizeof(float) * floats,
+                    false, capCorners_, kind == CapKind::back ? verticesPerCap : 0);
+        if (holes) binding.addRecords(buffers.holes, 3, caps.first * 3 * sizeof(glm::vec4), true);
+        instancing_->drawTriangles(kind == CapKind::both ? 2 * verticesPerCap : verticesPerCap,
+                                   static_cast<int>(caps.count));
+        return;
+    }
+    for (const bool back : {false, true}) {
+        if (kind == (back ? CapKind::front : CapKind::back)) continue;
+        const std::size_t first = verticesPerCap * (caps.first + (back ? clusterCaps : 0));
+        AttributeBinding binding(nullptr);
+        bindRecords(binding, buffers.records, capComponents, first * sizeof(float) * (floats + 1),
+                    true, capCorners_, 0);
+        if (holes) binding.addRecords(buffers.holes, 3, first * 3 * sizeof(glm::vec4), false);
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<int>(caps.count) * verticesPerCap);
+    }
+}
+
+std::size_t vertexRuns(const AdaptedShadow& shadow, const std::vector<VolumeDraw>& draws,
+                       const std::vector<Material>& materials, bool sun) {
+    std::size_t runs = 0;
+    for (const VolumeDraw& draw : draws) {
+        const std::size_t perQuad = sun ? 3 : verticesPerQuad;
+        const std::size_t quads = draw.counted == Counted::all ? 2 : 1;
+        runs += perQuad * (quads * rangeOver(shadow, draw.clusters, &ShadowCluster::pairs).count +
+                           rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);
+        if (!draw.zFail) continue;
+        const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (sun ? 0 : 1);
+        runs +=
+            verticesPerCap * kinds * rangeOver(shadow, draw.clusters, &ShadowCluster::caps).count;
+        for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
+            const ShadowCluster& cluster = shadow.clusters[c];
+            if (!cluster.holes || !draw.frontCaps) continue;
+            // Opaque triangles of such a cluster take one front cap, those with holes two.
+            for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g)
+                if (materials[shadow.groups[g].material].alphaMode != AlphaMode::opaque)
+                    runs += verticesPerCap * shadow.groups[g].capCount;
+        }
+    }
+    return runs;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "src/gl/instancing.hpp"
+#include "src/gl/program.hpp"
+#include "src/render/volume_plan.hpp"
+#include "src/scene/adapted_buffers.hpp"
+#include "src/scene/textures.hpp"
+
+#include <compare>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace edgeshade {
+
+/// Variants of the programs for adapted records.
+struct AdaptedSidesVariant {
+    bool pair = false; ///< records of two planes
+    bool sun = false;
+
+    auto operator<=>(const AdaptedSidesVariant&) const = default;
+};
+
+/// The programs. `extraDefines` and `extraAttributes` are for tests and debug views.
+gl::Program makeAdaptedSidesProgram(const AdaptedSidesVariant& variant,
+                                    const std::vector<std::string>& extraDefines = {},
+                                    const std::vector<std::string>& extraAttributes = {});
+gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
+                                   const std::vector<std::string>& extraDefines = {},
+                                   const std::vector<std::string>& extraAttributes = {});
+
+/// Draws shadow volumes from adapted records; what they do to the stencil is the caller's state.
+class AdaptedVolumes {
+  public:
+    /// `instancing` must be there unless the layout is notInstanced. `sidesDefines`,
+    /// `capsDefines`: of the fragment shaders.
+    AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
+                   std::vector<std::string> sidesDefines = {},
+                   std::vector<std::string> capsDefines = {});
+
+    /// `light` and `clipFromObject` are in the batch's space.
+    void drawSides(const AdaptedBuffers& buffers, const VolumeDraw& draw, const glm::vec4& light,
+                   const glm::mat4& clipFromObject);
+    void drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& draw,
+                  const std::vector<Material>& materials, const Textures& textures,
+                  const glm::vec4& light, const glm::mat4& clipFromObject);
+
+  private:
+    enum class CapKind { front, back, both };
+
+    void drawQuads(const gl::Buffer& buffer, const std::vector<int>& components, bool copied,
+                   const RecordRange& range, bool sun);
+    void drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps,
+                   std::uint32_t clusterCaps, CapKind kind, bool holes);
+    gl::Program& capsProgram(bool nearDiscard, bool alphaTest);
+
+    SidesLayout layout_;
+    std::optional<gl::Instancing> instancing_;
+    std::vector<std::string> sidesDefines_, capsDefines_;
+    gl::Buffer quadCorners_; ///< instanced: of a quad as a strip
+    gl::Buffer capCorners_;  ///< instanced: 0..5
+    gl::Buffer quadIndices_; ///< not instanced: quads of four vertices each
+    gl::Buffer sunIndices_;  ///< not instanced: their first triangles
+    std::map<AdaptedSidesVariant, gl::Program> sides_;
+    std::map<std::pair<bool, bool>, gl::Program> caps_;
+};
+
+/// How many vertices the vertex shader runs for such draws.
+std::size_t vertexRuns(const AdaptedShadow& shadow, const std::vector<VolumeDraw>& draws,
+                       const std::vector<Material>& materials, bool sun);
+
+} // namespace edgeshade

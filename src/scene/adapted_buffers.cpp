@@ -1,0 +1,80 @@
+#include "src/scene/adapted_buffers.hpp"
+
+#include <cstring>
+
+namespace edgeshade {
+namespace {
+
+/// Every record `count` times, each copy with its corner's number in front.
+template <class Record>
+void appendCopies(std::vector<float>& floats, const Record& record, int firstCorner, int count) {
+    constexpr std::size_t size = sizeof(Record) / sizeof(float);
+    for (int corner = firstCorner; corner < firstCorner + count; ++corner) {
+        floats.push_back(static_cast<float>(corner));
+        const std::size_t at = floats.size();
+        floats.resize(at + size);
+        std::memcpy(floats.data() + at, &record, sizeof(Record));
+    }
+}
+
+template <class Record>
+gl::Buffer uploadSides(const std::vector<Record>& records, bool copied) {
+    if (records.empty()) return {};
+    if (!copied) return gl::vertexBuffer<Record>(records);
+    std::vector<float> floats;
+    floats.reserve(records.size() * verticesPerQuad * (1 + sizeof(Record) / sizeof(float)));
+    for (const Record& record : records)
+        appendCopies(floats, record, 0, verticesPerQuad);
+    return gl::vertexBuffer<float>(floats);
+}
+
+CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> holes,
+                      bool copied) {
+    CapBuffers buffers;
+    if (!copied) {
+        buffers.records = gl::vertexBuffer<CapRecord>(records);
+        if (!holes.empty()) buffers.holes = gl::vertexBuffer<glm::vec4>(holes);
+        return buffers;
+    }
+    std::vector<float> floats;
+    std::vector<glm::vec4> copies;
+    for (const int first : {0, verticesPerCap})
+        for (std::size_t i = 0; i < records.size(); ++i) {
+            appendCopies(floats, records[i], first, verticesPerCap);
+            if (holes.empty()) continue;
+            const auto of = holes.subspan(3 * i, 3);
+            for (int corner = 0; corner < verticesPerCap; ++corner)
+                copies.insert(copies.end(), of.begin(), of.end());
+        }
+    buffers.records = gl::vertexBuffer<float>(floats);
+    if (!copies.empty()) buffers.holes = gl::vertexBuffer<glm::vec4>(copies);
+    return buffers;
+}
+
+} // namespace
+
+AdaptedBuffers::AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow,
+                               std::vector<glm::vec4> capHoles, SidesLayout layout)
+    : shadow_(std::move(shadow)), capHoles_(std::move(capHoles)), layout_(layout),
+      pairs_(uploadSides(shadow_->pairs, copied())),
+      singles_(uploadSides(shadow_->singles, copied())), caps_(shadow_->clusters.size()) {}
+
+const CapBuffers& AdaptedBuffers::capsOf(std::size_t cluster) const {
+    if (!caps_[cluster]) {
+        const ShadowCluster& of = shadow_->clusters[cluster];
+        std::span<const glm::vec4> holes;
+        if (of.holes) holes = std::span(capHoles_).subspan(3 * of.caps.first, 3 * of.caps.count);
+        caps_[cluster] = uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count),
+                                    holes, copied());
+    }
+    return *caps_[cluster];
+}
+
+std::size_t AdaptedBuffers::bytes() const {
+    std::size_t total = pairs_.size() + singles_.size();
+    for (const auto& caps : caps_)
+        if (caps) total += caps->records.size() + caps->holes.size();
+    return total;
+}
+
+} // namespace edgeshade

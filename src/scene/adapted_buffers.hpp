@@ -1,0 +1,55 @@
+#pragma once
+
+#include "preprocess/adapted_data.hpp"
+#include "src/gl/objects.hpp"
+#include "src/scene/shadow_buffers.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace edgeshade {
+
+/// Floats of records on the GPU: those of the structs in adapted_data.hpp, when copied for every
+/// vertex with the corner's number in front.
+inline constexpr std::size_t pairFloats = sizeof(PairRecord) / sizeof(float);
+inline constexpr std::size_t singleFloats = sizeof(SingleRecord) / sizeof(float);
+inline constexpr std::size_t capFloats = sizeof(CapRecord) / sizeof(float);
+
+/// Vertices of a quad of sides, and of one cap.
+inline constexpr int verticesPerQuad = 4;
+inline constexpr int verticesPerCap = 3;
+
+/// One cluster's caps. Copied for every vertex, all front caps come first, then all back caps;
+/// `holes` in the same order.
+struct CapBuffers {
+    gl::Buffer records;
+    gl::Buffer holes; ///< three vec4s a cap, see capHoles(); or empty
+};
+
+/// One batch's adapted shadow data on the GPU. Caps are uploaded cluster by cluster when they are
+/// first drawn: most never are.
+class AdaptedBuffers {
+  public:
+    /// `capHoles`: three vec4s a cap, in its order of corners; empty where none has holes.
+    AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow, std::vector<glm::vec4> capHoles,
+                   SidesLayout layout);
+
+    const AdaptedShadow& shadow() const { return *shadow_; }
+    const gl::Buffer& pairs() const { return pairs_; }
+    const gl::Buffer& singles() const { return singles_; }
+    const CapBuffers& capsOf(std::size_t cluster) const;
+    /// Whether records are copied for every vertex.
+    bool copied() const { return layout_ == SidesLayout::notInstanced; }
+    std::size_t sideBytes() const { return pairs_.size() + singles_.size(); }
+    std::size_t bytes() const; ///< of what was uploaded so far
+
+  private:
+    std::shared_ptr<const AdaptedShadow> shadow_;
+    std::vector<glm::vec4> capHoles_;
+    SidesLayout layout_;
+    gl::Buffer pairs_, singles_;
+    mutable std::vector<std::optional<CapBuffers>> caps_; ///< by cluster
+};
+
+} // namespace edgeshade

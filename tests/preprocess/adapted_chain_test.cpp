@@ -1,0 +1,120 @@
+// The closed chain (method, section 4) of adapted records: whatever the signs are, what sides and
+// caps of a cluster emit must have no boundary, with every triangle counted and, in closed ones,
+// with one facing alone.
+#include "tests/support/adapted_chain.hpp"
+#include "tests/support/small_soups.hpp"
+
+#include <gtest/gtest.h>
+#include <iostream>
+#include <rapidcheck/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::Soup;
+
+/// A soup with its records, all of it opaque.
+struct AdaptedMesh {
+    CasterMesh mesh;
+    EdgeList edges;
+    AdaptedShadow shadow;
+
+    explicit AdaptedMesh(const Soup& soup) {
+        mesh.welded = weld(soup.positions, soup.indices);
+        const auto count = static_cast<std::uint32_t>(mesh.welded.triangles.size());
+        if (count > 0) mesh.groups = {{0, 0, count}};
+        edges = buildEdges(mesh.welded);
+        shadow = buildAdapted(mesh, edges, {Material()});
+    }
+
+    std::size_t open(const glm::vec4& light) const {
+        return test::openClusters(mesh.welded.positions, shadow, light);
+    }
+    std::size_t openEdges(const glm::vec4& light) const {
+        return test::openEdges(mesh, edges, shadow, test::signsOf(shadow, light, test::countAll));
+    }
+};
+
+const std::vector<glm::vec4> someLights = {{0.5f, 0.5f, 3, 1},   {3, 0.5f, 1, 1},     {0, 0, 1, 0},
+                                           {2, 3, 0.5f, 1},      {1, 31.5f, 0.5f, 1}, {1, 1, 1, 1},
+                                           {0.5f, 0.5f, 0.5f, 1}};
+
+} // namespace
+
+TEST(AdaptedChain, OfTinyMeshes) {
+    for (const Soup& soup : {test::cube(), test::openBox(), test::fin(), test::fan(128),
+                             test::moebiusStrip(), test::tJunction()})
+        for (const glm::vec4& light : someLights)
+            EXPECT_EQ(AdaptedMesh(soup).open(light), 0u);
+}
+
+TEST(AdaptedChain, WithoutARecordItIsOpen) {
+    AdaptedMesh cube(test::cube());
+    const glm::vec4 light(0.5f, 0.5f, 3, 1);
+    ASSERT_EQ(cube.open(light), 0u);
+    std::size_t opened = 0;
+    for (std::size_t i = 0; i < cube.shadow.pairs.size(); ++i) {
+        AdaptedMesh broken = cube;
+        std::swap(broken.shadow.pairs[i].plane0, broken.shadow.pairs[i].plane1);
+        opened += broken.open(light) > 0;
+        EXPECT_EQ(broken.open(light) > 0, broken.openEdges(light) > 0);
+    }
+    EXPECT_GT(opened, 0u);
+}
+
+TEST(AdaptedChain, OfRandomSoupsForEveryKindOfLight) {
+    test::Random random(5);
+    std::size_t chains = 0, closed = 0;
+    for (std::size_t i = 0; i < 20'000; ++i) {
+        const Soup soup = test::randomSoup(random, 1 + random.below(24));
+        const AdaptedMesh mesh(soup);
+        if (mesh.shadow.caps.empty()) continue;
+        const CapRecord& cap = mesh.shadow.caps.front();
+        test::Corners corners = {cap.a, cap.b, cap.c};
+        const glm::vec4 light = test::randomLight(
+            random, corners, static_cast<test::LightKind>(i % test::lightKindCount));
+        ASSERT_EQ(mesh.open(light), 0u) << i;
+        ASSERT_EQ(mesh.openEdges(light), 0u) << i;
+        ++chains;
+        for (const ShadowCluster& cluster : mesh.shadow.clusters)
+            closed += cluster.closed;
+    }
+    std::cout << "[ closed chain ] adapted records: 0 of " << chains << " open, " << closed
+              << " clusters closed\n";
+    EXPECT_GT(closed, 100u);
+}
+
+RC_GTEST_PROP(AdaptedChain, OfLatticeSoups, ()) {
+    const AdaptedMesh mesh(test::latticeSoup());
+    const glm::vec4 light = test::latticeLight();
+    RC_ASSERT(mesh.open(light) == 0u);
+    RC_ASSERT(mesh.openEdges(light) == 0u);
+}
+
+RC_GTEST_PROP(AdaptedChain, MultiplicitiesAreThePublishedOnes, ()) {
+    // On a small lattice both ways to find a sign are exact, so that the silhouettes are the same.
+    const AdaptedMesh mesh(test::latticeSoup());
+    const glm::vec4 light = test::latticeLight();
+    const auto published = test::silhouetteOf<shader_arithmetic::ReferenceEdge>(
+        buildSides(mesh.mesh.welded.positions, mesh.edges, 5), light);
+    test::Silhouette adapted;
+    const auto add = [&](const auto& record) {
+        adapted[{test::pointOf(glm::vec4(record.a, 0)), test::pointOf(glm::vec4(record.b, 0))}] +=
+            test::multiplicityOf(record, light, test::countAll);
+    };
+    // Normals of unit length are rounded: leave out lights next to a plane.
+    for (const CapRecord& cap : mesh.shadow.caps) {
+        const glm::dvec3 normal = glm::cross(glm::dvec3(cap.b - cap.a), glm::dvec3(cap.c - cap.a));
+        const double side =
+            glm::dot(normal, glm::dvec3(light) - glm::dvec3(cap.a) * static_cast<double>(light.w));
+        if (side == 0.0) RC_SUCCEED("a light in a plane");
+    }
+    for (const PairRecord& pair : mesh.shadow.pairs)
+        add(pair);
+    for (const SingleRecord& single : mesh.shadow.singles)
+        add(single);
+    std::erase_if(adapted, [](const auto& entry) { return entry.second == 0; });
+    RC_ASSERT(adapted == published);
+}
+
+} // namespace edgeshade

@@ -1,0 +1,224 @@
+#include "preprocess/adapted_data.hpp"
+
+#include "preprocess/coplanar.hpp"
+#include "preprocess/opposite_pairs.hpp"
+#include "preprocess/triangle_planes.hpp"
+#include "tests/support/hard_lights.hpp"
+#include "tests/support/tiny_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace edgeshade {
+namespace {
+
+using test::Soup;
+
+CasterMesh casterMesh(const Soup& soup) {
+    CasterMesh mesh;
+    mesh.welded = weld(soup.positions, soup.indices);
+    mesh.groups = {{0, 0, static_cast<std::uint32_t>(mesh.welded.triangles.size())}};
+    return mesh;
+}
+
+AdaptedShadow adapted(const Soup& soup) {
+    const CasterMesh mesh = casterMesh(soup);
+    return buildAdapted(mesh, buildEdges(mesh.welded), {Material()});
+}
+
+/// A square of 2 x 2 cells, two triangles each, lifted by `height` at its centre.
+Soup sheet(float height) {
+    Soup soup;
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 3; ++x)
+            soup.positions.emplace_back(x, y, x == 1 && y == 1 ? height : 0.0f);
+    for (std::uint32_t y = 0; y < 2; ++y)
+        for (std::uint32_t x = 0; x < 2; ++x) {
+            const std::uint32_t i = 3 * y + x;
+            soup.indices.insert(soup.indices.end(), {i, i + 1, i + 4, i, i + 4, i + 3});
+        }
+    return soup;
+}
+
+void append(Soup& soup, const Soup& more, const glm::vec3& offset) {
+    const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    for (const glm::vec3& p : more.positions)
+        soup.positions.push_back(p + offset);
+    for (const std::uint32_t i : more.indices)
+        soup.indices.push_back(first + i);
+}
+
+} // namespace
+
+TEST(Coplanar, IsExact) {
+    EXPECT_TRUE(areCoplanar({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 7, 0}));
+    EXPECT_FALSE(areCoplanar({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 7, 1e-30f}));
+    EXPECT_TRUE(areCoplanar({1, 1, 1}, {1, 1, 1}, {0, 1, 0}, {5, 7, 0})); // two points coincide
+    // On x + y = z, as far as floats can say.
+    EXPECT_TRUE(areCoplanar({0.5f, 0.25f, 0.75f}, {3, 4, 7}, {-2, 0.125f, -1.875f}, {8, 8, 16}));
+    EXPECT_FALSE(areCoplanar({0.5f, 0.25f, 0.75f}, {3, 4, 7}, {-2, 0.125f, -1.875f},
+                             {8, 8, std::nextafter(16.0f, 17.0f)}));
+}
+
+TEST(Coplanar, AgreesWithIntegersOfAnySize) {
+    // Points u a + v b of small integers, far off and scaled, then one of them moved by one step.
+    test::Random random(11);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto number = [&] { return static_cast<double>(random.below(33) - 16); };
+        const auto vector = [&] {
+            const double x = number(), y = number(), z = number();
+            return glm::dvec3(x, y, z);
+        };
+        const glm::dvec3 a = vector(), b = vector(), origin = 64.0 * vector();
+        const double scale = std::exp2(random.below(40) - 20);
+        std::array<glm::vec3, 4> p;
+        for (glm::vec3& point : p) {
+            const double u = number(), v = number();
+            point = glm::vec3(scale * (origin + u * a + v * b));
+        }
+        EXPECT_TRUE(areCoplanar(p[0], p[1], p[2], p[3]));
+        const glm::dvec3 normal = glm::cross(glm::dvec3(p[1] - p[0]), glm::dvec3(p[2] - p[0]));
+        const auto axis = static_cast<glm::length_t>(random.below(3));
+        if (normal[axis] == 0.0) continue;
+        p[3][axis] = std::nextafter(p[3][axis], 1e30f);
+        EXPECT_FALSE(areCoplanar(p[0], p[1], p[2], p[3]));
+    }
+}
+
+TEST(TrianglePlanes, FlatPatchesShareOne) {
+    const CasterMesh mesh = casterMesh(sheet(0.0f));
+    const auto planes = trianglePlanes(mesh.welded, buildEdges(mesh.welded));
+    for (const glm::vec4& plane : planes)
+        EXPECT_EQ(plane, planes.front());
+    EXPECT_EQ(planes.front(), glm::vec4(0, 0, 1, 0));
+}
+
+TEST(TrianglePlanes, LiftedALittleTheyDoNot) {
+    const AdaptedShadow shadow = adapted(sheet(1e-6f));
+    EXPECT_EQ(shadow.flatPairs, 0u);
+    EXPECT_EQ(shadow.pairs.size() + shadow.singles.size(), shadow.edges);
+}
+
+TEST(AdaptedData, EdgesWithinAFlatPatchAreDropped) {
+    const AdaptedShadow shadow = adapted(sheet(0.0f));
+    EXPECT_EQ(shadow.edges, 16u);
+    EXPECT_EQ(shadow.flatPairs, 8u);
+    EXPECT_EQ(shadow.pairs.size(), 0u);
+    EXPECT_EQ(shadow.singles.size(), 8u);
+    EXPECT_EQ(shadow.caps.size(), 8u);
+    ASSERT_EQ(shadow.clusters.size(), 1u);
+    EXPECT_FALSE(shadow.clusters[0].closed);
+}
+
+TEST(AdaptedData, AFoldKeepsItsEdge) {
+    // Two triangles in one plane, on the same side of their edge: a silhouette from everywhere.
+    const AdaptedShadow shadow =
+        adapted({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 0, 3}});
+    EXPECT_EQ(shadow.flatPairs, 0u);
+    EXPECT_EQ(shadow.pairs.size(), 1u);
+}
+
+TEST(AdaptedData, ACubeIsClosedAndItsDiagonalsGo) {
+    const AdaptedShadow shadow = adapted(test::cube());
+    EXPECT_EQ(shadow.edges, 18u);
+    EXPECT_EQ(shadow.flatPairs, 6u);
+    EXPECT_EQ(shadow.pairs.size(), 12u);
+    EXPECT_EQ(shadow.singles.size(), 0u);
+    ASSERT_EQ(shadow.clusters.size(), 1u);
+    EXPECT_TRUE(shadow.clusters[0].closed);
+    EXPECT_EQ(shadow.clusters[0].caps.count, 12u);
+}
+
+TEST(AdaptedData, ATurnedTriangleOpensTheCube) {
+    Soup soup = test::cube();
+    std::swap(soup.indices[0], soup.indices[1]);
+    const AdaptedShadow shadow = adapted(soup);
+    ASSERT_EQ(shadow.clusters.size(), 1u);
+    EXPECT_FALSE(shadow.clusters[0].closed);
+}
+
+TEST(AdaptedData, AComponentWithHolesIsNotClosed) {
+    CasterMesh mesh = casterMesh(test::cube());
+    mesh.groups = {{0, 0, 10}, {1, 10, 2}};
+    Material mask;
+    mask.alphaMode = AlphaMode::mask;
+    const AdaptedShadow shadow = buildAdapted(mesh, buildEdges(mesh.welded), {Material(), mask});
+    ASSERT_EQ(shadow.clusters.size(), 1u);
+    EXPECT_FALSE(shadow.clusters[0].closed);
+    EXPECT_TRUE(shadow.clusters[0].holes);
+    ASSERT_EQ(shadow.groups.size(), 2u);
+    EXPECT_EQ(shadow.groups[1].material, 1u);
+    EXPECT_EQ(shadow.groups[1].firstCap, 10u);
+    EXPECT_EQ(shadow.groups[1].capCount, 2u);
+}
+
+TEST(AdaptedData, MaterialsDoNotDivideAComponent) {
+    CasterMesh mesh = casterMesh(test::cube());
+    mesh.groups = {{0, 0, 7}, {1, 7, 5}};
+    const AdaptedShadow shadow =
+        buildAdapted(mesh, buildEdges(mesh.welded), {Material(), Material()});
+    ASSERT_EQ(shadow.clusters.size(), 1u);
+    EXPECT_TRUE(shadow.clusters[0].closed);
+    EXPECT_EQ(shadow.groups.size(), 1u);
+}
+
+TEST(AdaptedData, ClustersHoldWholeComponentsAndEveryRecordOnce) {
+    Soup soup;
+    for (int x = 0; x < 10; ++x)
+        for (int y = 0; y < 10; ++y)
+            append(soup, (x + y) % 3 ? test::cube() : test::openBox(),
+                   {3.0f * static_cast<float>(x), 3.0f * static_cast<float>(y), 0.0f});
+    const AdaptedShadow shadow = adapted(soup);
+    EXPECT_GT(shadow.clusters.size(), 2u);
+    std::uint32_t pairs = 0, singles = 0, caps = 0;
+    bool open = false;
+    for (const ShadowCluster& cluster : shadow.clusters) {
+        EXPECT_EQ(cluster.pairs.first, pairs);
+        EXPECT_EQ(cluster.singles.first, singles);
+        EXPECT_EQ(cluster.caps.first, caps);
+        EXPECT_LE(cluster.caps.count, clusterTriangles);
+        pairs = cluster.pairs.end();
+        singles = cluster.singles.end();
+        caps = cluster.caps.end();
+        EXPECT_FALSE(open && cluster.closed) << "closed ones come first";
+        open = open || !cluster.closed;
+        EXPECT_TRUE(!cluster.closed || cluster.singles.count == 0);
+        for (std::uint32_t i = cluster.caps.first; i < caps; ++i)
+            for (const glm::vec3& p : {shadow.caps[i].a, shadow.caps[i].b, shadow.caps[i].c})
+                for (glm::length_t axis = 0; axis < 3; ++axis) {
+                    EXPECT_GE(p[axis], cluster.bounds.low[axis]);
+                    EXPECT_LE(p[axis], cluster.bounds.high[axis]);
+                }
+    }
+    EXPECT_EQ(pairs, shadow.pairs.size());
+    EXPECT_EQ(singles, shadow.singles.size());
+    EXPECT_EQ(caps, shadow.caps.size());
+    EXPECT_EQ(
+        std::set<std::uint32_t>(shadow.capTriangles.begin(), shadow.capTriangles.end()).size(),
+        caps);
+}
+
+TEST(OppositePairs, ManyTrianglesTakeHalfAsManyRecords) {
+    for (const int n : {1, 2, 3, 4, 7, 64, 128}) {
+        const CasterMesh mesh = casterMesh(test::fan(n));
+        const EdgeList edges = buildEdges(mesh.welded);
+        const auto planes = trianglePlanes(mesh.welded, edges);
+        const auto spine = std::max_element(
+            edges.edges.begin(), edges.edges.end(),
+            [](const Edge& a, const Edge& b) { return a.oppositeCount < b.oppositeCount; });
+        std::vector<OppositePair> pairs;
+        pairUp(mesh.welded, edges, *spine, planes, pairs);
+        EXPECT_EQ(pairs.size(), (spine->oppositeCount + 1) / 2);
+    }
+}
+
+TEST(OppositePairs, FlatOnesCancelFirst) {
+    // A cross of two flat strips through one edge: both pairs go.
+    const Soup cross{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}},
+                     {0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0, 5}};
+    const AdaptedShadow shadow = adapted(cross);
+    EXPECT_EQ(shadow.flatPairs, 2u);
+    EXPECT_EQ(shadow.pairs.size(), 0u);
+}
+
+} // namespace edgeshade
