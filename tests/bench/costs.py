@@ -2,7 +2,7 @@
 """What drawing costs, on models in ../shared/scenes: results, README's and docs/claims.md's tables,
 plots.
 
-    tests/bench/costs.py [PART...]      measures: flight, sizes, synthetic, tradeoff; all of them
+    tests/bench/costs.py [PART...]      measures: flight, repeat, sizes, synthetic, tradeoff; all of them
     tests/bench/costs.py --table        tables and plots from the results that are there
 
 EDGESHADE names the program, TIMING how it times (query, finish, processor).
@@ -17,11 +17,12 @@ from edgeshade_runs import (RESULTS, ROOT, SCENES, figure, machine, replace_betw
 from near_ratio import framing
 
 TIMING = ["--timing", os.environ["TIMING"]] if "TIMING" in os.environ else []
-FLIGHT_SCENES = {"city.draco": "city", "temple": "temple", "hospital-electrical": "hospital"}
-FLIGHT_SIZE, FLIGHT_FRAMES = "960x540", 12
-SIZES_SCENE, SIZES_FRAMES = "temple", 6
+FLIGHT_SCENES = {"city.draco": "city", "temple": "temple"}
+FLIGHT_SIZE, FLIGHT_FRAMES = "640x360", 10
+REPEAT_SCENE = "city.draco"
+SIZES_SCENE, SIZES_FRAMES = "garden.draco", 4
 TRADEOFF_SCENES = {"temple": "temple", "garden.draco": "garden", "oaktree": "oak tree"}
-TRADEOFF_SIZE, TRADEOFF_FRAMES, TRADEOFF_VIEWS = "960x540", 10, 6
+TRADEOFF_SIZE, TRADEOFF_FRAMES, TRADEOFF_VIEWS = "640x360", 6, 6
 MAPS = [f"shadows=map,map-size={1024 * n}" for n in (1, 2, 4, 8)]
 PUBLISHED = ["layout=published", "multiplicity=three-edge", "multiplicity=single-edge"]
 
@@ -77,6 +78,20 @@ def measure_flight():
             scenes[scene][light] = last
     write_results("bench_flight", with_device({"size": FLIGHT_SIZE, "frames": FLIGHT_FRAMES,
                                                "scenes": scenes}, last))
+
+
+def measure_repeat():
+    """Whether ratios come out alike when measured again."""
+    path = SCENES / f"{REPEAT_SCENE}.glb"
+    runs = [condensed(report("bench", path, "--size", FLIGHT_SIZE, "--frames", FLIGHT_FRAMES,
+                             *TIMING, *against(MAPS))) for _ in range(3)]
+    rows = []
+    for name in MAPS:
+        medians = [ratio(run, name)["median"] for run in runs]
+        rows.append({"name": name, "medians": medians,
+                     "spread_percent": 100.0 * (max(medians) / min(medians) - 1.0)})
+    write_results("bench_repeat", with_device({"scene": REPEAT_SCENE, "size": FLIGHT_SIZE,
+                                               "frames": FLIGHT_FRAMES, "ratios": rows}, runs[0]))
 
 
 def measure_sizes():
@@ -247,8 +262,8 @@ def tables():
 
 
 def main(words):
-    parts = {"flight": measure_flight, "sizes": measure_sizes, "synthetic": measure_synthetic,
-             "tradeoff": measure_tradeoff}
+    parts = {"flight": measure_flight, "repeat": measure_repeat, "sizes": measure_sizes,
+             "synthetic": measure_synthetic, "tradeoff": measure_tradeoff}
     if words[:1] != ["--table"]:
         for word in words or parts:
             parts[word]()
