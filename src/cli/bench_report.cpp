@@ -1,6 +1,6 @@
 #include "src/cli/bench_report.hpp"
 
-#include "src/cli/options.hpp"
+#include "src/bench/flythrough.hpp"
 #include "src/cli/report.hpp"
 
 #include <algorithm>
@@ -89,6 +89,14 @@ bench::Setting toTask(const BenchSetting& setting) {
     if (setting.settings.instancing != InstancingChoice::automatic)
         task.layout = layoutFor(setting.settings.instancing, {});
     return task;
+}
+
+std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& scene) {
+    if (view.from || view.to)
+        return [camera = requestFor(view, scene).camera](double) { return camera; };
+    const bench::Flythrough flight(worldBounds(scene), view.fovDegrees,
+                                   static_cast<double>(view.width) / view.height);
+    return [flight](double share) { return flight.cameraAt(share); };
 }
 
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {

@@ -75,6 +75,15 @@ TEST_F(Tradeoff, WhereNoSettingWillDoItSaysSoAfterTheReport) {
     EXPECT_NE(result.err.find("No setting keeps within"), std::string::npos);
 }
 
+TEST_F(Tradeoff, ACameraOfYoursIsTheOnlyView) {
+    const ProcessResult result =
+        runEdgeshade({"tradeoff", input_, "--frames", "1", "--size", "16x16", "--largest-map",
+                      "512", "--camera-from", "9,9,9", "--camera-to", "0,0,0", "--report", "-"});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(Json::parse(result.out)["views"], 1);
+}
+
 TEST_F(Tradeoff, AnotherSettingIsOneMoreRow) {
     const ProcessResult result = run({"--against", "shadows=map,map-size=300"});
     if (!hasLab(result)) GTEST_SKIP();
