@@ -1,6 +1,5 @@
 #include "preprocess/error.hpp"
 #include "src/bench/bench.hpp"
-#include "src/bench/flythrough.hpp"
 #include "src/cli/bench_report.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
@@ -46,16 +45,6 @@ std::vector<std::pair<int, int>> sizesFrom(const std::string& text) {
     return sizes;
 }
 
-/// The flight, or the camera that was typed, which stays where it is.
-std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& scene,
-                                        double aspect) {
-    if (view.from || view.to)
-        return [camera = requestFor(view, scene).camera](double) { return camera; };
-    return [flight = bench::Flythrough(worldBounds(scene), view.fovDegrees, aspect)](double share) {
-        return flight.cameraAt(share);
-    };
-}
-
 void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings}};
     for (const std::string& text : options.against)
@@ -78,8 +67,7 @@ void benchScene(const BenchOptions& options) {
         task.samples = options.samples;
         task.frames = options.frames > 0 ? options.frames : defaultFrames;
         task.warmUp = options.warmUp;
-        task.cameraAt =
-            flightFor(view, loaded.scene, static_cast<double>(view.width) / view.height);
+        task.cameraAt = flightFor(view, loaded.scene);
         task.lights = requestFor(view, loaded.scene).lights;
         task.lightMoves = options.lightMoves;
         task.near = view.depth.near;
@@ -102,14 +90,17 @@ void benchScene(const BenchOptions& options) {
 void benchSynthetic(const BenchOptions& options) {
     bench::SyntheticTask task;
     if (options.frames > 0) task.repeats = options.frames;
-    if (options.settings.multiplicity) task.method = *options.settings.multiplicity;
+    task.method = options.settings.multiplicity.value_or(task.method);
+    if (task.method == MultiplicityMethod::plane)
+        throw Error(ExitStatus::usage, "--multiplicity: with --synthetic it is that of the "
+                                       "published layouts, which have no planes.");
     task.timing = options.timing;
     const Countdown countdown;
     const bench::SyntheticReport measured = bench::measureSynthetic(
         task, [&](double share, const std::string& doing) { countdown.show(share, doing); });
     if (measured.device.isSoftware()) printWarnings({softwareWarning(measured.device)});
     printResult(syntheticTable(measured), options.report);
-    writeReport(syntheticJson(measured, options.settings), options.report);
+    writeReport(syntheticJson(measured, task.method), options.report);
 }
 
 /// A synthetic mesh has nothing to see, and nothing else can be asked of it.

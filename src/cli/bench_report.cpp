@@ -1,6 +1,6 @@
 #include "src/cli/bench_report.hpp"
 
-#include "src/cli/options.hpp"
+#include "src/bench/flythrough.hpp"
 #include "src/cli/report.hpp"
 
 #include <algorithm>
@@ -16,10 +16,9 @@ using Json = nlohmann::ordered_json;
 constexpr int fewFrames = 10;
 constexpr double unsteady = 1.25; // times as long
 
-const Choices<std::optional<gl::Timing>> timingNames = {{"auto", std::nullopt},
-                                                        {"query", gl::Timing::query},
-                                                        {"finish", gl::Timing::finish},
-                                                        {"processor", gl::Timing::processor}};
+const Choices<gl::Timing> timingNames = {{"query", gl::Timing::query},
+                                         {"finish", gl::Timing::finish},
+                                         {"processor", gl::Timing::processor}};
 
 std::string sizeName(const bench::Task& task) {
     return std::to_string(task.width) + "x" + std::to_string(task.height);
@@ -92,12 +91,20 @@ bench::Setting toTask(const BenchSetting& setting) {
     return task;
 }
 
+std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& scene) {
+    if (view.from || view.to)
+        return [camera = requestFor(view, scene).camera](double) { return camera; };
+    const bench::Flythrough flight(worldBounds(scene), view.fovDegrees,
+                                   static_cast<double>(view.width) / view.height);
+    return [flight](double share) { return flight.cameraAt(share); };
+}
+
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {
     addChoice(
         verb, "--timing", timing, timingNames,
         "By the GPU's timer queries, by waiting, or by the processor's time on all cores, which "
-        "suits a software GL on a busy machine (auto: queries where the GL has them and they "
-        "tell all, else waiting)");
+        "suits a software GL on a busy machine (query where the GL can and it tells all, else "
+        "finish)");
 }
 
 void Countdown::show(double share, const std::string& doing) const {

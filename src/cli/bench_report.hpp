@@ -2,6 +2,7 @@
 
 #include "src/bench/bench.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/options.hpp"
 
 #include <chrono>
 
@@ -16,7 +17,10 @@ struct BenchSetting {
 /// How the setting is measured.
 bench::Setting toTask(const BenchSetting& setting);
 
-/// `--timing auto|query|finish|processor`; nothing: auto.
+/// The flight that the program measures, or the camera that was typed, which stays where it is.
+std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& scene);
+
+/// `--timing query|finish|processor`; nothing: the best.
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);
 
 /// That figures of this device are those of a processor.

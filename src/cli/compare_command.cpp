@@ -90,23 +90,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     printWarnings(loaded.scene.warnings.sentences());
 
     lab::CompareTask task;
-    task.width = options.view.width;
-    task.height = options.view.height;
-    task.near = options.view.depth.near;
-    task.lights = options.view.lights;
-    if (task.lights.size() > lab::mostLights)
-        throw Error(ExitStatus::usage,
-                    "compare takes at most " + std::to_string(lab::mostLights) + " lights.");
-    const double aspect = static_cast<double>(task.width) / task.height;
-    const bool ownCamera = options.view.from || options.view.to;
-    if (ownCamera && !viewsTyped) {
-        const FrameRequest request = requestFor(options.view, loaded.scene);
-        task.views.push_back({"as asked", request.camera, request.lights.front()});
-        task.lights = request.lights;
-    } else {
-        task.views = lab::labViews(loaded.scene, static_cast<std::size_t>(options.views),
-                                   options.view.fovDegrees, aspect);
-    }
+    lookAt(task, options.view, loaded.scene, options.views, viewsTyped);
     task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0]));
     for (std::size_t i = 0; i < options.against.size(); ++i)
         task.contenders.push_back(contenderOf(options.against[i], settings[i + 1]));

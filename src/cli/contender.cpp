@@ -1,5 +1,7 @@
 #include "src/cli/contender.hpp"
 
+#include "preprocess/error.hpp"
+
 namespace edgeshade::cli {
 
 lab::Contender contenderOf(const std::string& name, const DrawSettings& settings) {
@@ -14,6 +16,25 @@ lab::Contender contenderOf(const std::string& name, const DrawSettings& settings
         : settings.instancing == InstancingChoice::multiDraw ? SidesLayout::multiDraw
                                                              : SidesLayout::instanced;
     return contender;
+}
+
+void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene, int views,
+            bool viewsTyped) {
+    task.width = view.width;
+    task.height = view.height;
+    task.near = view.depth.near;
+    task.lights = view.lights;
+    if (task.lights.size() > lab::mostLights)
+        throw Error(ExitStatus::usage,
+                    "The oracle takes at most " + std::to_string(lab::mostLights) + " lights.");
+    const double aspect = static_cast<double>(view.width) / view.height;
+    if ((view.from || view.to) && !viewsTyped) {
+        const FrameRequest request = requestFor(view, scene);
+        task.views = {{"as asked", request.camera, request.lights.front()}};
+        task.lights = request.lights;
+    } else {
+        task.views = lab::labViews(scene, static_cast<std::size_t>(views), view.fovDegrees, aspect);
+    }
 }
 
 } // namespace edgeshade::cli

@@ -1,11 +1,17 @@
 #pragma once
 
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/options.hpp"
 #include "src/lab/compare.hpp"
 
 namespace edgeshade::cli {
 
 /// How settings are compared with the oracle: a map's bias is tuned unless it was typed.
 lab::Contender contenderOf(const std::string& name, const DrawSettings& settings);
+
+/// What the task looks at: `views` of the lab's views, or where a camera was typed and no number of
+/// views, that one alone. Throws Error(usage) for too many lights.
+void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene, int views,
+            bool viewsTyped);
 
 } // namespace edgeshade::cli

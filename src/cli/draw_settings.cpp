@@ -31,16 +31,6 @@ std::string nameIn(const Choices<Value>& names, Value value) {
     return "auto";
 }
 
-/// Range alone lets what is no number through.
-CLI::Validator finite() {
-    return CLI::Validator(
-        [](const std::string& text) {
-            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
-                                                                     : text + " is not finite";
-        },
-        "");
-}
-
 /// Adds an option that only shadow maps have.
 template <class Value>
 CLI::Option* addMapOption(CLI::App& verb, DrawSettings& settings, const std::string& name,

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <tuple>
 
 namespace edgeshade::cli {
@@ -56,6 +57,15 @@ std::pair<int, int> sizeFrom(const std::string& text, const std::string& option)
         at = result.ptr + 1;
     }
     return {values[0], values[1]};
+}
+
+CLI::Validator finite() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
+                                                                     : text + " is not finite";
+        },
+        "");
 }
 
 void addViewOptions(CLI::App& verb, ViewOptions& options) {

@@ -64,6 +64,9 @@ void addChoice(CLI::App& verb, const std::string& option, Target& value,
 /// "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.
 std::pair<int, int> sizeFrom(const std::string& text, const std::string& option);
 
+/// Refuses NaN and infinity, which CLI::Range lets through.
+CLI::Validator finite();
+
 /// Adds the options to a verb; `options` must outlive parsing.
 void addViewOptions(CLI::App& verb, ViewOptions& options);
 void addCasterOptions(CLI::App& verb, CasterOptions& options);

@@ -73,7 +73,7 @@ std::string syntheticTable(const bench::SyntheticReport& report) {
     return table;
 }
 
-Json syntheticJson(const bench::SyntheticReport& report, const DrawSettings& settings) {
+Json syntheticJson(const bench::SyntheticReport& report, MultiplicityMethod method) {
     Json rows = Json::array(), fits = Json::array();
     for (const bench::SyntheticRow& row : report.rows)
         rows.push_back({{"edges", row.edges},
@@ -86,6 +86,8 @@ Json syntheticJson(const bench::SyntheticReport& report, const DrawSettings& set
         json.update(fitJson(fit));
         fits.push_back(std::move(json));
     }
+    DrawSettings settings;
+    settings.render.multiplicity = method;
     return {{"device", deviceJson(report.device)},
             {"timing", cli::nameOf(report.timing)},
             {"settings", {{"multiplicity", settingsJson(settings)["multiplicity"]}}},

@@ -10,8 +10,8 @@ std::string syntheticTable(const bench::SyntheticReport& report);
 
 /// {device, timing, settings, rows [{edges, multiplicity, layout, silhouette, ms}],
 /// fit {k0..k5, mwse_percent, linear_r_squared}, fits [...]}; `fit`: of the first layout, all edges
-/// silhouette edges, `fits`: of every layout.
+/// silhouette edges, `fits`: of every layout. `method`: of the published layouts.
 nlohmann::ordered_json syntheticJson(const bench::SyntheticReport& report,
-                                     const DrawSettings& settings);
+                                     MultiplicityMethod method);
 
 } // namespace edgeshade::cli

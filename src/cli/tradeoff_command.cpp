@@ -6,7 +6,6 @@
 
 #ifdef EDGESHADE_HAS_LAB
 #include "src/bench/bench.hpp"
-#include "src/bench/flythrough.hpp"
 #include "src/bench/pareto.hpp"
 #include "src/cli/bench_report.hpp"
 #include "src/cli/contender.hpp"
@@ -30,6 +29,7 @@ struct TradeoffOptions {
     std::string plot;
     int frames = 40;
     int views = 16;
+    bool viewsTyped = false;
     int largestMap = 8192;
     bool lightMoves = false;
     std::optional<double> budgetMs;
@@ -104,9 +104,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
     task.width = options.view.width;
     task.height = options.view.height;
     task.frames = options.frames;
-    task.cameraAt = [flight = bench::Flythrough(worldBounds(loaded.scene), options.view.fovDegrees,
-                                                static_cast<double>(task.width) / task.height)](
-                        double share) { return flight.cameraAt(share); };
+    task.cameraAt = flightFor(options.view, loaded.scene);
     task.lights = requestFor(options.view, loaded.scene).lights;
     task.lightMoves = options.lightMoves;
     task.near = options.view.depth.near;
@@ -121,16 +119,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
     return report;
 }
 
-void measureErrors(const TradeoffOptions& options, const LoadedScene& loaded,
-                   std::vector<Row>& rows) {
-    lab::CompareTask task;
-    task.width = options.view.width;
-    task.height = options.view.height;
-    task.near = options.view.depth.near;
-    task.lights = options.view.lights;
-    task.views =
-        lab::labViews(loaded.scene, static_cast<std::size_t>(options.views),
-                      options.view.fovDegrees, static_cast<double>(task.width) / task.height);
+void measureErrors(const LoadedScene& loaded, lab::CompareTask task, std::vector<Row>& rows) {
     for (const Row& row : rows)
         task.contenders.push_back(contenderOf(row.setting.name, row.settings));
     const Countdown countdown;
@@ -198,11 +187,14 @@ void writePlot(const TradeoffOptions& options, const std::vector<Row>& rows,
     plot::TradePlot trade;
     trade.title = "What shadows cost, and what is wrong with them: " +
                   std::filesystem::path(options.input).filename().string();
-    trade.subtitle =
-        std::to_string(options.view.width) + "x" + std::to_string(options.view.height) +
-        ", median of " + std::to_string(options.frames) + " frames, " +
-        (options.lightMoves ? "light moving" : "light at rest, maps kept") + ", " +
-        std::to_string(options.views) + " views against the oracle; " + measured.device.renderer;
+    trade.subtitle = std::to_string(options.view.width) + "x" +
+                     std::to_string(options.view.height) + ", median of " +
+                     std::to_string(options.frames) + " frames, " +
+                     (options.lightMoves ? "light moving" : "light at rest, maps kept") + ", " +
+                     std::to_string(rows.front().accuracy.views) + " views against the oracle; " +
+                     measured.device.renderer;
+    trade.timeLabel = measured.timing == gl::Timing::processor ? "processor time of a frame, ms"
+                                                               : "time of a frame, ms";
     for (const Row& row : rows)
         trade.points.push_back(pointOf(row));
     const auto canvas = plotEnding(options.plot) == ".png"
@@ -228,12 +220,14 @@ void tradeoff(const TradeoffOptions& options) {
     const bool demanding = options.budgetMs || options.maxWrongPercent;
     printWarnings(warnings);
 
+    lab::CompareTask compared;
+    lookAt(compared, options.view, loaded.scene, options.views, options.viewsTyped);
     const bench::Report measured = measureCosts(options, loaded, rows);
     if (measured.device.isSoftware()) {
         warnings.push_back(softwareWarning(measured.device));
         printWarnings({warnings.back()});
     }
-    measureErrors(options, loaded, rows);
+    measureErrors(loaded, compared, rows);
     const std::vector<bench::Trade> trades = tradesOf(rows);
     const std::vector<bool> front = bench::paretoFront(trades);
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -249,7 +243,7 @@ void tradeoff(const TradeoffOptions& options) {
     Json json = {{"device", deviceJson(measured.device)},
                  {"size", {options.view.width, options.view.height}},
                  {"frames", options.frames},
-                 {"views", options.views},
+                 {"views", rows.front().accuracy.views},
                  {"timing", nameOf(measured.timing)},
                  {"light", options.lightMoves ? "moves" : "rests"},
                  {"rows", Json::array()}};
@@ -285,20 +279,24 @@ void addTradeoffCommand(CLI::App& program) {
         ->type_name("OUT");
     verb->add_option("--budget-ms", options->budgetMs,
                      "Say which setting has the fewest wrong pixels within this time of a frame")
+        ->check(finite())
         ->check(CLI::PositiveNumber)
         ->type_name("MS");
     verb->add_option("--max-wrong-percent", options->maxWrongPercent,
                      "Say which setting is the fastest with no more wrong pixels than this, in "
                      "percent of visible ones")
+        ->check(finite())
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("P");
     verb->add_option("--frames", options->frames, "Frames to time, 1 to 100000 (40)")
         ->check(CLI::Range(1, 100000))
         ->type_name("N");
-    verb->add_option("--views", options->views,
-                     "Views to count wrong pixels in, 1 to 1000 (16), those of compare")
-        ->check(CLI::Range(1, 1000))
-        ->type_name("N");
+    CLI::Option* views =
+        verb->add_option("--views", options->views,
+                         "Views to count wrong pixels in, 1 to 1000 (16; with a camera of yours "
+                         "that one alone), those of compare")
+            ->check(CLI::Range(1, 1000))
+            ->type_name("N");
     verb->add_option("--largest-map", options->largestMap,
                      "Leave larger shadow maps out (8192; its cube takes 1.9 GB)")
         ->check(CLI::Range(512, 8192))
@@ -316,7 +314,10 @@ void addTradeoffCommand(CLI::App& program) {
     addViewOptions(*verb, options->view);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
-    verb->callback([options] { tradeoff(*options); });
+    verb->callback([options, views] {
+        options->viewsTyped = views->count() > 0;
+        tradeoff(*options);
+    });
 }
 
 } // namespace edgeshade::cli

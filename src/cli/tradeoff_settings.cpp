@@ -7,11 +7,12 @@ namespace edgeshade::cli {
 std::vector<TradeSetting> tradeSettings(int largestMap) {
     std::vector<TradeSetting> settings = {
         {"volumes", "shadows=volumes"},
+        {"published", "shadows=volumes,layout=published"},
         {"three-edge", "shadows=volumes,multiplicity=three-edge"},
         {"single-edge", "shadows=volumes,multiplicity=single-edge"},
         {"one depth range", "shadows=volumes,depth-slices=1"},
         {"two depth slices", "shadows=volumes,depth-slices=2"},
-        {"a draw a side", "shadows=volumes,instancing=multi-draw"},
+        {"published, a draw a side", "shadows=volumes,layout=published,instancing=multi-draw"},
         {"not instanced", "shadows=volumes,instancing=off"},
         {"no shadows", "shadows=none"},
     };

@@ -25,6 +25,20 @@ LabelPlaces::LabelPlaces(const Rectangle& inside, std::vector<Point> points, dou
         taken_.push_back({p.x - radius, p.y - radius, p.x + radius, p.y + radius});
 }
 
+void LabelPlaces::keepOff(std::span<const Point> line) {
+    constexpr double step = 8.0, half = 3.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Point from = line[i - 1], to = line[i];
+        const int steps = 1 + static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / step);
+        for (int k = 0; k <= steps; ++k) {
+            const double share = static_cast<double>(k) / steps;
+            const double x = from.x + share * (to.x - from.x);
+            const double y = from.y + share * (to.y - from.y);
+            taken_.push_back({x - half, y - half, x + half, y + half});
+        }
+    }
+}
+
 double LabelPlaces::covered(const Rectangle& candidate) const {
     double area = 4.0 * (areaOf(candidate) - overlap(candidate, inside_));
     for (const Rectangle& other : taken_)

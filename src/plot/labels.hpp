@@ -18,6 +18,9 @@ class LabelPlaces {
     /// `points`: all of them, each `radius` large.
     LabelPlaces(const Rectangle& inside, std::vector<Point> points, double radius);
 
+    /// Keeps names off a line through these points.
+    void keepOff(std::span<const Point> line);
+
     /// The rectangle for a name of that size at the point; later names keep away from it.
     Rectangle place(const Point& point, double width, double height);
 

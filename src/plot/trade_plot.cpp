@@ -10,7 +10,7 @@
 namespace edgeshade::plot {
 namespace {
 
-constexpr Rectangle frame{86.0, 78.0, tradePlotWidth - 28.0, tradePlotHeight - 66.0};
+constexpr Rectangle frame{86.0, 94.0, tradePlotWidth - 28.0, tradePlotHeight - 66.0};
 constexpr Color ink = 0x222222, grey = 0x666666, gridColor = 0xE4E4E4;
 constexpr double nameSize = 12.0, radius = 5.0;
 
@@ -51,7 +51,7 @@ Axes axesFor(const std::vector<TradePoint>& points) {
             LogAxis(below, above, bottom, frame.top), frame.bottom - 8.0, hasZero};
 }
 
-void drawGrid(Canvas& canvas, const Axes& axes) {
+void drawGrid(Canvas& canvas, const Axes& axes, const std::string& timeLabel) {
     const TextStyle below{11.0, grey, Anchor::middle}, beside{11.0, grey, Anchor::end};
     for (const double tick : axes.x.ticks()) {
         const double x = axes.x.at(tick);
@@ -71,7 +71,7 @@ void drawGrid(Canvas& canvas, const Axes& axes) {
     canvas.line(std::array{Point{frame.left, frame.top}, Point{frame.left, frame.bottom},
                            Point{frame.right, frame.bottom}},
                 ink, 1.2, false);
-    canvas.text({0.5 * (frame.left + frame.right), frame.bottom + 46.0}, "time of a frame, ms",
+    canvas.text({0.5 * (frame.left + frame.right), frame.bottom + 46.0}, timeLabel,
                 {13.0, ink, Anchor::middle});
     canvas.text({24.0, 0.5 * (frame.top + frame.bottom)}, "wrong pixels, percent of visible ones",
                 {13.0, ink, Anchor::middle, false, true});
@@ -79,7 +79,7 @@ void drawGrid(Canvas& canvas, const Axes& axes) {
 
 void drawLegend(Canvas& canvas) {
     double x = frame.right - 470.0;
-    const double y = frame.top - 16.0;
+    const double y = frame.top - 14.0;
     const auto entry = [&](const std::string& text, Color fill, Color rim, double width) {
         canvas.disc({x, y - 4.0}, radius, fill, rim);
         canvas.text({x + 11.0, y}, text, {12.0, ink});
@@ -101,7 +101,7 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     canvas.text({frame.left, 30.0}, plot.title, {17.0, ink, Anchor::start, true});
     canvas.text({frame.left, 50.0}, plot.subtitle, {12.0, grey});
     drawLegend(canvas);
-    drawGrid(canvas, axes);
+    drawGrid(canvas, axes, plot.timeLabel);
 
     // The front first, so that its names get the best places.
     std::vector<TradePoint> points = plot.points;
@@ -117,8 +117,10 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     if (front.size() > 1) canvas.line(front, 0x999999, 1.5, true);
 
     LabelPlaces labels(frame, places, radius);
+    labels.keepOff(front);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const double width = 0.6 * nameSize * static_cast<double>(points[i].name.size());
+        const double letter = points[i].front ? 0.68 : 0.6; // bold is wider
+        const double width = letter * nameSize * static_cast<double>(points[i].name.size());
         const Rectangle name = labels.place(places[i], width, 1.1 * nameSize);
         const Point nearest{std::clamp(places[i].x, name.left, name.right),
                             std::clamp(places[i].y, name.top, name.bottom)};

@@ -20,6 +20,7 @@ struct TradePoint {
 struct TradePlot {
     std::string title;
     std::string subtitle;
+    std::string timeLabel; ///< of the axis
     std::vector<TradePoint> points;
 };
 

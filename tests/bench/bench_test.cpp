@@ -67,14 +67,22 @@ TEST(Bench, EverySettingHasATimeForEveryFrame) {
 
 TEST(Bench, OnlyVolumesHaveRecordsAndOnlyMapsHaveMaps) {
     const LoadedScene loaded = yard();
-    const Report report = measure(loaded, taskFor(loaded), ignore);
-    const Result &volumes = report.results[0], &map = report.results[1], &none = report.results[2];
-    const BatchShadow& shadow = loaded.shadows.front();
+    Task task = taskFor(loaded);
+    task.settings.push_back(settingOf(ShadowMethod::volumes));
+    task.settings.back().render.multiplicity = MultiplicityMethod::referenceEdge;
+    const Report report = measure(loaded, task, ignore);
+    const Result &adapted = report.results[0], &map = report.results[1], &none = report.results[2],
+                 &volumes = report.results[3];
+    const BatchShadow shadow = buildShadows(loaded.scene, false).front();
     const auto side = static_cast<std::size_t>(shadow.sides.maxMultiplicity) * 6;
     EXPECT_EQ(volumes.vertexRuns %
                   (shadow.sides.recordCount() * side + shadow.caps.recordCount() * 6),
               0u)
         << "as many times as there are depth slices";
+    EXPECT_GT(adapted.vertexRuns, 0u);
+    EXPECT_LT(adapted.vertexRuns, volumes.vertexRuns);
+    EXPECT_GT(adapted.sideBytes, 0u);
+    EXPECT_LT(adapted.sideBytes, volumes.sideBytes);
     EXPECT_GT(volumes.sideBytes, 0u);
     EXPECT_EQ(volumes.mapBytes, 0u);
     EXPECT_GT(volumes.stageMs.silhouette, 0.0);

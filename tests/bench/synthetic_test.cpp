@@ -43,7 +43,7 @@ TEST(Synthetic, EveryCellHasATimeAndEveryLayoutAFit) {
     task.multiplicities = {1, 2, 6};
     task.repeats = 2;
     const SyntheticReport report = measureSynthetic(task, [](double, const std::string&) {});
-    const std::size_t layouts = report.device.instancing ? 3 : 1;
+    const std::size_t layouts = report.device.instancing ? 5 : 2;
     EXPECT_EQ(report.rows.size(), layouts * 2 * 2 * 3);
     EXPECT_EQ(report.fits.size(), layouts * 2);
     for (const SyntheticRow& row : report.rows)

@@ -15,7 +15,8 @@ void expectHelp(const std::vector<std::string>& arguments, const std::string& wo
 } // namespace
 
 TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
-    for (const char* word : {"pack", "info", "render", "compare", "bench", "view", "Exit status"})
+    for (const char* word :
+         {"pack", "info", "render", "compare", "bench", "tradeoff", "view", "Exit status"})
         expectHelp({"--help"}, word);
 }
 
@@ -34,6 +35,9 @@ TEST(Help, EveryVerbNamesItsOptions) {
     for (const char* word : {"FILE", "--frames", "--warm-up", "--sizes", "--against",
                              "--light-moves", "--timing", "--synthetic", "--shadows", "--report"})
         expectHelp({"bench", "--help"}, word);
+    for (const char* word : {"FILE", "--plot", "--budget-ms", "--max-wrong-percent", "--frames",
+                             "--views", "--largest-map", "--against", "--light-moves", "--timing"})
+        expectHelp({"tradeoff", "--help"}, word);
 }
 
 TEST(Help, TheVersionIsOneLine) {

@@ -122,6 +122,20 @@ TEST_F(Report, OnStandardOutputItIsAlone) {
     }
 }
 
+TEST_F(Report, RenderingWithAMapHasNoRecordsOfVolumes) {
+    const auto bytes = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {
+            "render", input_, folder_ / "out.png", "--size", "16x16", "--report", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return Json::parse(runEdgeshade(arguments).out)["bytes_gpu"].get<int>();
+    };
+    EXPECT_EQ(bytes({"--shadows", "none"}), 0);
+    const int map = bytes({"--shadows", "map", "--map-size", "64"});
+    EXPECT_GE(map, 64 * 64 * 4);
+    EXPECT_LE(map, 64 * 64 * 8);
+    EXPECT_GT(bytes({}), 0);
+}
+
 TEST_F(Report, WarningsAreInItAndOnStandardError) {
     GltfBuilder gltf;
     gltf.addShapeNode(tetrahedron());

@@ -55,6 +55,7 @@ TradePlot example() {
     using Family = TradePoint::Family;
     return {"A & B",
             "two < three",
+            "time of a frame, ms",
             {{"volumes", Family::volumes, 12.0, 0.0, true},
              {"map 1024", Family::map, 3.0, 2.5, true},
              {"map 4096", Family::map, 14.0, 0.7, false},

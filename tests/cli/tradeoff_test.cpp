@@ -1,0 +1,97 @@
+// `tradeoff` as a program. What it measures is tested where it is measured.
+#include "tests/support/child_process.hpp"
+#include "tests/support/packing.hpp"
+#include "tests/support/temp_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+class Tradeoff : public testing::Test {
+  protected:
+    Tradeoff() : input_(folder_.write("in.glb", variedScene().glb())) {}
+
+    ProcessResult run(const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments = {"tradeoff",      input_, "--frames", "2",
+                                              "--views",       "1",    "--size",   "48x32",
+                                              "--largest-map", "512",  "--report", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runEdgeshade(arguments);
+    }
+
+    /// Nothing of the report is tested where this program has no oracle.
+    static bool hasLab(const ProcessResult& result) {
+        return result.err.find("built without Embree") == std::string::npos;
+    }
+
+    TempFolder folder_;
+    std::string input_;
+};
+
+TEST_F(Tradeoff, RowsHaveTheKeysOfTheContractAndTheFrontIsOne) {
+    const std::string plot = folder_ / "plot.svg";
+    const ProcessResult result = run({"--plot", plot});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json report = Json::parse(result.out);
+    ASSERT_GE(report["rows"].size(), 10u);
+    for (const Json& row : report["rows"]) {
+        EXPECT_TRUE(row["name"].is_string());
+        EXPECT_TRUE(row["settings"].contains("shadows"));
+        for (const char* key :
+             {"frame_ms", "bytes_gpu", "wrong_image_percent", "wrong_image_beyond_1px_percent"})
+            EXPECT_TRUE(row[key].is_number()) << key;
+        bool beaten = false;
+        for (const Json& other : report["rows"])
+            beaten = beaten || (other["frame_ms"] < row["frame_ms"] &&
+                                other["wrong_image_percent"] < row["wrong_image_percent"]);
+        EXPECT_FALSE(beaten && row["pareto"].get<bool>()) << row["name"];
+    }
+    EXPECT_FALSE(report.contains("take"));
+    const Bytes svg = readFile(plot);
+    EXPECT_NE(std::string(svg.begin(), svg.end()).find(">map 512<"), std::string::npos);
+}
+
+TEST_F(Tradeoff, SaysTheSettingToTakeAsOptionsThatRenderTakes) {
+    const ProcessResult result = run({"--budget-ms", "1000000", "--max-wrong-percent", "100"});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json take = Json::parse(result.out)["take"];
+    std::vector<std::string> arguments = {"render", input_, folder_ / "out.png", "--size", "16x16"};
+    std::istringstream words(take["options"].get<std::string>());
+    for (std::string word; words >> word;)
+        arguments.push_back(word);
+    EXPECT_GT(arguments.size(), 6u);
+    const ProcessResult rendered = runEdgeshade(arguments);
+    EXPECT_EQ(rendered.status, 0) << rendered.err;
+}
+
+TEST_F(Tradeoff, WhereNoSettingWillDoItSaysSoAfterTheReport) {
+    const ProcessResult result = run({"--budget-ms", "0.000001"});
+    if (!hasLab(result)) GTEST_SKIP();
+    EXPECT_EQ(result.status, 3);
+    EXPECT_TRUE(Json::parse(result.out)["take"].is_null());
+    EXPECT_NE(result.err.find("No setting keeps within"), std::string::npos);
+}
+
+TEST_F(Tradeoff, ACameraOfYoursIsTheOnlyView) {
+    const ProcessResult result =
+        runEdgeshade({"tradeoff", input_, "--frames", "1", "--size", "16x16", "--largest-map",
+                      "512", "--camera-from", "9,9,9", "--camera-to", "0,0,0", "--report", "-"});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(Json::parse(result.out)["views"], 1);
+}
+
+TEST_F(Tradeoff, AnotherSettingIsOneMoreRow) {
+    const ProcessResult result = run({"--against", "shadows=map,map-size=300"});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json last = Json::parse(result.out)["rows"].back();
+    EXPECT_EQ(last["name"], "shadows=map,map-size=300");
+    EXPECT_EQ(last["settings"]["map-size"], 300);
+}
+
+} // namespace
+} // namespace edgeshade::test
