@@ -16,6 +16,7 @@ class Emitter {
     void emitEdge(const Edge& edge, AdaptedShadow& shadow) {
         const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
         ++shadow.edges;
+        const std::size_t before = shadow.pairs.size() + shadow.singles.size();
         pairUp(mesh_, edges_, edge, planes_, paired_);
         for (const OppositePair& pair : paired_) {
             if (!pair.second)
@@ -25,6 +26,7 @@ class Emitter {
             else
                 shadow.pairs.push_back({a, b, pair.first, *pair.second});
         }
+        shadow.flatEdges += shadow.pairs.size() + shadow.singles.size() == before;
     }
 
     void emitCap(std::uint32_t triangle, AdaptedShadow& shadow) const {
@@ -84,6 +86,31 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
              rangeSince(groups, shadow.groups.size())});
     }
     return shadow;
+}
+
+AdaptedCosts& AdaptedCosts::operator+=(const AdaptedCosts& other) {
+    records += other.records;
+    flatEdges += other.flatEdges;
+    sideBytes += other.sideBytes;
+    capBytes += other.capBytes;
+    sideRuns += other.sideRuns;
+    capRuns += other.capRuns;
+    return *this;
+}
+
+AdaptedCosts costsOf(const AdaptedShadow& shadow) {
+    constexpr std::size_t quadVertices = 4, capPairVertices = 6;
+    AdaptedCosts costs;
+    costs.records = shadow.pairs.size() + shadow.singles.size();
+    costs.flatEdges = shadow.flatEdges;
+    costs.sideBytes =
+        shadow.pairs.size() * sizeof(PairRecord) + shadow.singles.size() * sizeof(SingleRecord);
+    costs.capBytes = shadow.caps.size() * sizeof(CapRecord);
+    for (const ShadowCluster& cluster : shadow.clusters)
+        costs.sideRuns +=
+            quadVertices * ((cluster.closed ? 1 : 2) * cluster.pairs.count + cluster.singles.count);
+    costs.capRuns = capPairVertices * shadow.caps.size();
+    return costs;
 }
 
 std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene,

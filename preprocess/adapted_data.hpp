@@ -80,7 +80,23 @@ struct AdaptedShadow {
     std::vector<ShadowCluster> clusters;
     std::size_t edges = 0;     ///< all, flat ones too
     std::size_t flatPairs = 0; ///< pairs that were dropped
+    std::size_t flatEdges = 0; ///< edges of which nothing is left
 };
+
+/// What adapted records take; sums over batches with +=.
+struct AdaptedCosts {
+    std::size_t records = 0;
+    std::size_t flatEdges = 0;
+    std::size_t sideBytes = 0; ///< on the GPU, instanced
+    std::size_t capBytes = 0;  ///< of all caps; they are uploaded when they are first drawn
+    /// Vertices that the vertex shader runs for one point light when neither it nor the eye is
+    /// within any cluster's bounds, and everything is in view.
+    std::size_t sideRuns = 0;
+    std::size_t capRuns = 0; ///< of all caps; volumes that the eye is outside of are drawn without
+
+    AdaptedCosts& operator+=(const AdaptedCosts& other);
+};
+AdaptedCosts costsOf(const AdaptedShadow& shadow);
 
 /// Triangles at which a cluster is full: small components share one.
 inline constexpr std::size_t clusterTriangles = 512;

@@ -15,7 +15,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
     Json byCount = Json::object();
     for (const auto& [n, count] : casters.edgesByOppositeCount)
         byCount[std::to_string(n)] = count;
-    const std::size_t capRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
+    const std::size_t publishedCapRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
     return {
         {"triangles", report.triangles},
         {"degenerate_triangles", casters.degenerateTriangles},
@@ -25,20 +25,20 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         {"largest_opposite_count", largest},
         {"components", casters.components},
         {"closed_oriented_triangles", casters.closedOrientedTriangles},
-        {"flat_edges_dropped", 0},
-        {"records", report.records},
+        {"flat_edges_dropped", report.adapted.flatEdges},
+        {"records", report.adapted.records},
         {"record_multiplicity", multiplicity},
         // Sides and caps as the GPU holds them, instanced; beside them Equations 6.8 and 6.9.
         {"bytes",
-         {{"sides", report.records * (2 + multiplicity) * sizeof(glm::vec4)},
-          {"caps", casters.triangles * CapsData::vectorsPerRecord * sizeof(glm::vec4)},
+         {{"sides", report.adapted.sideBytes},
+          {"caps", report.adapted.capBytes},
           {"published_equation", 16 * (2 + largest) * casters.edges + 48 * casters.triangles},
           {"stored", report.storedBytes},
           {"file", report.fileBytes}}},
         {"vertex_runs",
-         {{"sides", report.records * multiplicity * VERTICES_PER_SIDE},
-          {"caps", capRuns},
-          {"published", casters.edges * largest * VERTICES_PER_SIDE + capRuns}}},
+         {{"sides", report.adapted.sideRuns},
+          {"caps", report.adapted.capRuns},
+          {"published", casters.edges * largest * VERTICES_PER_SIDE + publishedCapRuns}}},
         {"seconds",
          {{"read", report.readSeconds},
           {"weld", report.build.weld},
@@ -61,7 +61,8 @@ PackInput readForPacking(const std::filesystem::path& path, const CasterSettings
     report.maxMultiplicity = sceneMultiplicity(input.topology);
     for (const BatchTopology& batch : input.topology) {
         report.casters += meshStatistics(batch.mesh.welded, batch.edges);
-        report.records += recordCountFor(batch.edges, report.maxMultiplicity);
+        report.adapted +=
+            costsOf(buildAdapted(batch.mesh, batch.edges, input.scene.materials));
     }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/adapted_data.hpp"
 #include "preprocess/shadow_extension.hpp"
 
 #include <nlohmann/json.hpp>
@@ -10,8 +11,8 @@ namespace edgeshade {
 struct PackReport {
     std::size_t triangles = 0; ///< of all surfaces, degenerate ones included
     MeshStatistics casters;
-    std::size_t records = 0;
-    int maxMultiplicity = 1;
+    AdaptedCosts adapted;
+    int maxMultiplicity = 1; ///< opposite vertices a published record, as `expanded` stores them
     std::size_t storedBytes = 0; ///< of shadow data in the file
     std::size_t fileBytes = 0;
     double readSeconds = 0.0;

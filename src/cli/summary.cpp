@@ -31,12 +31,14 @@ std::string summaryOf(const PackReport& report) {
             << grouped(count) << "\n";
     row("components") << grouped(casters.components) << ", closed and oriented triangles "
                       << grouped(casters.closedOrientedTriangles) << "\n";
-    row("records") << grouped(report.records) << " of " << report.maxMultiplicity
-                   << " opposite vertices\n";
+    row("records") << grouped(report.adapted.records) << ", flat edges dropped "
+                   << grouped(report.adapted.flatEdges) << "\n";
     row("vertex runs a light") << grouped(json["vertex_runs"]["sides"].get<std::size_t>())
                                << " sides, "
                                << grouped(json["vertex_runs"]["caps"].get<std::size_t>())
-                               << " caps\n";
+                               << " caps, published "
+                               << grouped(json["vertex_runs"]["published"].get<std::size_t>())
+                               << "\n";
     row("bytes on the GPU") << grouped(json["bytes"]["sides"].get<std::size_t>()) << " sides, "
                             << grouped(json["bytes"]["caps"].get<std::size_t>()) << " caps\n";
     row("bytes in the file") << grouped(report.storedBytes) << " shadow data of "

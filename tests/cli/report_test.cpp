@@ -72,8 +72,12 @@ TEST_F(Report, TheFiguresAreThoseOfTheScene) {
     EXPECT_EQ(report["largest_opposite_count"], 7);
     EXPECT_EQ(report["components"], 3);
     EXPECT_EQ(report["closed_oriented_triangles"], 24);
-    EXPECT_EQ(report["records"], 18 + 18 + 14 + 2);
-    EXPECT_EQ(report["bytes"]["caps"], 31 * 48);
+    EXPECT_EQ(report["flat_edges_dropped"], 6 + 6); // the boxes' diagonals
+    EXPECT_EQ(report["records"], 12 + 12 + 14 + 4);
+    EXPECT_EQ(report["bytes"]["sides"], (12 + 12 + 3) * 56 + (14 + 1) * 40);
+    EXPECT_EQ(report["bytes"]["caps"], 31 * 52);
+    EXPECT_EQ(report["vertex_runs"]["sides"], 4 * (12 + 12) + 4 * (2 * 3 + 15));
+    EXPECT_EQ(report["vertex_runs"]["published"], 6 * 7 * 51 + 6 * 31);
     EXPECT_EQ(report["bytes"]["published_equation"], 16 * (2 + 7) * 51 + 48 * 31);
     EXPECT_EQ(report["bytes"]["file"], std::filesystem::file_size(output_));
 }

@@ -1,0 +1,218 @@
+#include "src/render/volume_plan.hpp"
+
+#include "tests/support/hard_lights.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::Random;
+
+Box boxAround(const glm::dvec3& center, double halfSize) {
+    Box box;
+    box.add(center - halfSize);
+    box.add(center + halfSize);
+    return box;
+}
+
+ShadowCluster clusterAt(const glm::dvec3& center, double halfSize, bool closed = true,
+                        bool holes = false) {
+    ShadowCluster cluster;
+    cluster.bounds = boxAround(center, halfSize);
+    cluster.closed = closed;
+    cluster.holes = holes;
+    return cluster;
+}
+
+/// From the origin along -z, 60 degrees both ways, from 0.1 to 100.
+FrameView viewAlongZ() {
+    FrameView view;
+    view.camera = {{0, 0, 0}, {0, 0, -1}, 60.0};
+    view.width = view.height = 64;
+    view.slices = {{0.1, std::numeric_limits<double>::infinity()}};
+    view.farthestDepth = 100.0;
+    return view;
+}
+
+std::vector<VolumeDraw> planFor(const ShadowCluster& cluster, const glm::dvec4& light,
+                                const glm::dmat4& worldFromBatch = glm::dmat4(1.0)) {
+    const FrameView view = viewAlongZ();
+    const std::vector<ShadowCluster> clusters = {cluster};
+    return planVolumes(clusters, planView(view, view.slices[0], {light}, worldFromBatch));
+}
+
+VolumeDraw onlyDraw(const ShadowCluster& cluster, const glm::dvec4& light) {
+    const auto draws = planFor(cluster, light);
+    EXPECT_EQ(draws.size(), 1u);
+    return draws.empty() ? VolumeDraw() : draws.front();
+}
+
+} // namespace
+
+TEST(Separation, OfWhatIsPlainlyApartOrNot) {
+    const LightPyramid pyramid{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, {0, 0, 10, 1}};
+    EXPECT_FALSE(areApart(pyramid, boxAround({0, 0, 5}, 0.1)));
+    EXPECT_FALSE(areApart(pyramid, boxAround({0, 0, 10}, 0.1)));
+    EXPECT_FALSE(areApart(pyramid, boxAround({0, 0, 0}, 0.1)));
+    EXPECT_TRUE(areApart(pyramid, boxAround({0, 0, 12}, 0.1)));
+    EXPECT_TRUE(areApart(pyramid, boxAround({0, 0, -2}, 0.1)));
+    EXPECT_TRUE(areApart(pyramid, boxAround({0.9, 0.9, 5}, 0.1)));
+    EXPECT_TRUE(areApart(pyramid, Box()));
+    LightPyramid prism = pyramid;
+    prism.light = {0, 0, 1, 0};
+    EXPECT_FALSE(areApart(prism, boxAround({0.9, 0.9, 1e6}, 0.2)));
+    EXPECT_TRUE(areApart(prism, boxAround({0, 0, -2}, 0.1)));
+    EXPECT_TRUE(areApart(prism, boxAround({3, 0, 5}, 0.1)));
+}
+
+TEST(Separation, NeverPartsWhatTouches) {
+    Random random(21);
+    std::size_t apart = 0;
+    for (int i = 0; i < 30'000; ++i) {
+        const glm::dvec3 corner = 3.0 * random.inCube();
+        const glm::dvec3 right = random.inCube() * random.magnitude(-3, 0);
+        const glm::dvec3 up = random.inCube() * random.magnitude(-3, 0);
+        const bool sun = random.below(3) == 0;
+        const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-2, 2)), !sun);
+        const LightPyramid pyramid{{{corner, corner + right, corner + right + up, corner + up}},
+                                   light};
+        // A point of the hull, and a box that just holds it.
+        const double s = random.uniform(0, 1), t = random.uniform(0, 1);
+        const glm::dvec3 base = corner + s * right + t * up;
+        const double u = random.uniform(0, 1);
+        const glm::dvec3 point =
+            sun ? base + u * 50.0 * glm::dvec3(light) : glm::mix(base, glm::dvec3(light), u);
+        const double size = random.magnitude(-4, 0);
+        const glm::dvec3 offset = size * random.inCube();
+        EXPECT_FALSE(areApart(pyramid, boxAround(point + offset, size * 1.0001)));
+        apart += areApart(pyramid, boxAround(4.0 * random.inCube(), size));
+    }
+    EXPECT_GT(apart, 10'000u); // a test that always says no would pass too
+}
+
+TEST(VolumePlan, AnObjectInViewTakesNoCapsAndHalfTheTriangles) {
+    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, -10}, 1), {0, 50, -10, 1});
+    EXPECT_EQ(draw.counted, Counted::lightFacing);
+    EXPECT_FALSE(draw.zFail);
+    EXPECT_FALSE(draw.frontCaps);
+}
+
+TEST(VolumePlan, AnOpenOneCountsInFull) {
+    EXPECT_EQ(onlyDraw(clusterAt({0, 0, -10}, 1, false), {0, 50, -10, 1}).counted, Counted::all);
+}
+
+TEST(VolumePlan, TheEyeInItsShadowTakesCaps) {
+    const VolumeDraw draw = onlyDraw(clusterAt({0, 5, 0}, 1), {0, 50, 0, 1});
+    EXPECT_TRUE(draw.zFail);
+    EXPECT_FALSE(draw.frontCaps) << "it is above the eye, out of view";
+    EXPECT_EQ(draw.counted, Counted::lightFacing);
+    EXPECT_TRUE(onlyDraw(clusterAt({0, 5, 0}, 1), {0, 1, 0, 0}).zFail);
+}
+
+TEST(VolumePlan, TheEyeBetweenLightAndObjectTakesNone) {
+    EXPECT_FALSE(onlyDraw(clusterAt({0, 0, -10}, 1), {0, 0, 20, 1}).zFail);
+}
+
+TEST(VolumePlan, TheLightWithinItsBoundsCountsInFull) {
+    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1});
+    EXPECT_EQ(draw.counted, Counted::all);
+    EXPECT_TRUE(draw.zFail) << "the hull of near rectangle and light meets the box";
+    EXPECT_TRUE(draw.frontCaps);
+    EXPECT_FALSE(draw.nearDiscard);
+}
+
+TEST(VolumePlan, TheEyeWithinItsBoundsCountsInFullAndCutsCaps) {
+    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1});
+    EXPECT_EQ(draw.counted, Counted::all);
+    EXPECT_TRUE(draw.zFail);
+    EXPECT_TRUE(draw.frontCaps);
+    EXPECT_TRUE(draw.nearDiscard);
+}
+
+TEST(VolumePlan, TheNearPlaneWithinItsBoundsCountsInFull) {
+    // Not the eye, which is at 0; the near plane is at 0.1.
+    EXPECT_EQ(onlyDraw(clusterAt({0, 0, -0.1}, 0.05), {0, 50, -10, 1}).counted, Counted::all);
+}
+
+TEST(VolumePlan, WithHolesItAlwaysTakesCaps) {
+    EXPECT_TRUE(onlyDraw(clusterAt({0, 0, -10}, 1, false, true), {0, 50, -10, 1}).zFail);
+}
+
+TEST(VolumePlan, WhatCannotCastIntoTheViewIsLeftOut) {
+    EXPECT_TRUE(planFor(clusterAt({0, 0, 10}, 1), {0, 50, 10, 1}).empty());     // behind the eye
+    EXPECT_TRUE(planFor(clusterAt({50, 0, -10}, 1), {0, 0, -10, 1}).empty());   // to the right
+    EXPECT_TRUE(planFor(clusterAt({50, 0, -10}, 1), {-1, 0, 0, 0}).empty());    // of a sun
+    EXPECT_TRUE(planFor(clusterAt({0, 0, -200}, 1), {0, 0, 10, 1}).empty());    // beyond all
+    EXPECT_EQ(planFor(clusterAt({50, 0, -10}, 1), {90, 0, -10, 1}).size(), 1u); // from outside in
+    EXPECT_EQ(planFor(clusterAt({0, 0, 10}, 1), {0, 0, 50, 1}).size(), 1u);
+}
+
+TEST(VolumePlan, NeighboursThatAreDrawnAlikeShareADraw) {
+    const FrameView view = viewAlongZ();
+    const std::vector<ShadowCluster> clusters = {
+        clusterAt({0, 0, -10}, 1), clusterAt({3, 0, -10}, 1), clusterAt({0, 0, 10}, 1),
+        clusterAt({0, 3, -10}, 1), clusterAt({1, 1, -10}, 1, false)};
+    const auto draws =
+        planVolumes(clusters, planView(view, view.slices[0], {{0, 50, -10, 1}}, glm::dmat4(1.0)));
+    ASSERT_EQ(draws.size(), 3u);
+    EXPECT_EQ(draws[0].clusters.first, 0u);
+    EXPECT_EQ(draws[0].clusters.count, 2u);
+    EXPECT_EQ(draws[1].clusters.first, 3u);
+    EXPECT_EQ(draws[1].clusters.count, 1u);
+    EXPECT_EQ(draws[2].counted, Counted::all);
+}
+
+TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
+    Random random(8);
+    const FrameView view = viewAlongZ();
+    std::size_t leftOut = 0, withoutCaps = 0;
+    for (int i = 0; i < 30'000; ++i) {
+        const bool sun = random.below(3) == 0;
+        const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-1, 2)), !sun);
+        const ShadowCluster cluster =
+            clusterAt(random.inCube() * random.magnitude(-1, 2), random.magnitude(-2, 1));
+        const std::vector<ShadowCluster> clusters = {cluster};
+        const auto draws =
+            planVolumes(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
+        // A point of its volume.
+        const glm::dvec3 of = cluster.bounds.center() +
+                              random.inCube() * (0.5 * (cluster.bounds.high - cluster.bounds.low));
+        const double away = random.magnitude(-3, 3);
+        const glm::dvec3 point = of + away * (sun ? -glm::dvec3(light) : of - glm::dvec3(light));
+        const double depth = -point.z, reach = depth * std::tan(glm::radians(30.0));
+        const bool inView =
+            depth > 0.1 && depth < 100.0 && std::abs(point.x) < reach && std::abs(point.y) < reach;
+        leftOut += draws.empty();
+        EXPECT_FALSE(draws.empty() && inView);
+        // Whether the middle of the near plane sees the light through the box.
+        const glm::dvec3 near(0, 0, -0.1);
+        const glm::dvec3 towards = sun ? glm::dvec3(light) : glm::dvec3(light) - near;
+        double enter = 0.0, leave = sun ? 1e30 : 1.0;
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            const double a = (cluster.bounds.low[axis] - near[axis]) / towards[axis];
+            const double b = (cluster.bounds.high[axis] - near[axis]) / towards[axis];
+            enter = std::max(enter, std::min(a, b));
+            leave = std::min(leave, std::max(a, b));
+        }
+        if (draws.empty()) continue;
+        withoutCaps += !draws[0].zFail;
+        EXPECT_FALSE(enter <= leave && !draws[0].zFail);
+    }
+    EXPECT_GT(leftOut, 1'000u);
+    EXPECT_GT(withoutCaps, 1'000u);
+}
+
+TEST(VolumePlan, IsTheSameInTheSpaceOfAMovedNode) {
+    const glm::dvec4 light(0, 50, -10, 1);
+    glm::dmat4 worldFromBatch(1.0);
+    worldFromBatch[0] = {-2, 0, 0, 0}; // mirrored, stretched
+    worldFromBatch[3] = {0, 0, -10, 1};
+    const auto draws = planFor(clusterAt({0, 0, 0}, 0.5), light, worldFromBatch);
+    ASSERT_EQ(draws.size(), 1u);
+    EXPECT_FALSE(draws[0].zFail);
+    EXPECT_EQ(draws[0].counted, Counted::lightFacing);
+    EXPECT_TRUE(planFor(clusterAt({0, 0, 20}, 0.5), light, worldFromBatch).empty());
+}
+
+} // namespace edgeshade
