@@ -1,8 +1,7 @@
 // Sides of the shadow volumes from records of one or two planes (preprocess/adapted_data.hpp).
 //
 // Variants: PAIR, two planes, else one; SUN, all points at infinity coincide, so that a side is the
-// triangle of A, B and the first of them; PROBE, for tests; DEGENERATE, for measuring: all is computed, and every
-// vertex ends up at (0,0,0,0).
+// triangle of A, B and the first of them; PROBE and DEGENERATE as in sides.vert.
 #include "plane_side.glsl"
 #include "extrusion.glsl"
 
@@ -19,7 +18,7 @@ uniform vec2 u_counted; // see countedSide()
 uniform float u_side;   // index of the quad: 0 or 1
 uniform mat4 u_clipFromObject;
 #ifdef DEGENERATE
-uniform float u_degenerate; // never set, so 0; no compiler knows
+uniform float u_degenerate;
 #endif
 
 invariant gl_Position;

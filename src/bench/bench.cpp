@@ -19,9 +19,7 @@ constexpr int mostTries = 5;           // where the GPU was disturbed
 struct Contender {
     Contender(const Setting& setting_, const RenderSettings& render,
               const gl::Capabilities& capabilities)
-        : setting(setting_), renderer(render, capabilities),
-          volumes(render.shadows == ShadowMethod::volumes ? std::optional(render.records())
-                                                          : std::nullopt) {}
+        : setting(setting_), renderer(render, capabilities), volumes(render.records()) {}
 
     const Setting& setting;
     Renderer renderer;
@@ -198,9 +196,9 @@ class Course {
                           stage(&StageMs::lit)};
         result.planMs = median(contender.planMs);
         result.vertexRuns = static_cast<std::size_t>(median(contender.vertexRuns));
-        const auto count = [&](const BatchVolumes& volumes) {
-            result.sideBytes += volumes.sideBytes();
-            result.capBytes += volumes.bytes() - volumes.sideBytes();
+        const auto count = [&](const BatchVolumes& shadow) {
+            result.sideBytes += shadow.sideBytes();
+            result.capBytes += shadow.capBytes();
         };
         for (const GpuBatch& batch : sceneFor(contender.volumes).batches)
             count(batch.volumes);

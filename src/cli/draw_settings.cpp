@@ -109,7 +109,7 @@ void resolve(DrawSettings& settings) {
     MultiplicityMethod& method = settings.render.multiplicity;
     method = settings.multiplicity.value_or(published ? MultiplicityMethod::referenceEdge
                                                       : MultiplicityMethod::plane);
-    if (settings.layout && settings.render.records().volumes != *settings.layout)
+    if (settings.layout && volumeLayoutOf(method) != *settings.layout)
         throw Error(ExitStatus::usage, std::string("--multiplicity ") +
                                            nameIn(multiplicityNames, method) + " needs --layout " +
                                            (published ? "adapted." : "published."));
@@ -174,7 +174,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     nlohmann::ordered_json json = {
         {"shadows", nameIn(shadowNames, render.shadows)},
-        {"layout", nameIn(layoutNames, render.records().volumes)},
+        {"layout", nameIn(layoutNames, volumeLayoutOf(render.multiplicity))},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)

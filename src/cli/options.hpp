@@ -45,23 +45,11 @@ std::string wordsOf(const Choices<Value>& choices, const std::string& separator)
     return words;
 }
 
-/// What a choice is of: the value of an optional, else the type itself.
-template <class T>
-struct Chosen {
-    using Type = T;
-};
-template <class T>
-struct Chosen<std::optional<T>> {
-    using Type = T;
-};
-template <class T>
-using ChoiceOf = typename Chosen<T>::Type;
-
 /// Adds an option whose value is one of a few words, and nothing else: CLI11's own transformer
 /// takes the numbers behind them too. `value`, a Value or an optional one, must outlive parsing.
-template <class Value>
-void addChoice(CLI::App& verb, const std::string& option, Value& value,
-               const Choices<ChoiceOf<Value>>& choices, const std::string& help) {
+template <class Target, class Value = Target>
+void addChoice(CLI::App& verb, const std::string& option, Target& value,
+               const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
     const auto use = [option, &value, choices](const std::string& text) {
         for (const auto& [word, meaning] : choices)
             if (word == text) {

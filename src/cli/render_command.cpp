@@ -62,12 +62,8 @@ void render(const RenderOptions& options) {
     RenderSettings settings = options.settings.render;
     settings.layout = layoutFor(options.settings.instancing, capabilities);
     Renderer renderer(settings, capabilities);
-    const bool volumes = settings.shadows == ShadowMethod::volumes;
-    const GpuScene scene = uploadScene(
-        loaded, volumes ? std::optional(settings.records()) : std::nullopt, capabilities);
-    const std::vector<GroupedShadow> groups =
-        volumes ? uploadNeededGroups(loaded, view, settings.records())
-                : std::vector<GroupedShadow>();
+    const GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
+    const std::vector<GroupedShadow> groups = uploadNeededGroups(loaded, view, settings.records());
     const double loadSeconds = watch.lap();
 
     renderer.draw(scene, view, groups);

@@ -15,7 +15,10 @@ std::optional<Instancing> Instancing::find(const std::string& version,
         reinterpret_cast<Divisor>(lookUp(("glVertexAttribDivisor" + *suffix).c_str()));
     instancing.drawArrays_ =
         reinterpret_cast<DrawArrays>(lookUp(("glDrawArraysInstanced" + *suffix).c_str()));
-    if (!instancing.divisor_ || !instancing.drawArrays_) return std::nullopt;
+    instancing.drawElements_ =
+        reinterpret_cast<DrawElements>(lookUp(("glDrawElementsInstanced" + *suffix).c_str()));
+    if (!instancing.divisor_ || !instancing.drawArrays_ || !instancing.drawElements_)
+        return std::nullopt;
     return instancing;
 }
 
@@ -23,8 +26,8 @@ void Instancing::drawTriangles(int vertices, int instances) const {
     drawArrays_(GL_TRIANGLES, 0, vertices, instances);
 }
 
-void Instancing::drawTriangleStrips(int vertices, int instances) const {
-    drawArrays_(GL_TRIANGLE_STRIP, 0, vertices, instances);
+void Instancing::drawIndexedTriangles(int indices, int instances) const {
+    drawElements_(GL_TRIANGLES, indices, GL_UNSIGNED_SHORT, nullptr, instances);
 }
 
 } // namespace edgeshade::gl

@@ -16,14 +16,17 @@ class Instancing {
 
     void divisor(unsigned attribute, unsigned value) const { divisor_(attribute, value); }
     void drawTriangles(int vertices, int instances) const;
-    void drawTriangleStrips(int vertices, int instances) const;
+    /// By the first `indices` 16-bit indices of the bound element array.
+    void drawIndexedTriangles(int indices, int instances) const;
 
   private:
     using Divisor = void (*)(unsigned, unsigned);
     using DrawArrays = void (*)(unsigned, int, int, int);
+    using DrawElements = void (*)(unsigned, int, unsigned, const void*, int);
 
     Divisor divisor_ = nullptr;
     DrawArrays drawArrays_ = nullptr;
+    DrawElements drawElements_ = nullptr;
 };
 
 } // namespace edgeshade::gl

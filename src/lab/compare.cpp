@@ -36,7 +36,7 @@ class Studio {
     }
 
   private:
-    const GpuScene& sceneFor(VolumeRecords records) {
+    const GpuScene& sceneFor(std::optional<VolumeRecords> records) {
         auto found = scenes_.find(records);
         if (found == scenes_.end())
             found = scenes_.emplace(records, uploadScene(loaded_, records, context_.capabilities()))
@@ -46,7 +46,7 @@ class Studio {
 
     const LoadedScene& loaded_;
     gl::HeadlessContext context_;
-    std::map<VolumeRecords, GpuScene> scenes_;
+    std::map<std::optional<VolumeRecords>, GpuScene> scenes_;
 };
 
 /// One view with its oracle, which all contenders share.
@@ -92,9 +92,7 @@ class Jury {
     Comparison compare(Renderer& renderer, std::optional<int> depthSlices) {
         FrameView frame = frameWith(depthSlices);
         drawUnshadowed(renderer.settings(), frame);
-        const auto groups = renderer.settings().shadows == ShadowMethod::volumes
-                                ? uploadNeededGroups(loaded_, frame, renderer.settings().records())
-                                : std::vector<GroupedShadow>();
+        const auto groups = uploadNeededGroups(loaded_, frame, renderer.settings().records());
         pictures_.image = studio_.draw(renderer, frame, groups);
         frame.mask = true;
         pictures_.mask = studio_.draw(renderer, frame, groups);

@@ -19,10 +19,10 @@ const std::vector<int> pairComponents = {3, 3, 4, 4};
 const std::vector<int> singleComponents = {3, 3, 4};
 const std::vector<int> capComponents = {3, 3, 3, 4};
 
-gl::Buffer indexBuffer(std::span<const std::uint16_t> pattern) {
+gl::Buffer indexBuffer(std::span<const std::uint16_t> pattern, std::uint32_t quads) {
     std::vector<std::uint16_t> indices;
-    indices.reserve(quadsPerDraw * pattern.size());
-    for (std::uint32_t quad = 0; quad < quadsPerDraw; ++quad)
+    indices.reserve(quads * pattern.size());
+    for (std::uint32_t quad = 0; quad < quads; ++quad)
         for (const std::uint16_t corner : pattern)
             indices.push_back(static_cast<std::uint16_t>(verticesPerQuad * quad + corner));
     return gl::Buffer(gl::Buffer::Kind::indices,
@@ -107,13 +107,12 @@ AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing>
                                std::vector<std::string> capsDefines)
     : layout_(layout), instancing_(instancing), sidesDefines_(std::move(sidesDefines)),
       capsDefines_(std::move(capsDefines)) {
-    if (layout == SidesLayout::notInstanced) {
-        quadIndices_ = indexBuffer(std::array<std::uint16_t, 6>{2, 1, 0, 1, 2, 3});
-        sunIndices_ = indexBuffer(std::array<std::uint16_t, 3>{2, 1, 0});
-        return;
-    }
-    // As a strip: (0, 2, 1) and (1, 2, 3).
-    quadCorners_ = gl::vertexBuffer<float>(std::array<float, 4>{0, 2, 1, 3});
+    const std::uint32_t quads = layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
+    // The published order: rasterisers round a triangle's depths by which corner comes first.
+    quadIndices_ = indexBuffer(std::array<std::uint16_t, 6>{2, 1, 0, 1, 2, 3}, quads);
+    sunIndices_ = indexBuffer(std::array<std::uint16_t, 3>{2, 1, 0}, quads);
+    if (layout == SidesLayout::notInstanced) return;
+    quadCorners_ = gl::vertexBuffer<float>(std::array<float, 4>{0, 1, 2, 3});
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
 }
 
@@ -146,22 +145,23 @@ void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const VolumeDraw& 
 
 void AdaptedVolumes::drawQuads(const gl::Buffer& buffer, const std::vector<int>& components,
                                bool copied, const RecordRange& range, bool sun) {
+    const int indices = sun ? 3 : 6;
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (sun ? sunIndices_ : quadIndices_).name());
     if (!copied) {
         AttributeBinding binding(&*instancing_);
         bindRecords(binding, buffer, components, range.first * sizeof(float) * floatsOf(components),
                     false, quadCorners_, 0);
-        instancing_->drawTriangleStrips(sun ? 3 : verticesPerQuad, static_cast<int>(range.count));
+        instancing_->drawIndexedTriangles(indices, static_cast<int>(range.count));
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
         return;
     }
     const std::size_t recordBytes = verticesPerQuad * sizeof(float) * (floatsOf(components) + 1);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (sun ? sunIndices_ : quadIndices_).name());
     for (std::uint32_t done = 0; done < range.count; done += quadsPerDraw) {
         const std::uint32_t count = std::min(quadsPerDraw, range.count - done);
         AttributeBinding binding(nullptr);
         bindRecords(binding, buffer, components, (range.first + done) * recordBytes, true,
                     quadCorners_, 0);
-        glDrawElements(GL_TRIANGLES, static_cast<int>(count) * (sun ? 3 : 6), GL_UNSIGNED_SHORT,
-                       nullptr);
+        glDrawElements(GL_TRIANGLES, static_cast<int>(count) * indices, GL_UNSIGNED_SHORT, nullptr);
     }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }

@@ -58,10 +58,10 @@ class AdaptedVolumes {
     SidesLayout layout_;
     std::optional<gl::Instancing> instancing_;
     std::vector<std::string> sidesDefines_, capsDefines_;
-    gl::Buffer quadCorners_; ///< instanced: of a quad as a strip
+    gl::Buffer quadCorners_; ///< instanced: 0..3
     gl::Buffer capCorners_;  ///< instanced: 0..5
-    gl::Buffer quadIndices_; ///< not instanced: quads of four vertices each
-    gl::Buffer sunIndices_;  ///< not instanced: their first triangles
+    gl::Buffer quadIndices_; ///< of one quad; not instanced: of as many as 16 bits reach
+    gl::Buffer sunIndices_;  ///< the same of their first triangles
     std::map<AdaptedSidesVariant, gl::Program> sides_;
     std::map<std::pair<bool, bool>, gl::Program> caps_;
 };

@@ -55,13 +55,14 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              VolumeRecords records) {
+                                              std::optional<VolumeRecords> records) {
+    if (!records) return {};
     std::vector<GroupedShadow> groups(view.layers.size());
     bool needed = false;
     for (std::size_t i = 0; i < view.layers.size(); ++i) {
         const LayerBound& bound = view.layers[i];
         if (bound.groupCount <= 1) continue;
-        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, records);
+        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, *records);
         needed = true;
     }
     return needed ? std::move(groups) : std::vector<GroupedShadow>();
@@ -70,9 +71,10 @@ std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const F
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), surfaces_(settings.map.pcf) {
     const auto& instancing = requireInstancing(settings, capabilities).instancing;
-    if (settings.records().volumes == VolumeLayout::adapted) {
+    const auto records = settings.records();
+    if (records && records->volumes == VolumeLayout::adapted)
         adapted_.emplace(settings.layout, instancing);
-    } else {
+    if (records && records->volumes == VolumeLayout::published) {
         sides_.emplace(settings.multiplicity, settings.layout, instancing);
         caps_.emplace(settings.multiplicity, settings.layout, instancing);
     }
@@ -194,18 +196,18 @@ std::size_t Renderer::countVolumes(const Pass& pass, const Light& light,
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
         const GpuBatch& batch = pass.scene.batches[i];
         if (batch.hidden) continue;
-        runs += adapted_ ? drawAdapted(pass, light, batch, *volumesOf(i).adapted)
-                         : drawPublished(pass, light, i, *volumesOf(i).published);
+        runs += adapted_ ? countAdapted(pass, light, batch, *volumesOf(i).adapted)
+                         : countPublished(pass, light, i, *volumesOf(i).published);
     }
     return runs;
 }
 
-std::size_t Renderer::drawAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
-                                  const AdaptedBuffers& buffers) {
+std::size_t Renderer::countAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+                                   const AdaptedBuffers& buffers) {
     const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-    const PlanView planned = planView(pass.view, pass.slice, light, batch.worldFromBatch);
-    const std::vector<VolumeDraw> draws = planVolumes(buffers.shadow().clusters, planned);
+    const std::vector<VolumeDraw> draws = planVolumes(
+        buffers.shadow().clusters, planView(pass.view, pass.slice, light, batch.worldFromBatch));
     for (const VolumeDraw& draw : draws) {
         countInStencil(draw.zFail, batchView.mirrored);
         adapted_->drawSides(buffers, draw, lightHere, batchView.clipFromObject);
@@ -213,11 +215,11 @@ std::size_t Renderer::drawAdapted(const Pass& pass, const Light& light, const Gp
                            batchView.clipFromObject);
     }
     return edgeshade::vertexRuns(buffers.shadow(), draws, pass.scene.materials,
-                                 lightHere.w == 0.0f);
+                                 light.position.w == 0.0);
 }
 
-std::size_t Renderer::drawPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
-                                    const ShadowBuffers& shadow) {
+std::size_t Renderer::countPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
+                                     const ShadowBuffers& shadow) {
     const GpuBatch& batch = pass.scene.batches[batchIndex];
     const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);

@@ -26,12 +26,10 @@ struct RenderSettings {
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
-    /// What volumes are drawn from: planes are in adapted records, opposite vertices in published
-    /// ones.
-    VolumeRecords records() const {
-        return {multiplicity == MultiplicityMethod::plane ? VolumeLayout::adapted
-                                                          : VolumeLayout::published,
-                layout};
+    /// What volumes are drawn from; nothing where shadows are something else.
+    std::optional<VolumeRecords> records() const {
+        if (shadows != ShadowMethod::volumes) return std::nullopt;
+        return VolumeRecords{volumeLayoutOf(multiplicity), layout};
     }
 };
 
@@ -83,12 +81,12 @@ class Renderer {
     void drawDepthAndAmbient(const Pass& pass);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
     void drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
-    // These return how many vertices went through the shaders.
+    /// These return how many vertices they sent through shaders.
     std::size_t countVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
-    std::size_t drawAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
-                            const AdaptedBuffers& buffers);
-    std::size_t drawPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
-                              const ShadowBuffers& shadow);
+    std::size_t countAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+                             const AdaptedBuffers& buffers);
+    std::size_t countPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
+                               const ShadowBuffers& shadow);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
@@ -108,7 +106,7 @@ class Renderer {
 
 /// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              VolumeRecords records);
+                                              std::optional<VolumeRecords> records);
 
 /// Where the view's camera sees a batch from, drawn with the slice's depth range.
 BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice);

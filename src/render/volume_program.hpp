@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/gl/program.hpp"
-#include "src/scene/shadow_buffers.hpp"
+#include "src/scene/batch_volumes.hpp"
 
 #include <string>
 #include <vector>
@@ -16,7 +16,13 @@ enum class MultiplicityMethod {
     singleEdge,    ///< Kim 2008: every edge for itself; not robust, the failing baseline
 };
 
-/// The program for sides. `extraDefines` and `extraAttributes` are for tests.
+/// The records that have what the method needs: planes are in adapted ones, opposite vertices in
+/// published ones.
+inline VolumeLayout volumeLayoutOf(MultiplicityMethod method) {
+    return method == MultiplicityMethod::plane ? VolumeLayout::adapted : VolumeLayout::published;
+}
+
+/// The program for sides, of published records. `extraDefines` and `extraAttributes` are for tests.
 gl::Program makeSidesProgram(MultiplicityMethod method, int maxMultiplicity, SidesLayout layout,
                              const std::vector<std::string>& extraDefines = {},
                              const std::vector<std::string>& extraAttributes = {});
@@ -29,7 +35,7 @@ struct CapsVariant {
     auto operator<=>(const CapsVariant&) const = default;
 };
 
-/// The program for caps.
+/// The program for caps, of published records.
 gl::Program makeCapsProgram(MultiplicityMethod method, SidesLayout layout,
                             const CapsVariant& variant,
                             const std::vector<std::string>& extraDefines = {},

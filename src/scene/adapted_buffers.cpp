@@ -70,8 +70,8 @@ const CapBuffers& AdaptedBuffers::capsOf(std::size_t cluster) const {
     return *caps_[cluster];
 }
 
-std::size_t AdaptedBuffers::bytes() const {
-    std::size_t total = pairs_.size() + singles_.size();
+std::size_t AdaptedBuffers::capBytes() const {
+    std::size_t total = 0;
     for (const auto& caps : caps_)
         if (caps) total += caps->records.size() + caps->holes.size();
     return total;

@@ -42,7 +42,8 @@ class AdaptedBuffers {
     /// Whether records are copied for every vertex.
     bool copied() const { return layout_ == SidesLayout::notInstanced; }
     std::size_t sideBytes() const { return pairs_.size() + singles_.size(); }
-    std::size_t bytes() const; ///< of what was uploaded so far
+    std::size_t capBytes() const; ///< of what was uploaded so far
+    std::size_t bytes() const { return sideBytes() + capBytes(); }
 
   private:
     std::shared_ptr<const AdaptedShadow> shadow_;

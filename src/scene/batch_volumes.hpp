@@ -30,9 +30,10 @@ struct BatchVolumes {
     std::size_t sideBytes() const {
         return (adapted ? adapted->sideBytes() : 0) + (published ? published->sideBytes() : 0);
     }
-    std::size_t bytes() const {
-        return (adapted ? adapted->bytes() : 0) + (published ? published->bytes() : 0);
+    std::size_t capBytes() const {
+        return (adapted ? adapted->capBytes() : 0) + (published ? published->capBytes() : 0);
     }
+    std::size_t bytes() const { return sideBytes() + capBytes(); }
 };
 
 } // namespace edgeshade

@@ -35,8 +35,8 @@ struct GpuScene {
 /// Shadow data in groups, each of which a stencil can count: by group, then by batch.
 using GroupedShadow = std::vector<std::vector<BatchVolumes>>;
 
-/// Uploads the surfaces, and the records of shadow volumes, nothing where none will be drawn.
-/// Throws InputError for broken images, Error(unavailable) if the GL can't.
+/// Uploads the surfaces, and the records that shadow volumes are drawn from, none where none will
+/// be drawn. Throws InputError for broken images, Error(unavailable) if the GL can't.
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities);
 

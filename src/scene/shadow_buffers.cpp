@@ -67,8 +67,8 @@ std::size_t ShadowBuffers::sideBytes() const {
     return bytesOf(sides);
 }
 
-std::size_t ShadowBuffers::bytes() const {
-    return sideBytes() + bytesOf(caps) + capHoles.size();
+std::size_t ShadowBuffers::capBytes() const {
+    return bytesOf(caps) + capHoles.size();
 }
 
 std::size_t ShadowBuffers::vertexRuns(const std::vector<Material>& materials) const {

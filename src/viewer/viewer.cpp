@@ -44,10 +44,7 @@ struct Viewer::Parts {
         }
 
         VolumeRecords recordsOf(const SideSettings& side) const {
-            RenderSettings settings;
-            settings.multiplicity = side.multiplicity;
-            settings.layout = layout;
-            return settings.records();
+            return {volumeLayoutOf(side.multiplicity), layout};
         }
 
         gl::Capabilities capabilities;
