@@ -140,7 +140,7 @@ def ratio(result, name):
 def flight_table(data):
     heads = ["no shadows", "published layout", *(f"map {1024 * n}" for n in (1, 2, 4, 8))]
     names = ["shadows=none", "layout=published", *MAPS]
-    lines = [note(data), "", "| scene, light | volumes, ms | "
+    lines = [f"{data['size']}, {data['frames']} frames. " + note(data), "", "| scene, light | volumes, ms | "
              + " | ".join(f"/ {head}" for head in heads) + " |", "|" + " --- |" * (2 + len(heads))]
     for scene, lights in data["scenes"].items():
         for light, full in lights.items():
