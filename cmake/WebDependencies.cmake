@@ -41,6 +41,10 @@ if(NOT draco_POPULATED)
   add_subdirectory(${draco_SOURCE_DIR} ${draco_BINARY_DIR} EXCLUDE_FROM_ALL)
   target_include_directories(draco_static SYSTEM INTERFACE
     $<BUILD_INTERFACE:${draco_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}>)
+  # Of its library only what decodes: the rest would be compiled to be thrown away by the linker.
+  get_target_property(draco_parts draco_static SOURCES)
+  list(FILTER draco_parts EXCLUDE REGEX "_(enc|encode|enc_config|options|io|animation|animation_dec)>")
+  set_property(TARGET draco_static PROPERTY SOURCES ${draco_parts})
 endif()
 
 FetchContent_GetProperties(meshoptimizer)

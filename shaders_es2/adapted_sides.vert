@@ -52,7 +52,8 @@ void main() {
     vec3 end = corner == 0.0 || corner == 2.0 ? a_edgeA : a_edgeB;
     vec4 p = corner > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
     // A useless vertex makes its triangle a point, which covers no pixel.
-    gl_Position = u_side < abs(multiplicity) ? clipPosition(u_clipFromObject, p) : vec4(0.0);
+    gl_Position = u_side < abs(multiplicity) ? rasterizable(clipPosition(u_clipFromObject, p))
+                                             : vec4(0.0);
 #ifdef DEGENERATE
     gl_Position *= u_degenerate;
 #endif

@@ -40,59 +40,55 @@ class PublishedSubject : public SyntheticSubject {
     std::size_t recordsPerEdge_ = 1;
 };
 
-/// The plane through an edge and an opposite vertex, as that triangle is wound.
-glm::vec4 planeThrough(const SyntheticMesh& mesh, const Edge& edge, const Opposite& opposite) {
-    const glm::dvec3 a(mesh.positions[edge.a]), b(mesh.positions[edge.b]);
-    const glm::dvec3 normal = glm::cross(b - a, glm::dvec3(mesh.positions[opposite.vertex]) - a);
+/// The plane of a triangle; where the light is in it exactly, exactly so.
+glm::vec4 planeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, a)));
 }
 
-/// The records that an edge takes when those of its triangles that cancel are paired up: all run
-/// the same way, so the second plane of a pair is negated.
-void appendRecords(const SyntheticMesh& mesh, const Edge& edge, AdaptedShadow& shadow) {
-    std::vector<glm::vec4> planes;
-    for (const Opposite& opposite : mesh.edges.oppositesOf(edge))
-        planes.push_back(planeThrough(mesh, edge, opposite));
-    const auto side = [](const glm::vec4& plane) { return glm::dot(plane, syntheticLight); };
-    // Both sides in turn, then what lies in the plane of edge and light.
-    std::stable_sort(planes.begin(), planes.end(), [&](const glm::vec4& p, const glm::vec4& q) {
-        return (side(p) == 0.0f) < (side(q) == 0.0f);
-    });
-    const glm::vec3 &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
-    for (std::size_t i = 0; i + 1 < planes.size(); i += 2)
-        shadow.pairs.push_back({a, b, planes[i], -planes[i + 1]});
-    if (planes.size() % 2 == 1) shadow.singles.push_back({a, b, planes.back()});
-}
-
-/// Adapted records: at most two planes each.
+/// Records of one plane or two (preprocess/adapted_data.hpp), with no flat edges among them.
 class AdaptedSubject : public SyntheticSubject {
   public:
-    AdaptedSubject(const SyntheticMesh& mesh, int oppositeCount, SidesLayout layout,
+    AdaptedSubject(const SyntheticMesh& mesh, SidesLayout layout,
                    const gl::Capabilities& capabilities)
         : volumes_(layout, capabilities.instancing, {"DEGENERATE"}),
-          pairsPerEdge_(static_cast<std::uint32_t>(oppositeCount / 2)),
-          singlesPerEdge_(static_cast<std::uint32_t>(oppositeCount % 2)) {
-        auto shadow = std::make_shared<AdaptedShadow>();
+          shadow_(std::make_shared<AdaptedShadow>()) {
         for (const Edge& edge : mesh.edges.edges)
-            appendRecords(mesh, edge, *shadow);
-        shadow->clusters.resize(1);
-        shadow_ = shadow;
-        buffers_.emplace(shadow, std::vector<glm::vec4>(), layout);
+            addRecords(mesh, edge);
+        const std::size_t edges = mesh.edges.edges.size();
+        pairsPerEdge_ = shadow_->pairs.size() / edges;
+        singlesPerEdge_ = shadow_->singles.size() / edges;
+        shadow_->clusters.emplace_back();
+        buffers_.emplace(shadow_, std::vector<glm::vec4>(), layout);
     }
 
     void draw(std::size_t edgeCount) override {
-        const auto edges = static_cast<std::uint32_t>(edgeCount);
-        shadow_->clusters[0].pairs = {0, edges * pairsPerEdge_};
-        shadow_->clusters[0].singles = {0, edges * singlesPerEdge_};
-        volumes_.drawSides(*buffers_, {{0, 1}, Counted::all, false, false, false}, syntheticLight,
+        ShadowCluster& cluster = shadow_->clusters.front();
+        cluster.pairs.count = static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
+        cluster.singles.count = static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
+        volumes_.drawSides(*buffers_, VolumeDraw{.clusters = {0, 1}}, syntheticLight,
                            glm::mat4(1.0f));
     }
 
   private:
+    /// Triangles in the light's plane come last, so that those of a pair cancel where they should.
+    void addRecords(const SyntheticMesh& mesh, const Edge& edge) {
+        const glm::vec3 &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
+        std::vector<glm::vec4> planes;
+        for (const Opposite& opposite : mesh.edges.oppositesOf(edge))
+            planes.push_back(planeOf(a, b, mesh.positions[opposite.vertex]));
+        std::stable_partition(planes.begin(), planes.end(),
+                              [](const glm::vec4& plane) { return plane.w != 0.0f; });
+        for (std::size_t i = 0; i + 1 < planes.size(); i += 2)
+            shadow_->pairs.push_back({a, b, planes[i], -planes[i + 1]});
+        if (planes.size() % 2 == 1) shadow_->singles.push_back({a, b, planes.back()});
+    }
+
     AdaptedVolumes volumes_;
-    std::uint32_t pairsPerEdge_, singlesPerEdge_;
     std::shared_ptr<AdaptedShadow> shadow_;
     std::optional<AdaptedBuffers> buffers_;
+    std::size_t pairsPerEdge_ = 0;
+    std::size_t singlesPerEdge_ = 0;
 };
 
 } // namespace
@@ -100,6 +96,11 @@ class AdaptedSubject : public SyntheticSubject {
 std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
                                               const gl::Capabilities& capabilities) {
     std::vector<SyntheticLayout> layouts;
+    const auto addAdapted = [&](const std::string& name, SidesLayout layout) {
+        layouts.push_back({name, [=](const SyntheticMesh& mesh, int) {
+                               return std::make_unique<AdaptedSubject>(mesh, layout, capabilities);
+                           }});
+    };
     const auto addPublished = [&](const std::string& name, SidesLayout layout) {
         layouts.push_back({name, [=](const SyntheticMesh& mesh, int oppositeCount) {
                                return std::make_unique<PublishedSubject>(
@@ -107,18 +108,12 @@ std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
                            }});
     };
     if (capabilities.instancing) {
+        addAdapted("adapted", SidesLayout::instanced);
         addPublished("instanced", SidesLayout::instanced);
         addPublished("multi-draw", SidesLayout::multiDraw);
     }
+    addAdapted("adapted not-instanced", SidesLayout::notInstanced);
     addPublished("not-instanced", SidesLayout::notInstanced);
-    const auto addAdapted = [&](const std::string& name, SidesLayout layout) {
-        layouts.push_back({name, [=](const SyntheticMesh& mesh, int oppositeCount) {
-                               return std::make_unique<AdaptedSubject>(mesh, oppositeCount, layout,
-                                                                       capabilities);
-                           }});
-    };
-    if (capabilities.instancing) addAdapted("adapted", SidesLayout::instanced);
-    addAdapted("adapted, not instanced", SidesLayout::notInstanced);
     return layouts;
 }
 

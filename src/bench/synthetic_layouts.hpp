@@ -27,7 +27,7 @@ struct SyntheticLayout {
         upload;
 };
 
-/// All layouts that the GL has. `method`: how published records find their signs.
+/// All layouts that the GL has, the best first. `method`: of the published ones.
 std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
                                               const gl::Capabilities& capabilities);
 

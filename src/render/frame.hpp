@@ -17,7 +17,7 @@ namespace edgeshade {
 
 enum class ShadowMethod { volumes, map, none };
 
-/// How frames are drawn; fixed for a renderer, but for `ambient`.
+/// How frames are drawn; fixed for a renderer, but for `ambient` and `background`.
 struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
@@ -56,6 +56,7 @@ class Renderer {
 
     const RenderSettings& settings() const { return settings_; }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
+    void setBackground(const glm::vec3& color) { settings_.background = color; }
     void setMapBias(float texels) {
         settings_.map.biasTexels = texels;
         if (maps_) maps_->setBias(texels);

@@ -1,7 +1,7 @@
 #include "src/render/layer_bound.hpp"
 
-#include "preprocess/topology.hpp"
-#include "src/render/polygon.hpp"
+#include "src/render/face_outlines.hpp"
+#include "src/render/outline_grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr int gridDepth = 9; // halvings of a face's side counted at once
-constexpr int deepest = 12;  // halvings at most
+constexpr int deepest = 12; // halvings of a face's side at most
 // Pairs of a triangle and a cell that are looked at closely; about a second for 50 million.
 constexpr std::size_t leastWork = 50'000'000;
 constexpr std::size_t workPerTriangle = 40;
@@ -39,6 +38,10 @@ struct Cell {
     glm::dmat3 face; ///< columns: u axis, v axis, outward axis
     double u0, u1, v0, v1;
 
+    Cell(const glm::dmat3& onFace, const Outline& part)
+        : face(onFace), u0(part.u0), u1(part.u1), v0(part.v0), v1(part.v1) {}
+    Outline part() const { return {u0, u1, v0, v1}; }
+
     std::array<glm::dvec3, 4> corners() const {
         return {face * glm::dvec3(u0, v0, 1.0), face * glm::dvec3(u1, v0, 1.0),
                 face * glm::dvec3(u1, v1, 1.0), face * glm::dvec3(u0, v1, 1.0)};
@@ -50,59 +53,12 @@ struct Cell {
     }
     std::array<Cell, 4> quarters() const {
         const double u = 0.5 * (u0 + u1), v = 0.5 * (v0 + v1);
-        return {{{face, u0, u, v0, v},
-                 {face, u, u1, v0, v},
-                 {face, u0, u, v, v1},
-                 {face, u, u1, v, v1}}};
+        return {{{face, {u0, u, v0, v}},
+                 {face, {u, u1, v0, v}},
+                 {face, {u0, u, v, v1}},
+                 {face, {u, u1, v, v1}}}};
     }
 };
-
-/// Where a triangle may lie on a face, in the face's u and v; low above high: nowhere.
-struct Outline {
-    double u0 = INFINITY, u1 = -INFINITY, v0 = INFINITY, v1 = -INFINITY;
-
-    /// Takes in a ray in the face's axes, in front of the light.
-    void add(const glm::dvec3& on) {
-        const double u = on.x / on.z, v = on.y / on.z;
-        const double reach = outlineMargin * (1.0 + std::abs(u) + std::abs(v));
-        u0 = std::min(u0, u - reach);
-        u1 = std::max(u1, u + reach);
-        v0 = std::min(v0, v - reach);
-        v1 = std::max(v1, v + reach);
-    }
-    bool misses(const Cell& cell) const {
-        return u1 < cell.u0 || u0 > cell.u1 || v1 < cell.v0 || v0 > cell.v1;
-    }
-
-  private:
-    static constexpr double outlineMargin = 1e-9; // against rounding
-};
-
-Outline outlineOn(const glm::dmat3& face, const TriangleCone& triangle) {
-    Polygon polygon;
-    std::size_t behind = 0, near = 0;
-    for (const glm::dvec3& ray : triangle.rays) {
-        const glm::dvec3 on = ray * face;
-        polygon.add(on);
-        const double across = std::max(std::abs(on.x), std::abs(on.y));
-        behind += on.z < -1e-9 * across;
-        near += on.z <= 1e-3 * across;
-    }
-    Outline outline;
-    if (behind == 3) return outline;
-    if (near > 0) {
-        // A little wider than the face, so that rounding loses nothing.
-        for (const glm::dvec3& plane : {glm::dvec3(1.0, 0.0, 1.001), glm::dvec3(-1.0, 0.0, 1.001),
-                                        glm::dvec3(0.0, 1.0, 1.001), glm::dvec3(0.0, -1.0, 1.001)})
-            polygon = clipped(polygon, plane);
-    }
-    for (std::size_t c = 0; c < polygon.count; ++c) {
-        const glm::dvec3& corner = polygon.corners[c];
-        if (!(corner.z > 0.0)) return {-INFINITY, INFINITY, -INFINITY, INFINITY}; // at the light
-        outline.add(corner);
-    }
-    return outline;
-}
 
 double magnitude(const glm::dvec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
@@ -135,148 +91,22 @@ bool covers(const TriangleCone& triangle, const std::array<glm::dvec3, 4>& corne
     return true;
 }
 
-std::vector<TriangleCone> conesFrom(const Scene& scene, bool castMasked, const Light& light) {
-    const glm::dvec3 position(light.position);
-    const bool sun = light.position.w == 0.0;
-    glm::dvec3 across(0.0), upward(0.0);
-    if (sun) {
-        const glm::dvec3 towards = glm::normalize(position);
-        across = glm::normalize(glm::cross(
-            towards, std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
-        upward = glm::cross(towards, across);
-    }
-    std::vector<TriangleCone> cones;
-    for (const Batch& batch : scene.batches) {
-        const Casters casters = castersOf(batch, scene.materials, castMasked);
-        for (std::size_t i = 0; i < casters.indices.size(); i += 3) {
-            std::array<glm::dvec3, 3> rays;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const glm::dvec3 world(batch.worldFromBatch *
-                                       glm::dvec4(batch.positions[casters.indices[i + c]], 1.0));
-                rays[c] = sun ? glm::dvec3(glm::dot(across, world), glm::dot(upward, world), 1.0)
-                              : world - position;
-            }
-            cones.emplace_back(rays);
-        }
-    }
-    return cones;
-}
-
-/// The cells to begin with: six faces of a cube, or the outline of the scene across a sun.
-std::vector<Cell> firstCells(const std::vector<TriangleCone>& cones, bool sun) {
-    if (sun) {
-        double u0 = INFINITY, u1 = -INFINITY, v0 = INFINITY, v1 = -INFINITY;
-        for (const TriangleCone& cone : cones)
-            for (const glm::dvec3& ray : cone.rays) {
-                u0 = std::min(u0, ray.x);
-                u1 = std::max(u1, ray.x);
-                v0 = std::min(v0, ray.y);
-                v1 = std::max(v1, ray.y);
-            }
-        return {{glm::dmat3(1.0), u0, u1, v0, v1}};
-    }
-    std::vector<Cell> cells;
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        for (const double sign : {1.0, -1.0}) {
-            glm::dmat3 face(0.0);
-            face[0][(axis + 1) % 3] = 1.0;
-            face[1][(axis + 2) % 3] = 1.0;
-            face[2][axis] = sign;
-            cells.push_back({face, -1.0, 1.0, -1.0, 1.0});
-        }
-    return cells;
-}
-
-using Members = std::vector<std::uint32_t>; ///< indices of cones
-
-/// A face in equal cells, and how many outlines may touch each.
-class OutlineGrid {
-  public:
-    static constexpr int side = 1 << gridDepth;
-
-    OutlineGrid(const Cell& face, const std::vector<Outline>& outlines)
-        : face_(face), counts_((side + 1) * (side + 1), 0) {
-        // Each outline adds to its four corners; the sums from the first corner are the counts.
-        for (const Outline& outline : outlines) {
-            const auto range = rangeOf(outline);
-            if (!range) continue;
-            at(range->i0, range->j0) += 1;
-            at(range->i1 + 1, range->j0) -= 1;
-            at(range->i0, range->j1 + 1) -= 1;
-            at(range->i1 + 1, range->j1 + 1) += 1;
-        }
-        for (int j = 0; j <= side; ++j)
-            for (int i = 1; i <= side; ++i)
-                at(i, j) += at(i - 1, j);
-        for (int j = 1; j <= side; ++j)
-            for (int i = 0; i <= side; ++i)
-                at(i, j) += at(i, j - 1);
-    }
-
-    struct Range {
-        int i0, i1, j0, j1; ///< cells, last ones included
-    };
-
-    /// The cells that an outline may touch; nothing if it misses the face.
-    std::optional<Range> rangeOf(const Outline& outline) const {
-        if (outline.misses(face_)) return std::nullopt;
-        return Range{column(outline.u0), column(outline.u1), row(outline.v0), row(outline.v1)};
-    }
-
-    std::size_t count(int i, int j) const {
-        return static_cast<std::size_t>(counts_[static_cast<std::size_t>(j) * (side + 1) + i]);
-    }
-
-    Cell cell(int i, int j) const {
-        return {face_.face, face_.u0 + (face_.u1 - face_.u0) * i / side,
-                face_.u0 + (face_.u1 - face_.u0) * (i + 1) / side,
-                face_.v0 + (face_.v1 - face_.v0) * j / side,
-                face_.v0 + (face_.v1 - face_.v0) * (j + 1) / side};
-    }
-
-  private:
-    int& at(int i, int j) { return counts_[static_cast<std::size_t>(j) * (side + 1) + i]; }
-    int column(double u) const { return place((u - face_.u0) / (face_.u1 - face_.u0)); }
-    int row(double v) const { return place((v - face_.v0) / (face_.v1 - face_.v0)); }
-    static int place(double share) {
-        return static_cast<int>(std::clamp(share * side, 0.0, side - 1.0));
-    }
-
-    Cell face_;
-    std::vector<int> counts_;
-};
-
-/// The part of a face that outlines reach.
-Cell reachedPart(const Cell& face, const std::vector<Outline>& outlines) {
-    Outline all{INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (const Outline& outline : outlines) {
-        if (outline.misses(face)) continue;
-        all.u0 = std::min(all.u0, outline.u0);
-        all.u1 = std::max(all.u1, outline.u1);
-        all.v0 = std::min(all.v0, outline.v0);
-        all.v1 = std::max(all.v1, outline.v1);
-    }
-    return {face.face, std::max(face.u0, all.u0), std::min(face.u1, all.u1),
-            std::max(face.v0, all.v0), std::min(face.v1, all.v1)};
-}
+using Members = std::vector<std::uint32_t>; ///< indices of triangles, or of a face's outlines
 
 /// Divides faces until cells' members are few enough; keeps the others as `crowded`.
 class Divider {
   public:
-    Divider(const std::vector<TriangleCone>& cones, std::size_t limit)
-        : cones_(cones), limit_(limit),
-          mostWork_(std::max(leastWork, workPerTriangle * cones.size())) {}
+    Divider(const Scene& scene, bool castMasked, const LightView& from, std::size_t limit)
+        : scene_(scene), castMasked_(castMasked), from_(from), limit_(limit) {}
 
     /// Counts outlines in a grid at once, then looks closely where they are many.
-    void divideFace(const Cell& whole) {
-        outlines_.clear();
-        outlines_.reserve(cones_.size());
-        for (const TriangleCone& cone : cones_)
-            outlines_.push_back(outlineOn(whole.face, cone));
-        const Cell face = reachedPart(whole, outlines_);
-        if (!(face.u0 < face.u1) || !(face.v0 < face.v1)) return divideWhole(whole);
+    void divideFace(const glm::dmat3& face, const FaceOutlines& here) {
+        here_ = &here;
+        const std::vector<Outline>& outlines = here.outlines;
+        const Outline reached = reachedPart(from_.wholeFace(), outlines);
+        if (reached.empty()) return; // nothing is there
 
-        const OutlineGrid grid(face, outlines_);
+        const OutlineGrid grid(reached, outlines);
         std::map<std::pair<int, int>, Members> many; // by row and column
         std::size_t mostOfFew = 0;
         for (int j = 0; j < OutlineGrid::side; ++j)
@@ -284,13 +114,13 @@ class Divider {
                 if (grid.count(i, j) <= limit_)
                     mostOfFew = std::max(mostOfFew, grid.count(i, j));
                 else if (many.size() == mostCellsApart)
-                    return divideWhole(face);
+                    return divideWhole({face, reached});
                 else
                     many[{j, i}];
             }
         most_ = std::max(most_, mostOfFew);
-        for (std::uint32_t t = 0; t < outlines_.size() && !many.empty(); ++t) {
-            const auto range = grid.rangeOf(outlines_[t]);
+        for (std::uint32_t t = 0; t < outlines.size() && !many.empty(); ++t) {
+            const auto range = grid.rangeOf(outlines[t]);
             if (!range) continue;
             auto cell = many.lower_bound({range->j0, range->i0});
             for (; cell != many.end() && cell->first.first <= range->j1; ++cell)
@@ -298,17 +128,19 @@ class Divider {
                     cell->second.push_back(t);
         }
         for (const auto& [place, members] : many)
-            divide(grid.cell(place.second, place.first), members, gridDepth);
+            divide({face, grid.cell(place.second, place.first)}, members, OutlineGrid::depth);
     }
 
     std::size_t most() const { return most_; }
     const std::vector<Members>& crowded() const { return crowded_; }
+    /// How many casters there are, once some cells are crowded.
+    std::size_t triangles() const { return cones_.size(); }
 
   private:
     static constexpr std::size_t mostCellsApart = 256;
 
     void divideWhole(const Cell& face) {
-        Members all(cones_.size());
+        Members all(here_->outlines.size());
         std::iota(all.begin(), all.end(), 0u);
         divide(face, all, 0);
     }
@@ -319,26 +151,42 @@ class Divider {
         Members members;
         std::size_t covering = 0;
         for (const std::uint32_t i : parents) {
-            if (outlines_[i].misses(cell)) continue;
+            if (here_->outlines[i].misses(cell.part())) continue;
             ++work_;
-            if (!mayTouch(cones_[i], corners, sides)) continue;
+            const TriangleCone& cone = cones()[here_->triangles[i]];
+            if (!mayTouch(cone, corners, sides)) continue;
             members.push_back(i);
-            covering += covers(cones_[i], corners);
+            covering += covers(cone, corners);
         }
-        const bool hopeless = covering > limit_ || depth == deepest || work_ > mostWork_;
+        const std::size_t mostWork = std::max(leastWork, workPerTriangle * cones().size());
+        const bool hopeless = covering > limit_ || depth == deepest || work_ > mostWork;
         if (members.size() <= limit_ || hopeless) {
             most_ = std::max(most_, members.size());
-            if (members.size() > limit_) crowded_.push_back(std::move(members));
+            if (members.size() <= limit_) return;
+            for (std::uint32_t& member : members)
+                member = here_->triangles[member];
+            crowded_.push_back(std::move(members));
             return;
         }
         for (const Cell& quarter : cell.quarters())
             divide(quarter, members, depth + 1);
     }
 
-    const std::vector<TriangleCone>& cones_;
+    /// Of all casters, made when the grid is too coarse somewhere.
+    const std::vector<TriangleCone>& cones() {
+        if (cones_.empty())
+            forEachCaster(scene_, castMasked_, from_, [&](const std::array<glm::dvec3, 3>& rays) {
+                cones_.emplace_back(rays);
+            });
+        return cones_;
+    }
+
+    const Scene& scene_;
+    const bool castMasked_;
+    const LightView& from_;
     const std::size_t limit_;
-    const std::size_t mostWork_;
-    std::vector<Outline> outlines_; ///< of all cones on the face that is being divided
+    std::vector<TriangleCone> cones_;
+    const FaceOutlines* here_ = nullptr; ///< of the face that is being divided
     std::size_t most_ = 0;
     std::size_t work_ = 0; ///< pairs of a triangle and a cell looked at closely
     std::vector<Members> crowded_;
@@ -378,12 +226,13 @@ LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light, 
     bound.most = scene.triangleCount();
     if (bound.most <= limit) return bound;
 
-    const std::vector<TriangleCone> cones = conesFrom(scene, castMasked, light);
-    Divider divider(cones, limit);
-    for (const Cell& cell : firstCells(cones, light.position.w == 0.0))
-        divider.divideFace(cell);
+    const LightView from(light);
+    const std::vector<FaceOutlines> byFace = outlinesByFace(scene, castMasked, from);
+    Divider divider(scene, castMasked, from, limit);
+    for (std::size_t i = 0; i < byFace.size(); ++i)
+        divider.divideFace(from.faces[i], byFace[i]);
     bound.most = divider.most();
-    if (bound.most > limit) assignGroups(divider.crowded(), cones.size(), limit, bound);
+    if (bound.most > limit) assignGroups(divider.crowded(), divider.triangles(), limit, bound);
     return bound;
 }
 

@@ -31,7 +31,7 @@ struct ShadowBuffers {
     gl::Buffer capHoles; ///< three vec4s a cap, copied six times when not instanced; or empty
 
     std::size_t sideBytes() const;
-    std::size_t capBytes() const; ///< with capHoles
+    std::size_t capBytes() const; ///< with their holes
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 
     /// Vertices that drawing them once sends through shaders; caps with holes are drawn twice.

@@ -14,7 +14,8 @@ using Color = std::array<std::uint8_t, 4>;
 constexpr Color lamp = {255, 205, 60, 255};
 constexpr Color outline = {40, 36, 20, 255};
 constexpr Color ring = {255, 255, 255, 235};
-constexpr Color stem = {40, 36, 20, 130};
+constexpr Color stem = {40, 36, 20, 170};
+constexpr Color stemEdge = {255, 255, 255, 110}; // on dark ground
 constexpr Color splitLine = {255, 255, 255, 220};
 constexpr Color splitEdge = {30, 30, 30, 120};
 
@@ -81,8 +82,10 @@ OverlayTriangles handleTriangles(const ViewState& state, const Stage& stage) {
         glm::dvec3 foot = handles.middle();
         if (!isSun && !stage.bounds.empty())
             foot = {light.position.x, stage.bounds.low.y, light.position.z};
-        if (view.depthOf(foot) > 0.0)
+        if (view.depthOf(foot) > 0.0) {
+            drawing.line(view.pixelOf(foot), *at, 3.5 * stage.pixelRatio, stemEdge);
             drawing.line(view.pixelOf(foot), *at, 1.5 * stage.pixelRatio, stem);
+        }
         drawLamp(drawing, *at, isSun, i == state.chosenLight, stage.pixelRatio);
     }
     return drawing.triangles;

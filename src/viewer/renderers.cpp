@@ -10,7 +10,7 @@ Renderers::Key Renderers::keyOf(const SideSettings& side) {
             volumes ? side.multiplicity : MultiplicityMethod::plane};
 }
 
-Renderer& Renderers::of(const SideSettings& side, float ambient) {
+Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
     std::unique_ptr<Renderer>& renderer = renderers_[keyOf(side)];
     if (!renderer) {
         RenderSettings settings = base_;
@@ -19,7 +19,8 @@ Renderer& Renderers::of(const SideSettings& side, float ambient) {
         settings.map.size = side.mapSize;
         renderer = std::make_unique<Renderer>(settings, capabilities_);
     }
-    renderer->setAmbient(ambient);
+    renderer->setAmbient(state.ambient);
+    renderer->setBackground(state.background);
     return *renderer;
 }
 

@@ -15,10 +15,13 @@ class Renderers {
         : base_(base), capabilities_(capabilities) {}
 
     /// Throws Error(unavailable) if the GL can't, as for a map that is too large.
-    Renderer& of(const SideSettings& side, float ambient);
+    Renderer& of(const SideSettings& side, const ViewState& state);
 
     /// Gives back the shadow maps of renderers that the state doesn't use.
     void dropUnusedMaps(const ViewState& state);
+
+    /// How many are at hand.
+    std::size_t size() const { return renderers_.size(); }
 
     /// Of all shadow maps that are kept.
     std::size_t mapBytes() const;

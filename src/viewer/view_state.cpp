@@ -95,12 +95,11 @@ class Field {
     }
 
     template <int N>
-    glm::vec<N, double> place() const {
+    glm::vec<N, double> place(double low = -farthestPlace, double high = farthestPlace) const {
         if (arraySize() != N) fail("an array of " + std::to_string(N) + " numbers");
         glm::vec<N, double> result;
         glm::length_t i = 0;
-        forEachItem(
-            [&](const Field& item) { result[i++] = item.number(-farthestPlace, farthestPlace); });
+        forEachItem([&](const Field& item) { result[i++] = item.number(low, high); });
         return result;
     }
 
@@ -185,6 +184,10 @@ Json toJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
+Json toJson(const glm::vec3& color) {
+    return {shortDecimal(color.r), shortDecimal(color.g), shortDecimal(color.b)};
+}
+
 } // namespace
 
 Json toJson(const ViewState& state) {
@@ -198,6 +201,7 @@ Json toJson(const ViewState& state) {
             {"lights", lights},
             {"chosen_light", state.chosenLight},
             {"ambient", shortDecimal(state.ambient)},
+            {"background", toJson(state.background)},
             {"left", toJson(state.left)},
             {"right", toJson(state.right)},
             {"split", state.split},
@@ -226,6 +230,8 @@ ViewState changed(const ViewState& base, const Json& changes) {
                 value.integer(0, std::max(0, static_cast<int>(state.lights.size()) - 1)));
         else if (key == "ambient")
             state.ambient = static_cast<float>(value.number(0.0, 1.0));
+        else if (key == "background")
+            state.background = glm::vec3(value.place<3>(0.0, 1.0));
         else if (key == "left")
             state.left = sideFrom(value, state.left);
         else if (key == "right")

@@ -30,6 +30,7 @@ struct ViewState {
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
     float ambient = 0.35f;
+    glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     SideSettings left; ///< of the whole picture where there is no split
     SideSettings right{ShadowMethod::map};
     bool split = false;
@@ -42,9 +43,10 @@ struct ViewState {
 };
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [[x,y,z,w], …],
-///  "chosen_light": 0, "ambient": 0.35, "left": {"shadows": "volumes|map|none", "map_size": 2048,
-///  "multiplicity": "reference-edge"}, "right": {…}, "split": false, "split_at": 0.5,
-///  "debug": "none|volumes", "show_lights": true, "playing": false, "speed": 1, "time": 0}
+///  "chosen_light": 0, "ambient": 0.35, "background": [r,g,b], "left": {"shadows":
+///  "volumes|map|none", "map_size": 2048, "multiplicity": "reference-edge"}, "right": {…},
+///  "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,
+///  "playing": false, "speed": 1, "time": 0}
 nlohmann::ordered_json toJson(const ViewState& state);
 
 /// `base` with the keys that `changes` has. Throws Error(usage) that names the key and the value if

@@ -3,6 +3,7 @@
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
+#include <random>
 
 namespace edgeshade {
 namespace {
@@ -49,6 +50,57 @@ TEST(LayerBound, ALightAmongTheTrianglesIsBoundedToo) {
         boundLayers(stack(1000), false, test::pointLight({0.2, 5.005, 0.1}), 255);
     EXPECT_GE(bound.most, 500u);
     EXPECT_GE(bound.groupCount, 2u);
+}
+
+/// How many triangles a line from the light through a point meets; from a sun, the whole line.
+std::size_t trianglesMet(const Batch& batch, const Light& light, const glm::dvec3& through) {
+    const bool sun = light.position.w == 0.0;
+    const glm::dvec3 origin = sun ? through : glm::dvec3(light.position);
+    const glm::dvec3 way = sun ? glm::dvec3(light.position) : through - origin;
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
+        const glm::dvec3 a(batch.positions[batch.indices[i]]);
+        const glm::dvec3 ab = glm::dvec3(batch.positions[batch.indices[i + 1]]) - a;
+        const glm::dvec3 ac = glm::dvec3(batch.positions[batch.indices[i + 2]]) - a;
+        const glm::dvec3 across = glm::cross(way, ac);
+        const double volume = glm::dot(ab, across);
+        const double u = glm::dot(origin - a, across) / volume;
+        const glm::dvec3 side = glm::cross(origin - a, ab);
+        const double v = glm::dot(way, side) / volume;
+        met += u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (sun || glm::dot(ac, side) / volume > 0.0);
+    }
+    return met;
+}
+
+TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
+    // All around the lamp, so that many triangles lie on two and three faces of its cube.
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> around(-3.0f, 3.0f), near(-0.6f, 0.6f);
+    const auto vector = [&](auto& numbers) {
+        const float x = numbers(random), y = numbers(random), z = numbers(random);
+        return glm::vec3(x, y, z);
+    };
+    SceneBuilder builder;
+    for (int i = 0; i < 1500; ++i) {
+        const glm::vec3 middle = vector(around);
+        const float size = i % 50 == 0 ? 8.0f : 1.0f;
+        builder.triangle(middle, middle + size * vector(near), middle + size * vector(near));
+    }
+    const Scene scene = builder.scene();
+    const Batch& batch = scene.batches.front();
+    for (const Light& light : {test::pointLight({0.1, 0.2, 0.05}), test::pointLight({9, 4, 2}),
+                               test::sun({0.3, 1, 0.2})}) {
+        // The grid alone, close looks where it is too coarse, and groups.
+        for (const std::size_t limit : {1000u, 20u, 5u}) {
+            const LayerBound bound = boundLayers(scene, false, light, limit);
+            std::size_t most = 0;
+            for (int i = 0; i < 3000; ++i)
+                most = std::max(most, trianglesMet(batch, light, glm::dvec3(vector(around))));
+            EXPECT_LE(most, bound.most);
+            EXPECT_GE(most, 6u) << "the lines should meet something";
+            EXPECT_LT(bound.most, batch.indices.size() / 3);
+        }
+    }
 }
 
 } // namespace

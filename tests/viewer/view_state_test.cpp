@@ -17,6 +17,7 @@ ViewState someState() {
     state.lights = {{{1, 2, 3, 1}}, {{0.1, 0.7, -0.3, 0}}};
     state.chosenLight = 1;
     state.ambient = 0.25f;
+    state.background = {0.1f, 0.2f, 0.3f};
     state.left = {ShadowMethod::map, 512, MultiplicityMethod::threeEdge};
     state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge};
     state.split = true;
@@ -45,7 +46,7 @@ void expectRefused(const std::string& changes, const std::string& name, const st
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 13u);
+    EXPECT_EQ(json.size(), 14u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }

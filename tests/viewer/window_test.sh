@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# window_test.sh EDGESHADE PICTURE_DIFFERENCE SCENE: `edgeshade view` under a display of its own.
-# Exits 77 (skipped) without Xvfb or xdotool.
+# window_test.sh EDGESHADE PICTURE_DIFFERENCE SCENE [DROP_FILE]: `edgeshade view` under a display of
+# its own. Exits 77 (skipped) without Xvfb or xdotool.
 set -euo pipefail
-program=$1 difference=$2 scene=$3
+program=$1 difference=$2 scene=$3 drop_file=${4:-}
 
 for tool in Xvfb xdotool; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is not here"; exit 77; }
@@ -68,15 +68,30 @@ at_most 20 edgeshade-3.png edgeshade-4.png && fail "the wheel did nothing"
 xdotool key ctrl+Left ctrl+Left ctrl+Left ctrl+Left ctrl+Left ctrl+Left
 shoot
 at_most 5 edgeshade-4.png edgeshade-5.png && fail "the light did not move"
+if [[ -n $drop_file ]]; then
+    # A file that is no scene leaves everything as it is, and a sentence; a scene is shown, framed.
+    echo nonsense >broken.glb
+    "$drop_file" "$window" broken.glb || fail "the window takes no drop"
+    shoot
+    at_most 0 edgeshade-5.png edgeshade-6.png || fail "a broken file changed the picture"
+    grep -q "broken.glb" window.log || fail "no sentence on the broken file: $(cat window.log)"
+    "$program" pack "$scene" "dropped one.glb" 2>/dev/null >/dev/null
+    "$drop_file" "$window" "dropped one.glb" || fail "the window takes no drop"
+    timeout 60 xdotool search --sync --name '^dropped one.glb - edgeshade$' >/dev/null ||
+        fail "the dropped scene is not shown: $(cat window.log)"
+    shoot
+    at_most 5 edgeshade-6.png edgeshade-7.png && fail "the dropped scene is not framed"
+fi
+before=edgeshade-$shots.png
 xdotool key h i # text is over the window, never in a screenshot
 shoot
-at_most 0 edgeshade-5.png edgeshade-6.png || fail "the help is in the screenshot"
+at_most 0 "$before" "edgeshade-$shots.png" || fail "the help is in the screenshot"
 xdotool windowsize "$window" 500 320
 for _ in $(seq 50); do
     shoot
-    [[ $("$difference" edgeshade-6.png "edgeshade-$shots.png") == sizes ]] && break
+    [[ $("$difference" "$before" "edgeshade-$shots.png") == sizes ]] && break
 done
-[[ $("$difference" edgeshade-6.png "edgeshade-$shots.png") == sizes ]] || fail "no resize"
+[[ $("$difference" "$before" "edgeshade-$shots.png") == sizes ]] || fail "no resize"
 xdotool key Escape Escape # the help, then the window
 status=0
 wait "$window_program" || status=$?

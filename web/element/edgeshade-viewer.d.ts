@@ -18,6 +18,8 @@ export interface ViewState {
   lights: Light[];
   chosen_light: number;
   ambient: number;
+  /** Behind the scene, 0..1. */
+  background: Vector;
   left: SideSettings;
   right: SideSettings;
   split: boolean;
@@ -70,6 +72,17 @@ export interface ProgressDetail {
 /** A file; `relativePath` is its path in a folder that was dropped. */
 export type SceneFile = File & { relativePath?: string };
 
+/** The element's own events, beside those that every element has. */
+export interface EdgeshadeViewerEventMap {
+  load: CustomEvent<LoadDetail>;
+  progress: CustomEvent<ProgressDetail>;
+  error: CustomEvent<{ message: string }>;
+  contextlost: CustomEvent<null>;
+  contextrestored: CustomEvent<null>;
+  change: CustomEvent<null>;
+  frame: CustomEvent<null>;
+}
+
 /**
  * Attributes, all but `src` optional, applied to the scene of `src` and whenever they change:
  *
@@ -86,6 +99,10 @@ export type SceneFile = File & { relativePath?: string };
  *   playing, speed, time: the animation's
  *   antialias   off: no multisampling (read once)
  *   label       what screen readers say of the picture
+ *
+ * Behind the scene is the element's CSS background-color, by default a light or a dark one as the
+ * reader's theme has it; the state's `background` overrides it until the theme or
+ * the scene changes.
  *
  * Events: load (LoadDetail), progress (ProgressDetail), error ({message}, a sentence that the
  * element also shows), contextlost, contextrestored, change (the state), frame (one was drawn).
@@ -120,6 +137,22 @@ export class EdgeshadeViewer extends HTMLElement {
   screenshot(): Promise<Blob>;
   /** Shows a sentence on the picture. */
   say(sentence: string, kind?: 'note' | 'error'): void;
+
+  addEventListener<Type extends keyof EdgeshadeViewerEventMap>(
+    type: Type,
+    listener: (this: EdgeshadeViewer, event: EdgeshadeViewerEventMap[Type]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener<Type extends keyof HTMLElementEventMap>(
+    type: Type,
+    listener: (this: HTMLElement, event: HTMLElementEventMap[Type]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
 }
 
 /** Keys on the picture; those without `does` go with the one before. */

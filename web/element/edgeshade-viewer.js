@@ -2,6 +2,7 @@
 // event and method does, stand in edgeshade-viewer.d.ts.
 
 import { changesFromAttributes, viewAttributes } from './attributes.js';
+import { backgroundOf, watchTheme } from './background.js';
 import { sceneAmong } from './files.js';
 import { FrameLoop } from './frame-loop.js';
 import { listenForGestures } from './gestures.js';
@@ -56,7 +57,11 @@ export class EdgeshadeViewer extends HTMLElement {
   connectedCallback() {
     this.#label();
     this.#started ??= this.#start();
-    this.#stopWatching = watchPictureSize(this.#canvas, (...size) => this.#resize(...size));
+    const watches = [
+      watchPictureSize(this.#canvas, (...size) => this.#resize(...size)),
+      watchTheme(() => this.#takeBackground()),
+    ];
+    this.#stopWatching = () => watches.forEach((stop) => stop());
     this.#loop.wake();
   }
 
@@ -211,6 +216,7 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#tellProgress('draw');
     const isOfSrc = source.given !== undefined && source.given === this.getAttribute('src');
     this.#home = home ?? (isOfSrc ? null : {});
+    this.#takeBackground();
     this.#goHome();
     if (state) this.#changeOrSay(state);
     this.#makeCurrent();
@@ -280,6 +286,13 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#viewer.resize(w, h, ratio * shrink);
     this.#viewer.invalidate();
     if (!this.#lost && this.loaded) this.#draw(performance.now() / 1000); // no empty picture between
+  }
+
+  #takeBackground() {
+    const background = backgroundOf(this);
+    if (!this.#viewer || !background) return;
+    this.#viewer.change(JSON.stringify({ background }));
+    this.#loop.wake();
   }
 
   #wantsFrame() {

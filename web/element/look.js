@@ -6,7 +6,8 @@ export const look = `
     --edgeshade-accent: #b4531a; --edgeshade-surface: #fbfaf8; --edgeshade-ink: #23201c;
     background: #dbe3eb; font: 14px/1.45 system-ui, sans-serif; }
   @media (prefers-color-scheme: dark) {
-    :host { --edgeshade-accent: #f0a067; --edgeshade-surface: #262422; --edgeshade-ink: #eee9e2; }
+    :host { --edgeshade-accent: #f0a067; --edgeshade-surface: #262422; --edgeshade-ink: #eee9e2;
+      background: #3e464f; }
   }
   :host([hidden]) { display: none; }
   canvas { display: block; width: 100%; height: 100%; touch-action: none; outline: none; }

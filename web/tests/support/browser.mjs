@@ -17,14 +17,14 @@ function withoutAntialiasing() {
 }
 
 /**
- * Call at the top of a test file. open(path, options) gives a page that has loaded its scene;
+ * Call at the top of a test file; `angle` as in chromium.mjs. open(path, options) gives a page that has loaded its scene;
  * check(page) fails if anything was reported to its console.
  */
-export function useBrowser() {
+export function useBrowser({ angle } = {}) {
   const shared = {};
   before(async () => {
     shared.server = await serve();
-    shared.browser = await launchChromium();
+    shared.browser = await launchChromium({ angle });
   });
   after(async () => {
     await shared.browser?.close();

@@ -12,8 +12,9 @@ export async function picture(page) {
   return Buffer.from(base64, 'base64');
 }
 
-/** {pixels, different, colors}: pixels that differ by more than 2 in a channel, and how many colours
- * the first picture has. */
+/** {pixels, different, astray, colors}: pixels that differ by more than 2 in a channel; those that
+ * differ by more than 12 where the second picture has no step of that size within a pixel; how many
+ * colours the first picture has. */
 export function compare(page, first, second) {
   return page.evaluate(async (pngs) => {
     const [a, b] = await Promise.all(pngs.map(async (base64) => {
@@ -26,16 +27,22 @@ export function compare(page, first, second) {
     }));
     if (a.width !== b.width || a.height !== b.height)
       throw new Error(`${a.width}x${a.height} is not ${b.width}x${b.height}`);
-    let different = 0;
+    const step = (p, i, q, j) => Math.max(...[0, 1, 2, 3].map((c) => Math.abs(p[i + c] - q[j + c])));
+    const atOutline = (x, y) => {
+      for (let v = Math.max(0, y - 1); v <= Math.min(b.height - 1, y + 1); ++v)
+        for (let u = Math.max(0, x - 1); u <= Math.min(b.width - 1, x + 1); ++u)
+          if (step(b.data, 4 * (v * b.width + u), b.data, 4 * (y * b.width + x)) > 12) return true;
+      return false;
+    };
+    let different = 0, astray = 0;
     const colors = new Set();
-    for (let i = 0; i < a.data.length; i += 4) {
-      colors.add((a.data[i] << 16) | (a.data[i + 1] << 8) | a.data[i + 2]);
-      for (let c = 0; c < 4; ++c)
-        if (Math.abs(a.data[i + c] - b.data[i + c]) > 2) {
-          different += 1;
-          break;
-        }
-    }
-    return { pixels: a.width * a.height, different, colors: colors.size };
+    for (let y = 0, i = 0; y < a.height; ++y)
+      for (let x = 0; x < a.width; ++x, i += 4) {
+        colors.add((a.data[i] << 16) | (a.data[i + 1] << 8) | a.data[i + 2]);
+        const apart = step(a.data, i, b.data, i);
+        if (apart > 2) different += 1;
+        if (apart > 12 && !atOutline(x, y)) astray += 1;
+      }
+    return { pixels: a.width * a.height, different, astray, colors: colors.size };
   }, [first, second].map((png) => png.toString('base64')));
 }

@@ -1,0 +1,41 @@
+// The native program's picture of the sample.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { repository } from './server.mjs';
+
+const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
+
+/** PNG bytes, from the state's eye and lights, drawn with further `options`. `filtersExactly`: without
+ * Mesa's short cut that filters textures in 8 bits. */
+export function rendered({ camera: { from, to, fov }, lights }, options = [], { filtersExactly = true } = {}) {
+  const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
+  try {
+    const png = join(folder, 'native.png');
+    const light = lights.flatMap(([x, y, z, w]) => [w ? '--light' : '--sun', `${x},${y},${z}`]);
+    execFileSync(program, ['render', join(repository, 'assets/pavilion.glb'), png,
+      '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
+      '--ambient', '0.4', ...light, ...options],
+    { stdio: 'pipe', timeout: 60000,
+      env: { ...process.env, ...(filtersExactly && { GALLIVM_PERF: 'no_aos_sampling' }) } });
+    return readFileSync(png);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** Views of the sample: an eye each, lights, how many pixels may differ away from outlines
+ * (`astray`) and what share of all (`share`), where that is not as usual. */
+export const views = [
+  { name: 'its own view', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0]] },
+  // Some rays from the lamp past casters run almost along the picture plane.
+  { name: 'a lamp', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[1.5, 2.2, 2, 1]], astray: 40 },
+  { name: 'from the right', camera: { from: [6, 4, 8], to: [0, 1, 0], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0]] },
+  { name: 'from behind', camera: { from: [-7, 2, -6], to: [0.5, 1.2, 0], fov: 50 }, lights: [[-0.62, 0.62, -0.3, 0]] },
+  { name: 'from inside', camera: { from: [0.5, 1.6, 3.5], to: [-0.5, 1.2, -2], fov: 70 }, lights: [[-0.62, 0.62, -0.3, 0]] },
+  { name: 'a lamp, from the side', camera: { from: [9, 1.2, 1], to: [0, 1.5, 0], fov: 40 }, lights: [[1.5, 2.2, 2, 1]] },
+  // Twice the shadows, twice their outlines.
+  { name: 'two suns', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0], [0.5, 1, 0.4, 0]], share: 0.003 },
+];
