@@ -102,8 +102,19 @@ def measure_sizes():
     write_results("bench_sizes", with_device({"scene": SIZES_SCENE, **full}, full))
 
 
+def by_edges(rows):
+    """Rows that differ in nothing but the number of edges as one, {number: ms}."""
+    merged = {}
+    for row in rows:
+        key = (row["layout"], row["silhouette"], row["multiplicity"])
+        merged.setdefault(key, {})[str(row["edges"])] = round(row["ms"], 4)
+    return [{"layout": layout, "silhouette": silhouette, "multiplicity": m, "ms": ms}
+            for (layout, silhouette, m), ms in merged.items()]
+
+
 def measure_synthetic():
     full = condensed(report("bench", "--synthetic", "--frames", 3, *TIMING))
+    full["rows"] = by_edges(full["rows"])
     write_results("bench_synthetic", with_device(full, full))
 
 
@@ -218,10 +229,10 @@ def synthetic_plot(data, path):
     figure_, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.4))
     colors = dict(zip(dict.fromkeys(r["layout"] for r in data["rows"]),
                       ("#1e8449", "#2471a3", "#7d3c98", "#58d68d", "#5dade2")))
-    most = max(r["edges"] for r in data["rows"])
+    most = max(int(edges) for row in data["rows"] for edges in row["ms"])
     for layout, color in colors.items():
-        rows = {r["multiplicity"]: r["ms"] for r in data["rows"]
-                if r["layout"] == layout and r["edges"] == most and r["silhouette"] == "all"}
+        rows = {r["multiplicity"]: r["ms"][str(most)] for r in data["rows"]
+                if r["layout"] == layout and r["silhouette"] == "all"}
         x = sorted(rows)
         left.semilogy(x, [rows[m] for m in x], "o-", color=color, markersize=4, label=layout)
         right.plot(x, [rows[m] / rows[1] for m in x], "o-", color=color, markersize=4, label=layout)
