@@ -41,6 +41,8 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
                 const bench::Report& measured) {
     DrawSettings settings = setting.settings;
     settings.render = result.settings;
+    Json settingsOf = settingsJson(settings);
+    settingsOf["samples"] = measured.device.samples;
     const bench::Spread spread = bench::spreadOf(result.frameMs);
     const StageMs& stages = result.stageMs;
     return {{"name", result.name},
@@ -49,7 +51,7 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
             {"frames", task.frames},
             {"timing", nameOf(measured.timing)},
             {"light", task.lightMoves ? "moves" : "rests"},
-            {"settings", settingsJson(settings)},
+            {"settings", settingsOf},
             {"frame_ms", {{"median", spread.median}, {"p95", spread.p95}, {"max", spread.max}}},
             {"stage_ms",
              {{"ambient", stages.ambient},

@@ -62,8 +62,8 @@ void addTable(std::ostream& text, const bench::SyntheticReport& report,
 
 std::string syntheticTable(const bench::SyntheticReport& report) {
     std::ostringstream text;
-    text << "Evaluating edges alone, timed by " << cli::nameOf(report.timing) << ", "
-         << report.device.renderer << "\n";
+    text << "Evaluating edges alone, least of several draws, timed by "
+         << cli::nameOf(report.timing) << ", " << report.device.renderer << "\n";
     for (const bench::SyntheticFit& fit : report.fits) {
         text << "\n";
         addTable(text, report, fit);
