@@ -61,8 +61,7 @@ PackInput readForPacking(const std::filesystem::path& path, const CasterSettings
     report.maxMultiplicity = sceneMultiplicity(input.topology);
     for (const BatchTopology& batch : input.topology) {
         report.casters += meshStatistics(batch.mesh.welded, batch.edges);
-        report.adapted +=
-            costsOf(buildAdapted(batch.mesh, batch.edges, input.scene.materials));
+        report.adapted += costsOf(buildAdapted(batch.mesh, batch.edges, input.scene.materials));
     }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;
