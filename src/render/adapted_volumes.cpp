@@ -105,7 +105,7 @@ gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
 AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
                                std::vector<std::string> sidesDefines,
                                std::vector<std::string> capsDefines)
-    : layout_(layout), instancing_(instancing), sidesDefines_(std::move(sidesDefines)),
+    : instancing_(instancing), sidesDefines_(std::move(sidesDefines)),
       capsDefines_(std::move(capsDefines)) {
     const std::uint32_t quads = layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
     // The published order: rasterisers round a triangle's depths by which corner comes first.

@@ -55,7 +55,6 @@ class AdaptedVolumes {
                    std::uint32_t clusterCaps, CapKind kind, bool holes);
     gl::Program& capsProgram(bool nearDiscard, bool alphaTest);
 
-    SidesLayout layout_;
     std::optional<gl::Instancing> instancing_;
     std::vector<std::string> sidesDefines_, capsDefines_;
     gl::Buffer quadCorners_; ///< instanced: 0..3
