@@ -215,8 +215,11 @@ std::string App::figures() const {
     const viewer::FrameStats stats = viewer_.stats();
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << stats.frameMs << " ms a frame, " << stats.planMs
-         << " of it planning\n"
-         << stats.triangles << " triangles, " << stats.edges << " edges, " << stats.silhouettes
+         << " of it planning\n";
+    if (const auto& stages = stats.stageMs)
+        text << stages->ambient << " ambient, " << stages->map << " map, " << stages->silhouette
+             << " silhouette, " << stages->rasterise << " rasterising, " << stages->lit << " lit\n";
+    text << stats.triangles << " triangles, " << stats.edges << " edges, " << stats.silhouettes
          << " of them silhouettes\n"
          << static_cast<double>(stats.shadowBytes) / (1 << 20) << " MB of shadow data, "
          << static_cast<double>(stats.mapBytes) / (1 << 20) << " MB of shadow maps\n"

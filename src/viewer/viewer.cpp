@@ -9,6 +9,7 @@
 #include "src/viewer/pick.hpp"
 #include "src/viewer/renderers.hpp"
 #include "src/viewer/silhouettes.hpp"
+#include "src/viewer/stage_watch.hpp"
 #include "src/viewer/volume_tint_pass.hpp"
 
 #include "preprocess/animation_reading.hpp"
@@ -21,11 +22,8 @@
 namespace edgeshade::viewer {
 namespace {
 
-/// Waits until the GL has drawn. glFinish is not waited for in browsers, a read-back is.
-void waitForPicture() {
-    std::uint8_t pixel[4];
-    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
-}
+/// Of frames while somebody asks for statistics, one of so many has its stages timed.
+constexpr int framesPerStageFrame = 16;
 
 } // namespace
 
@@ -69,6 +67,8 @@ struct Viewer::Parts {
     bool timed = false;    ///< somebody asked for statistics
     bool unchecked = true; ///< something new is drawn, which the GL may refuse
     RecentMean frameMs, planMs;
+    int timedFrames = 0;
+    std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed
     std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< of that light
 
     std::unique_ptr<Gpu> makeGpu(const gl::Capabilities& capabilities) const;
@@ -77,7 +77,7 @@ struct Viewer::Parts {
     void applyPose();
     void sceneMoved();
     void draw();
-    void drawSide(const SideSettings& side, const FrameView& view);
+    void drawSide(const SideSettings& side, const FrameView& view, StageClock* stageClock);
     const std::vector<GroupedShadow>& groupsFor(const SideSettings& side);
     const EdgeCounts& edgesNow();
 };
@@ -158,8 +158,9 @@ const std::vector<GroupedShadow>& Viewer::Parts::groupsFor(const SideSettings& s
     return gpu->groups[records].of(state.lights, *loaded, records);
 }
 
-void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view) {
-    gpu->renderers.of(side, state).draw(*gpu->scene, view, groupsFor(side));
+void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
+                             StageClock* stageClock) {
+    gpu->renderers.of(side, state).draw(*gpu->scene, view, groupsFor(side), stageClock);
     if (state.debug == DebugView::volumes && side.shadows == ShadowMethod::volumes)
         gpu->tintOf(side.multiplicity).draw(*gpu->scene, view, state.lights[state.chosenLight]);
 }
@@ -177,15 +178,18 @@ void Viewer::Parts::draw() {
     if (state.split) groupsFor(state.right);
     const double planSeconds = watch.lap();
 
+    StageWatch stages; // waits, so such a frame says nothing of what one takes
+    const bool watched = timed && timedFrames++ % framesPerStageFrame == 1;
+    StageClock* const stageClock = watched ? &stages : nullptr;
     if (!state.split) {
-        drawSide(state.left, view);
+        drawSide(state.left, view, stageClock);
     } else {
         const int at = static_cast<int>(std::lround(state.splitAt * stage.width));
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, at, stage.height);
-        if (at > 0) drawSide(state.left, view);
+        if (at > 0) drawSide(state.left, view, stageClock);
         glScissor(at, 0, stage.width - at, stage.height);
-        if (at < stage.width) drawSide(state.right, view);
+        if (at < stage.width) drawSide(state.right, view, stageClock);
         glDisable(GL_SCISSOR_TEST);
         gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
     }
@@ -194,8 +198,12 @@ void Viewer::Parts::draw() {
     // Asking waits for the GL in a browser; what worked once goes on working.
     if (unchecked) gl::requireNoError("drawing the view");
     unchecked = false;
-    if (timed) waitForPicture();
     planMs.add(1e3 * planSeconds);
+    if (watched) {
+        stageMs = stages.stages();
+        return;
+    }
+    if (timed) waitForPicture();
     frameMs.add(1e3 * (planSeconds + watch.lap()));
 }
 
@@ -309,6 +317,7 @@ FrameStats Viewer::stats() const {
     if (!parts.loaded) return stats;
     stats.frameMs = parts.frameMs.mean();
     stats.planMs = parts.planMs.mean();
+    stats.stageMs = parts.stageMs;
     stats.triangles = parts.loaded->scene.triangleCount();
     const EdgeCounts& counts = parts.edgesNow();
     stats.edges = counts.edges;
@@ -332,10 +341,18 @@ void Viewer::restoreGpu(const gl::Capabilities& capabilities) {
 }
 
 nlohmann::ordered_json toJson(const FrameStats& stats) {
-    return {{"frame_ms", stats.frameMs},         {"plan_ms", stats.planMs},
-            {"triangles", stats.triangles},      {"edges", stats.edges},
-            {"records", stats.records},          {"silhouettes", stats.silhouettes},
-            {"shadow_bytes", stats.shadowBytes}, {"map_bytes", stats.mapBytes}};
+    nlohmann::ordered_json json = {
+        {"frame_ms", stats.frameMs},         {"plan_ms", stats.planMs},
+        {"triangles", stats.triangles},      {"edges", stats.edges},
+        {"records", stats.records},          {"silhouettes", stats.silhouettes},
+        {"shadow_bytes", stats.shadowBytes}, {"map_bytes", stats.mapBytes}};
+    if (stats.stageMs)
+        json["stage_ms"] = {{"ambient", stats.stageMs->ambient},
+                            {"map", stats.stageMs->map},
+                            {"silhouette", stats.stageMs->silhouette},
+                            {"rasterise", stats.stageMs->rasterise},
+                            {"lit", stats.stageMs->lit}};
+    return json;
 }
 
 } // namespace edgeshade::viewer

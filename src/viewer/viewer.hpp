@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/render/stage_timer.hpp"
 #include "src/viewer/view_state.hpp"
 
 #include <memory>
@@ -58,8 +59,9 @@ enum class Command {
 /// What was measured of the frames drawn lately, and what they were made of. Times are means over
 /// the last frames, 0 before the first.
 struct FrameStats {
-    double frameMs = 0.0; ///< until the picture was there
-    double planMs = 0.0;  ///< of it, on the CPU before drawing
+    double frameMs = 0.0;           ///< until the picture was there
+    double planMs = 0.0;            ///< of it, on the CPU before drawing
+    std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed, one of 16
     std::size_t triangles = 0;
     std::size_t edges = 0;
     std::size_t records = 0;
@@ -69,7 +71,8 @@ struct FrameStats {
 };
 
 /// {"frame_ms", "plan_ms", "triangles", "edges", "records", "silhouettes", "shadow_bytes",
-///  "map_bytes"}
+///  "map_bytes", "stage_ms": {"ambient", "map", "silhouette", "rasterise", "lit"}}; the last one
+/// once it is known.
 nlohmann::ordered_json toJson(const FrameStats& stats);
 
 /// What a viewer draws with beyond what its state can change.

@@ -179,9 +179,18 @@ TEST_F(ViewerTest, StatisticsTellOfTheScene) {
     EXPECT_GT(stats.shadowBytes, 0u);
     EXPECT_EQ(stats.mapBytes, 0u);
     EXPECT_GT(stats.frameMs, 0.0);
+    EXPECT_FALSE(stats.stageMs);
     viewer.change(Json::parse(R"({"left": {"shadows": "map", "map_size": 64}})"));
     viewer.frame(1.0);
     EXPECT_GT(viewer.stats().mapBytes, 0u);
+    viewer.change(Json::parse(R"({"left": {"shadows": "volumes"}})"));
+    viewer.frame(2.0);
+    const auto stages = viewer.stats().stageMs;
+    ASSERT_TRUE(stages);
+    EXPECT_GT(stages->ambient, 0.0);
+    EXPECT_GT(stages->silhouette, 0.0);
+    EXPECT_GT(stages->lit, 0.0);
+    EXPECT_EQ(toJson(viewer.stats())["stage_ms"]["lit"], stages->lit);
 }
 
 TEST(ViewerWithoutAScene, DrawsTheGroundAndTakesEverything) {

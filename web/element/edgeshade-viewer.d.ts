@@ -39,8 +39,21 @@ export type ViewChanges = Partial<Omit<ViewState, 'camera' | 'left' | 'right'>> 
   right?: Partial<SideSettings>;
 };
 
-/** Figures of the frames drawn lately, among them frame_ms, triangles, edges and silhouettes. */
-export type Stats = Record<string, number>;
+/** Figures of the frames drawn lately. */
+export interface Stats {
+  frame_ms: number;
+  /** Of it, on the CPU before drawing. */
+  plan_ms: number;
+  triangles: number;
+  edges: number;
+  records: number;
+  /** Records that cast a side in the chosen light. */
+  silhouettes: number;
+  shadow_bytes: number;
+  map_bytes: number;
+  /** Of the last frame whose stages were timed, one of 16; not there before the first. */
+  stage_ms?: { ambient: number; map: number; silhouette: number; rasterise: number; lit: number };
+}
 
 export type Command =
   | 'orbitLeft' | 'orbitRight' | 'orbitUp' | 'orbitDown'

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "src/render/stage_timer.hpp"
+
+#include <array>
+#include <chrono>
+
+namespace edgeshade::viewer {
+
+/// Waits until the GL has drawn. glFinish is not waited for in browsers, a read-back is.
+void waitForPicture();
+
+/// Times a frame's stages by waiting at their ends, which works in every window and browser and
+/// makes that frame slower.
+class StageWatch : public StageClock {
+  public:
+    void enter(FrameStage stage) override;
+    void leave() override;
+    bool wantsSilhouette() const override { return true; }
+
+    /// What was timed so far.
+    StageMs stages() const;
+
+  private:
+    std::array<double, 5> milliseconds_{}; ///< by FrameStage
+    FrameStage stage_ = FrameStage::ambient;
+    std::chrono::steady_clock::time_point start_;
+};
+
+} // namespace edgeshade::viewer

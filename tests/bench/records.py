@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""What the adapted records leave of the published ones, on every model in ../shared/scenes: the
+table of docs/adapted.md.
+
+    tests/bench/records.py           measures, then the table
+    tests/bench/records.py --table   the table from the results that are there
+"""
+
+import json
+import math
+import sys
+
+from accuracy import NAMES
+from edgeshade_runs import RESULTS, SCENES, machine, replace_between, report, write_results
+
+KEPT = ("triangles", "edges", "flat_edges_dropped", "records", "closed_oriented_triangles",
+        "largest_opposite_count", "bytes", "vertex_runs", "seconds")
+
+
+def measured(scene):
+    whole = report("info", SCENES / f"{scene}.glb")
+    return {key: whole[key] for key in KEPT}
+
+
+def mean(values):
+    """Geometric."""
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def table(results):
+    lines = ["| scene | edges | flat, dropped | closed triangles, % | runs of published / adapted "
+             "sides | with all caps | sides' bytes / published sum | with all caps |",
+             "|" + " --- |" * 8]
+    ratios = []
+    for scene, of in results["scenes"].items():
+        runs, sizes = of["vertex_runs"], of["bytes"]
+        published_sides = runs["published"] - runs["caps"]
+        row = (published_sides / runs["sides"], runs["published"] / (runs["sides"] + runs["caps"]),
+               sizes["sides"] / sizes["published_equation"],
+               (sizes["sides"] + sizes["caps"]) / sizes["published_equation"])
+        ratios.append(row)
+        lines.append(f"| {NAMES[scene]} | {of['edges']:,} | {of['flat_edges_dropped']:,} | "
+                     f"{100 * of['closed_oriented_triangles'] / of['triangles']:.0f} | "
+                     f"{row[0]:.2f} | {row[1]:.2f} | {row[2]:.2f} | {row[3]:.2f} |")
+    means = [mean(column) for column in zip(*ratios)]
+    lines.append("| geometric mean | | | | " + " | ".join(f"{value:.2f}" for value in means) + " |")
+    return "\n".join(lines)
+
+
+def main(words):
+    stored = RESULTS / "records.json"
+    if words[:1] == ["--table"]:
+        results = json.loads(stored.read_text())
+    else:
+        results = {"machine": machine(), "scenes": {scene: measured(scene) for scene in NAMES}}
+        write_results("records", results)
+    replace_between("docs/adapted.md", "records", table(results))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
