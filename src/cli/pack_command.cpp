@@ -13,7 +13,7 @@ struct PackOptions {
     std::string input;
     std::string output;
     std::string report;
-    Encoding encoding = Encoding::indexed;
+    Encoding encoding = Encoding::none;
     CasterOptions casters;
 };
 
@@ -37,7 +37,8 @@ void addPackCommand(CLI::App& program) {
               {{"expanded", Encoding::expanded},
                {"indexed", Encoding::indexed},
                {"none", Encoding::none}},
-              "expanded: GPU-ready; indexed: edges as indices; none: found at load (indexed)");
+              "none: edges are found at load, which is as quick as reading them; published "
+              "records for --layout published: expanded, GPU-ready, or indexed (none)");
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
     verb->callback([options] { pack(*options); });
