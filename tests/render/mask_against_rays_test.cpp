@@ -1,7 +1,6 @@
 // Masks against ray casting in double, where every pixel away from a boundary must agree.
 
-#include "tests/support/brute_force.hpp"
-#include "tests/support/headless.hpp"
+#include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,70 +11,16 @@ namespace edgeshade {
 namespace {
 
 using test::Answer;
+using test::Case;
+using test::expectRight;
+using test::Outcome;
 using test::pointLight;
+using test::run;
 using test::SceneBuilder;
 using test::sun;
 using test::yard;
 
-constexpr int width = 240, height = 180;
-
-struct Case {
-    Scene scene;
-    Camera camera;
-    Light light;
-    double near = 0.0; ///< 0: fitted
-    bool castMasked = false;
-    std::optional<int> slices{}; ///< nothing: as many as pay
-};
-
-struct Outcome {
-    int wrongBeyondOnePixel = 0;
-    int wrong = 0;
-    int lit = 0;
-    int shadow = 0;
-};
-
-Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>& answers) {
-    Outcome outcome;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const std::size_t i = static_cast<std::size_t>(y) * width + x;
-            const Answer drawn = mask[4 * i + 3] == 0 ? Answer::nothing
-                                 : mask[4 * i] == 0   ? Answer::shadow
-                                                      : Answer::lit;
-            outcome.lit += answers[i] == Answer::lit;
-            outcome.shadow += answers[i] == Answer::shadow;
-            if (drawn == answers[i]) continue;
-            ++outcome.wrong;
-            outcome.wrongBeyondOnePixel += test::isFlat(answers, width, height, x, y);
-        }
-    return outcome;
-}
-
-Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true) {
-    test::TestView view{test.camera, {test.light}, width, height, true};
-    if (test.near > 0.0) view.depth.near = test.near;
-    view.depth.slices = test.slices;
-    view.nearDiscard = nearDiscard;
-    return compare(test::drawScene(test.scene, view, settings, test.castMasked),
-                   test::castMask(test.scene, test.camera, test.light, width, height, test.near,
-                                  test.castMasked));
-}
-
-void expectRight(const Case& test) {
-    for (const auto method : {MultiplicityMethod::plane, MultiplicityMethod::referenceEdge,
-                              MultiplicityMethod::threeEdge})
-        for (const auto layout :
-             {SidesLayout::instanced, SidesLayout::multiDraw, SidesLayout::notInstanced}) {
-            RenderSettings settings;
-            settings.multiplicity = method;
-            settings.layout = layout;
-            const Outcome outcome = run(test, settings);
-            EXPECT_EQ(outcome.wrongBeyondOnePixel, 0);
-            EXPECT_LE(outcome.wrong, width * height / 500);
-            EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
-        }
-}
+constexpr int width = test::maskWidth, height = test::maskHeight;
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 

@@ -1,0 +1,52 @@
+#include "tests/support/mask_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>& answers) {
+    Outcome outcome;
+    for (int y = 0; y < maskHeight; ++y)
+        for (int x = 0; x < maskWidth; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * maskWidth + x;
+            const Answer drawn = mask[4 * i + 3] == 0 ? Answer::nothing
+                                 : mask[4 * i] == 0   ? Answer::shadow
+                                                      : Answer::lit;
+            outcome.lit += answers[i] == Answer::lit;
+            outcome.shadow += answers[i] == Answer::shadow;
+            if (drawn == answers[i]) continue;
+            ++outcome.wrong;
+            outcome.wrongBeyondOnePixel += isFlat(answers, maskWidth, maskHeight, x, y);
+        }
+    return outcome;
+}
+
+} // namespace
+
+Outcome run(const Case& test, RenderSettings settings, bool nearDiscard) {
+    TestView view{test.camera, {test.light}, maskWidth, maskHeight, true};
+    if (test.near > 0.0) view.depth.near = test.near;
+    view.depth.slices = test.slices;
+    view.nearDiscard = nearDiscard;
+    return compare(drawScene(test.scene, view, settings, test.castMasked),
+                   castMask(test.scene, test.camera, test.light, maskWidth, maskHeight, test.near,
+                            test.castMasked));
+}
+
+void expectRight(const Case& test) {
+    for (const auto method : {MultiplicityMethod::plane, MultiplicityMethod::referenceEdge,
+                              MultiplicityMethod::threeEdge})
+        for (const auto layout :
+             {SidesLayout::instanced, SidesLayout::multiDraw, SidesLayout::notInstanced}) {
+            RenderSettings settings;
+            settings.multiplicity = method;
+            settings.layout = layout;
+            const Outcome outcome = run(test, settings);
+            EXPECT_EQ(outcome.wrongBeyondOnePixel, 0);
+            EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500);
+            EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
+        }
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "tests/support/brute_force.hpp"
+#include "tests/support/headless.hpp"
+
+namespace edgeshade::test {
+
+inline constexpr int maskWidth = 240, maskHeight = 180;
+
+/// A lit mask to be drawn and held against ray casting.
+struct Case {
+    Scene scene;
+    Camera camera;
+    Light light;
+    double near = 0.0; ///< 0: fitted
+    bool castMasked = false;
+    std::optional<int> slices{}; ///< nothing: as many as pay
+};
+
+/// Pixels by what the mask shows, and by what rays say.
+struct Outcome {
+    int wrongBeyondOnePixel = 0;
+    int wrong = 0;
+    int lit = 0;
+    int shadow = 0;
+};
+
+/// Draws the mask. `nearDiscard`: see TestView.
+Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true);
+
+/// Expects every pixel away from a boundary to be right, by every robust method and layout.
+void expectRight(const Case& test);
+
+} // namespace edgeshade::test
