@@ -13,6 +13,10 @@ namespace {
 /// coplanar says too little of a plane where three points are almost on a line.
 constexpr double thinnest = 1e-6;
 
+/// Triangles of an edge up to which each is compared with each. Edges of larger fans join no
+/// patches.
+constexpr std::uint32_t largestFan = 64;
+
 struct Facet {
     glm::dvec3 normal{0.0}; ///< as long as twice the area
     bool thin = true;
@@ -55,6 +59,7 @@ std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& ed
                            mesh.positions[q.vertex]);
     };
     for (const Edge& edge : edges.edges) {
+        if (edge.oppositeCount > largestFan) continue;
         const auto opposites = edges.oppositesOf(edge);
         for (std::size_t i = 0; i < opposites.size(); ++i)
             for (std::size_t j = i + 1; j < opposites.size(); ++j)

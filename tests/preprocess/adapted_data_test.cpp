@@ -212,6 +212,20 @@ TEST(OppositePairs, ManyTrianglesTakeHalfAsManyRecords) {
     }
 }
 
+TEST(OppositePairs, AFanOfAnySizeTakesLittleTime) {
+    // 200,000 triangles on one edge: comparing each with each would take hours.
+    constexpr std::uint32_t n = 200'000;
+    Soup soup{{{0, 0, 0}, {0, 1, 0}}, {}};
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const float angle = static_cast<float>(i) * 3e-5f;
+        soup.positions.emplace_back(std::cos(angle), 0.5f, std::sin(angle));
+        soup.indices.insert(soup.indices.end(), {i % 2, 1 - i % 2, i + 2});
+    }
+    const AdaptedShadow shadow = adapted(soup);
+    EXPECT_GE(shadow.pairs.size(), n / 2 - 64);
+    EXPECT_EQ(shadow.singles.size(), 2 * n);
+}
+
 TEST(OppositePairs, FlatOnesCancelFirst) {
     // A cross of two flat strips through one edge: both pairs go.
     const Soup cross{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}},
