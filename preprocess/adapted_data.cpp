@@ -47,18 +47,23 @@ RecordRange rangeSince(std::size_t first, std::size_t end) {
     return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first)};
 }
 
-/// The caps of `triangles`, which are in order, by material where it matters.
-void addGroups(const CasterMesh& mesh, const std::vector<std::uint32_t>& triangles, bool holes,
-               std::uint32_t firstCap, std::vector<CasterGroup>& groups) {
+/// The caps of a cluster by material where that matters; its triangles are ascending then.
+void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint32_t firstCap,
+               std::vector<CasterGroup>& groups) {
+    if (!cluster.holes) {
+        const std::size_t anyMaterial = mesh.groups.front().material; // all of them are opaque
+        groups.push_back(
+            {anyMaterial, firstCap, static_cast<std::uint32_t>(cluster.triangles.size())});
+        return;
+    }
     std::size_t group = 0;
     const std::size_t firstGroup = groups.size();
-    for (const std::uint32_t triangle : triangles) {
+    for (const std::uint32_t triangle : cluster.triangles) {
         while (triangle >= mesh.groups[group].firstCap + mesh.groups[group].capCount)
             ++group;
         const std::size_t material = mesh.groups[group].material;
-        const bool same =
-            groups.size() > firstGroup && (!holes || groups.back().material == material);
-        if (!same) groups.push_back({material, firstCap, 0});
+        if (groups.size() == firstGroup || groups.back().material != material)
+            groups.push_back({material, firstCap, 0});
         ++groups.back().capCount;
         ++firstCap;
     }
@@ -73,17 +78,18 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
     AdaptedShadow shadow;
     for (const TriangleCluster& cluster : clusterTrianglesOf(mesh, edges, materials)) {
         const std::size_t pairs = shadow.pairs.size(), singles = shadow.singles.size(),
-                          caps = shadow.caps.size(), groups = shadow.groups.size();
+                          caps = shadow.caps.size(), groups = shadow.groups.size(),
+                          parts = shadow.parts.size();
+        shadow.parts.insert(shadow.parts.end(), cluster.parts.begin(), cluster.parts.end());
         for (const std::uint32_t edge : cluster.edges)
             emitter.emitEdge(edges.edges[edge], shadow);
         for (const std::uint32_t triangle : cluster.triangles)
             emitter.emitCap(triangle, shadow);
-        addGroups(mesh, cluster.triangles, cluster.holes, static_cast<std::uint32_t>(caps),
-                  shadow.groups);
+        addGroups(mesh, cluster, static_cast<std::uint32_t>(caps), shadow.groups);
         shadow.clusters.push_back(
             {cluster.bounds, cluster.closed, cluster.holes, rangeSince(pairs, shadow.pairs.size()),
              rangeSince(singles, shadow.singles.size()), rangeSince(caps, shadow.caps.size()),
-             rangeSince(groups, shadow.groups.size())});
+             rangeSince(groups, shadow.groups.size()), rangeSince(parts, shadow.parts.size())});
     }
     return shadow;
 }

@@ -68,6 +68,7 @@ struct ShadowCluster {
     bool holes = false;  ///< some casters are not opaque
     RecordRange pairs, singles, caps;
     RecordRange groups; ///< of AdaptedShadow::groups
+    RecordRange parts;  ///< of AdaptedShadow::parts: each holds the next partTriangles caps
 };
 
 /// One batch.
@@ -78,6 +79,7 @@ struct AdaptedShadow {
     std::vector<std::uint32_t> capTriangles; ///< which of CasterMesh's triangles each cap is
     std::vector<CasterGroup> groups; ///< ranges of caps; clusters without holes have one each
     std::vector<ShadowCluster> clusters;
+    std::vector<Box> parts;    ///< boxes around neighbouring caps
     std::size_t edges = 0;     ///< all, flat ones too
     std::size_t flatPairs = 0; ///< pairs that were dropped
     std::size_t flatEdges = 0; ///< edges of which nothing is left
@@ -97,6 +99,9 @@ struct AdaptedCosts {
     AdaptedCosts& operator+=(const AdaptedCosts& other);
 };
 AdaptedCosts costsOf(const AdaptedShadow& shadow);
+
+/// Caps that a cluster's part holds.
+inline constexpr std::uint32_t partTriangles = 32;
 
 /// Triangles at which a cluster is full: small components share one.
 inline constexpr std::size_t clusterTriangles = 512;

@@ -63,6 +63,34 @@ std::vector<Part> partsOf(const CasterMesh& mesh, const Components& components,
     return parts;
 }
 
+Box boxOf(const WeldedMesh& mesh, const Triangle& triangle) {
+    Box box;
+    for (const std::uint32_t vertex : triangle)
+        box.add(glm::dvec3(mesh.positions[vertex]));
+    return box;
+}
+
+void sortAlongCurve(TriangleCluster& cluster, const WeldedMesh& mesh) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    order.reserve(cluster.triangles.size());
+    for (const std::uint32_t t : cluster.triangles)
+        order.emplace_back(mortonCode(boxOf(mesh, mesh.triangles[t]).center(), cluster.bounds), t);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        cluster.triangles[i] = order[i].second;
+}
+
+std::vector<Box> partsOf(const TriangleCluster& cluster, const WeldedMesh& mesh) {
+    std::vector<Box> parts;
+    for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
+        if (i % partTriangles == 0) parts.emplace_back();
+        const Box box = boxOf(mesh, mesh.triangles[cluster.triangles[i]]);
+        parts.back().add(box.low);
+        parts.back().add(box.high);
+    }
+    return parts;
+}
+
 } // namespace
 
 std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
@@ -84,7 +112,7 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
     for (const std::uint32_t i : order) {
         const Part& part = parts[i];
         if (part.kind() != kind || sizes.back() + part.triangles > clusterTriangles) {
-            clusters.push_back({{}, part.closed, part.holes, {}, {}});
+            clusters.push_back({{}, part.closed, part.holes, {}, {}, {}});
             sizes.push_back(0);
             kind = part.kind();
         }
@@ -95,6 +123,10 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
     }
     for (std::uint32_t t = 0; t < components.ofTriangle.size(); ++t)
         clusters[clusterOf[components.ofTriangle[t]]].triangles.push_back(t);
+    for (TriangleCluster& cluster : clusters) {
+        if (!cluster.holes) sortAlongCurve(cluster, mesh.welded);
+        cluster.parts = partsOf(cluster, mesh.welded);
+    }
     for (std::uint32_t e = 0; e < edges.edges.size(); ++e) {
         const std::uint32_t triangle = edges.opposites[edges.edges[e].firstOpposite].triangle;
         clusters[clusterOf[components.ofTriangle[triangle]]].edges.push_back(e);

@@ -10,8 +10,9 @@ struct TriangleCluster {
     Box bounds;
     bool closed = false;
     bool holes = false;                   ///< some triangle is not opaque; never closed then
-    std::vector<std::uint32_t> triangles; ///< ascending
+    std::vector<std::uint32_t> triangles; ///< with holes ascending, else along a Morton curve
     std::vector<std::uint32_t> edges;     ///< ascending
+    std::vector<Box> parts; ///< around partTriangles consecutive triangles each, the last fewer
 };
 
 /// Divides a batch's casters: closed clusters first, then open ones, then those with holes; within

@@ -206,8 +206,8 @@ std::size_t Renderer::countAdapted(const Pass& pass, const Light& light, const G
                                    const AdaptedBuffers& buffers) {
     const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-    const std::vector<VolumeDraw> draws = planVolumes(
-        buffers.shadow().clusters, planView(pass.view, pass.slice, light, batch.worldFromBatch));
+    const std::vector<VolumeDraw> draws =
+        planVolumes(buffers.shadow(), planView(pass.view, pass.slice, light, batch.worldFromBatch));
     for (const VolumeDraw& draw : draws) {
         countInStencil(draw.zFail, batchView.mirrored);
         adapted_->drawSides(buffers, draw, lightHere, batchView.clipFromObject);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
+#include <span>
 
 namespace edgeshade {
 namespace {
@@ -21,53 +21,91 @@ struct Interval {
     }
 };
 
-bool separates(const glm::dvec3& axis, const LightPyramid& pyramid, const Box& box) {
-    Interval of;
+/// What a pyramid covers of an axis, and how large its coordinates are there.
+struct Shade {
+    Interval interval;
     double size = 0.0;
+};
+
+Shade shadeOf(const LightPyramid& pyramid, const glm::dvec3& axis) {
+    Shade shade;
     const auto add = [&](const glm::dvec3& point) {
-        of.add(glm::dot(axis, point));
-        size = std::max(size, glm::dot(glm::abs(axis), glm::abs(point)));
+        shade.interval.add(glm::dot(axis, point));
+        shade.size = std::max(shade.size, glm::dot(glm::abs(axis), glm::abs(point)));
     };
     for (const glm::dvec3& corner : pyramid.corners)
         add(corner);
     const glm::dvec3 light(pyramid.light);
     if (pyramid.light.w != 0.0) {
         add(light);
-    } else {
-        const double along = glm::dot(axis, light);
-        const double rounding = leastGap * glm::dot(glm::abs(axis), glm::abs(light));
-        if (along > -rounding) of.high = std::numeric_limits<double>::infinity();
-        if (along < rounding) of.low = -std::numeric_limits<double>::infinity();
+        return shade;
     }
-    const glm::dvec3 center = box.center();
-    const double at = glm::dot(axis, center);
-    const double reach = glm::dot(glm::abs(axis), box.high - center);
-    size =
-        std::max(size, glm::dot(glm::abs(axis), glm::max(glm::abs(box.low), glm::abs(box.high))));
-    const double gap = std::max(of.low - (at + reach), (at - reach) - of.high);
-    return gap > leastGap * size && size > 0.0;
+    const double along = glm::dot(axis, light);
+    const double rounding = leastGap * glm::dot(glm::abs(axis), glm::abs(light));
+    if (along > -rounding) shade.interval.high = std::numeric_limits<double>::infinity();
+    if (along < rounding) shade.interval.low = -std::numeric_limits<double>::infinity();
+    return shade;
+}
+
+/// Whether what covers `other` of the axis, with coordinates up to `size`, is apart there.
+bool separates(const LightPyramid& pyramid, const glm::dvec3& axis, const Interval& other,
+               double size) {
+    const Shade shade = shadeOf(pyramid, axis);
+    const double gap = std::max(shade.interval.low - other.high, other.low - shade.interval.high);
+    return gap > leastGap * std::max(size, shade.size);
+}
+
+/// Calls `separate` for axes of unit length until it says yes. Separating axes of convex sets are
+/// normals of their faces and products of their edges; `edges` and `normals` are the other set's.
+template <class Separate>
+bool anyAxis(const LightPyramid& pyramid, std::span<const glm::dvec3> normals,
+             std::span<const glm::dvec3> edges, Separate separate) {
+    const auto tried = [&](const glm::dvec3& axis) {
+        const double length = glm::length(axis);
+        return length > 0.0 && std::isfinite(length) && separate(axis / length);
+    };
+    const auto& c = pyramid.corners;
+    const glm::dvec3 light(pyramid.light);
+    std::array<glm::dvec3, 6> own = {c[1] - c[0], c[3] - c[0]};
+    for (std::size_t i = 0; i < 4; ++i)
+        own[2 + i] = light - c[i] * pyramid.light.w;
+    if (std::any_of(normals.begin(), normals.end(), tried)) return true;
+    if (tried(glm::cross(own[0], own[1]))) return true;
+    for (std::size_t i = 0; i < 4; ++i)
+        if (tried(glm::cross(own[2 + i], c[(i + 1) % 4] - c[i]))) return true;
+    for (const glm::dvec3& edge : own)
+        for (const glm::dvec3& other : edges)
+            if (tried(glm::cross(edge, other))) return true;
+    return false;
 }
 
 } // namespace
 
 bool areApart(const LightPyramid& pyramid, const Box& box) {
     if (box.empty()) return true;
-    const auto& c = pyramid.corners;
-    // Separating axes of convex sets: normals of their faces, and products of their edges.
-    std::vector<glm::dvec3> edges = {c[1] - c[0], c[3] - c[0]};
-    const glm::dvec3 light(pyramid.light);
-    for (const glm::dvec3& corner : c)
-        edges.push_back(light - corner * pyramid.light.w);
-    std::vector<glm::dvec3> axes = {
-        {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, glm::cross(edges[0], edges[1])};
-    for (std::size_t i = 0; i < 4; ++i)
-        axes.push_back(glm::cross(edges[2 + i], c[(i + 1) % 4] - c[i]));
-    for (const glm::dvec3& edge : edges)
-        for (const glm::dvec3& of : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
-            axes.push_back(glm::cross(edge, of));
-    return std::any_of(axes.begin(), axes.end(), [&](const glm::dvec3& axis) {
-        const double length = glm::length(axis);
-        return length > 0.0 && std::isfinite(length) && separates(axis / length, pyramid, box);
+    const std::array<glm::dvec3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const glm::dvec3 center = box.center();
+    const glm::dvec3 half = box.high - center;
+    const glm::dvec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
+    return anyAxis(pyramid, axes, axes, [&](const glm::dvec3& axis) {
+        const double at = glm::dot(axis, center), reach = glm::dot(glm::abs(axis), half);
+        return separates(pyramid, axis, {at - reach, at + reach},
+                         glm::dot(glm::abs(axis), largest));
+    });
+}
+
+bool areApart(const LightPyramid& pyramid, const std::array<glm::dvec3, 3>& triangle) {
+    const auto& [a, b, c] = triangle;
+    const std::array<glm::dvec3, 3> edges = {b - a, c - b, a - c};
+    const std::array<glm::dvec3, 1> normals = {glm::cross(edges[0], edges[1])};
+    return anyAxis(pyramid, normals, edges, [&](const glm::dvec3& axis) {
+        Interval interval;
+        double size = 0.0;
+        for (const glm::dvec3& corner : triangle) {
+            interval.add(glm::dot(axis, corner));
+            size = std::max(size, glm::dot(glm::abs(axis), glm::abs(corner)));
+        }
+        return separates(pyramid, axis, interval, size);
     });
 }
 

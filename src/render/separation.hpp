@@ -17,4 +17,7 @@ struct LightPyramid {
 /// Whether pyramid and box are certainly apart: some axis separates them by more than rounding.
 bool areApart(const LightPyramid& pyramid, const Box& box);
 
+/// The same of a triangle.
+bool areApart(const LightPyramid& pyramid, const std::array<glm::dvec3, 3>& triangle);
+
 } // namespace edgeshade

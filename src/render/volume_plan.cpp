@@ -59,17 +59,39 @@ bool mayOverlap(const Box& box, const Box& other) {
     return true;
 }
 
-/// Both winding numbers are certainly 0.
-bool isSeenFromOutside(const ShadowCluster& cluster, const PlanView& view) {
-    Box beforeNear;
-    beforeNear.add(view.eye);
-    for (const glm::dvec3& corner : view.nearest)
-        beforeNear.add(corner);
-    if (mayOverlap(cluster.bounds, beforeNear)) return false;
-    if (view.light.w == 0.0) return true;
-    Box light;
-    light.add(glm::dvec3(view.light) / view.light.w);
-    return !mayOverlap(cluster.bounds, light);
+Box boxAround(const glm::dvec3& point) {
+    Box box;
+    box.add(point);
+    return box;
+}
+
+/// Whether both winding numbers are certainly 0.
+bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
+    if (mayOverlap(cluster.bounds, boxAround(view.eye))) return false;
+    return view.light.w == 0.0 ||
+           !mayOverlap(cluster.bounds, boxAround(glm::dvec3(view.light) / view.light.w));
+}
+
+/// Whether a triangle of the cluster may be within the pyramid.
+bool mayMeet(const LightPyramid& pyramid, const ShadowCluster& cluster,
+             const AdaptedShadow& shadow) {
+    if (areApart(pyramid, cluster.bounds)) return false;
+    for (std::uint32_t p = 0; p < cluster.parts.count; ++p) {
+        if (areApart(pyramid, shadow.parts[cluster.parts.first + p])) continue;
+        const std::uint32_t first = cluster.caps.first + p * partTriangles;
+        const std::uint32_t end = std::min(first + partTriangles, cluster.caps.end());
+        for (std::uint32_t i = first; i < end; ++i) {
+            const CapRecord& cap = shadow.caps[i];
+            if (!areApart(pyramid, {glm::dvec3(cap.a), glm::dvec3(cap.b), glm::dvec3(cap.c)}))
+                return true;
+        }
+    }
+    return false;
+}
+
+bool mayCountHalf(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view) {
+    return cluster.closed && !mayMeet(view.beforeNearest, cluster, shadow) &&
+           (areOutside(cluster, view) || !mayMeet(view.fromNearest, cluster, shadow));
 }
 
 } // namespace
@@ -83,6 +105,8 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     result.eye = glm::dvec3(batchFromView[3]);
     result.nearest = rectangleAt(view.near(), view, batchFromView);
     result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
+    result.fromNearest = {result.nearest, result.light};
+    result.beforeNearest = {result.nearest, glm::dvec4(result.eye, 1.0)};
     const double aspect = static_cast<double>(view.width) / view.height;
     const glm::dmat4 rows =
         glm::transpose(clipFromView(view.camera, aspect, slice.near) * viewFromBatch);
@@ -94,7 +118,8 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     return result;
 }
 
-std::vector<VolumeDraw> planVolumes(std::span<const ShadowCluster> clusters, const PlanView& view) {
+std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
+    const std::vector<ShadowCluster>& clusters = shadow.clusters;
     std::vector<VolumeDraw> draws;
     for (std::uint32_t i = 0; i < clusters.size(); ++i) {
         const ShadowCluster& cluster = clusters[i];
@@ -104,8 +129,8 @@ std::vector<VolumeDraw> planVolumes(std::span<const ShadowCluster> clusters, con
             });
         if (missed) continue;
         VolumeDraw draw{{i, 1}, Counted::all, true, true, true};
-        draw.zFail = cluster.holes || !areApart(view.fromNear, cluster.bounds);
-        if (cluster.closed && isSeenFromOutside(cluster, view)) draw.counted = Counted::lightFacing;
+        draw.zFail = cluster.holes || mayMeet(view.fromNear, cluster, shadow);
+        if (mayCountHalf(cluster, shadow, view)) draw.counted = Counted::lightFacing;
         const bool inView =
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
                          [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });

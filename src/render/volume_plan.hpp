@@ -5,7 +5,6 @@
 #include "src/render/separation.hpp"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace edgeshade {
@@ -13,7 +12,7 @@ namespace edgeshade {
 /// Which triangles of a cluster cast (method, section 6.4).
 enum class Counted {
     all,         ///< every triangle: always right
-    lightFacing, ///< of a closed cluster with neither eye nor light within its bounds
+    lightFacing, ///< of a closed cluster around which eye and light have the same winding numbers
 };
 
 /// How shadow volumes of some neighbouring clusters are drawn. Those of one batch are in order.
@@ -36,6 +35,8 @@ struct PlanView {
     glm::dvec3 eye;
     std::array<glm::dvec3, 4> nearest; ///< corners of the rectangle in the nearest near plane
     LightPyramid fromNear;             ///< from the slice's near plane to the light
+    LightPyramid fromNearest;          ///< from the nearest near plane to the light
+    LightPyramid beforeNearest;        ///< from the nearest near plane to the eye
     /// left, right, bottom, top, near, and the farthest that is visible: dot(plane, (p, 1)) >= 0
     /// inside.
     std::array<glm::dvec4, 6> planes;
@@ -49,10 +50,11 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
 /// - not at all where its volume, the cluster's box away from the light, certainly misses the view
 ///   or begins behind everything visible;
 /// - without caps, before surfaces (z-pass), where no point of the near rectangle is within the
-///   volume: the hull of rectangle and light is apart from the box. Casters with holes always get
-///   caps, since the eye sees volumes through them;
-/// - light-facing triangles alone where the cluster is closed, and neither the light nor anything
-///   between the eye and the nearest near plane is within its bounds: both winding numbers are 0.
-std::vector<VolumeDraw> planVolumes(std::span<const ShadowCluster> clusters, const PlanView& view);
+///   volume: the hull of rectangle and light is apart from all of the cluster's triangles. Casters
+///   with holes always get caps, since the eye sees volumes through them;
+/// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
+///   and the nearest near plane, and eye and light have the same winding numbers: either both are
+///   outside of its bounds, or the way from the eye by the near plane to the light meets none.
+std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade

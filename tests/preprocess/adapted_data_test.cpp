@@ -190,6 +190,21 @@ TEST(AdaptedData, ClustersHoldWholeComponentsAndEveryRecordOnce) {
                     EXPECT_LE(p[axis], cluster.bounds.high[axis]);
                 }
     }
+    for (const ShadowCluster& cluster : shadow.clusters) {
+        EXPECT_EQ(cluster.parts.count, (cluster.caps.count + 31) / 32);
+        for (std::uint32_t i = cluster.caps.first; i < cluster.caps.end(); ++i) {
+            const glm::dvec3 a(shadow.caps[i].a), b(shadow.caps[i].b), c(shadow.caps[i].c);
+            bool held = false;
+            for (std::uint32_t p = cluster.parts.first; p < cluster.parts.end(); ++p) {
+                const Box& part = shadow.parts[p];
+                const glm::dvec3 low = glm::min(a, glm::min(b, c));
+                const glm::dvec3 high = glm::max(a, glm::max(b, c));
+                held = held || (glm::all(glm::greaterThanEqual(low, part.low)) &&
+                                glm::all(glm::lessThanEqual(high, part.high)));
+            }
+            EXPECT_TRUE(held) << "no part holds triangle " << i;
+        }
+    }
     EXPECT_EQ(pairs, shadow.pairs.size());
     EXPECT_EQ(singles, shadow.singles.size());
     EXPECT_EQ(caps, shadow.caps.size());
