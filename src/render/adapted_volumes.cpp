@@ -2,14 +2,13 @@
 
 #include "shaders_es2.hpp"
 #include "src/render/attributes.hpp"
+#include "src/render/cap_holes.hpp"
 
 #include <algorithm>
 #include <array>
 
 namespace edgeshade {
 namespace {
-
-constexpr float aboveAnyAlpha = 2.0f;
 
 /// Quads that 16-bit indices reach, four vertices each.
 constexpr std::uint32_t quadsPerDraw = 65536 / verticesPerQuad;
@@ -203,13 +202,7 @@ void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& d
                 drawGroup(caps, buffers.copied(), range, cluster.caps.count, kind, false);
                 continue;
             }
-            // Nothing of a BLEND surface is in the depth buffer, so all of it counts as a hole.
-            const bool blend = material.alphaMode == AlphaMode::blend;
-            glActiveTexture(GL_TEXTURE0);
-            glBindTexture(GL_TEXTURE_2D, textures.of(material));
-            program.setSampler("u_texture", 0);
-            program.set("u_alphaScale", material.baseColorFactor.a);
-            program.set("u_alphaCutoff", blend ? aboveAnyAlpha : material.alphaCutoff);
+            setCapHoles(program, material, textures);
             program.set("u_frontCapAtInfinity", 1.0f);
             drawGroup(caps, buffers.copied(), range, cluster.caps.count, kind, true);
             program.set("u_frontCapAtInfinity", 0.0f);

@@ -2,13 +2,12 @@
 
 #include "shaders_es2/record_layout.glsl"
 #include "src/render/attributes.hpp"
+#include "src/render/cap_holes.hpp"
 
 #include <algorithm>
 
 namespace edgeshade {
 namespace {
-
-constexpr float aboveAnyAlpha = 2.0f;
 
 /// Adjoining groups of opaque casters, which one draw can take.
 std::vector<CasterGroup> mergedOpaque(const std::vector<CasterGroup>& groups,
@@ -59,13 +58,7 @@ void CapsPass::draw(const ShadowBuffers& shadow, const std::vector<Material>& ma
             drawGroup(shadow, group, false);
             continue;
         }
-        // Nothing of a BLEND surface is in the depth buffer, so all of it counts as a hole.
-        const bool blend = material.alphaMode == AlphaMode::blend;
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, textures.of(material));
-        variant.setSampler("u_texture", 0);
-        variant.set("u_alphaScale", material.baseColorFactor.a);
-        variant.set("u_alphaCutoff", blend ? aboveAnyAlpha : material.alphaCutoff);
+        setCapHoles(variant, material, textures);
         for (const float atInfinity : {1.0f, 0.0f}) {
             variant.set("u_frontCapAtInfinity", atInfinity);
             drawGroup(shadow, group, true);

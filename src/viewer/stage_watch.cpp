@@ -1,6 +1,5 @@
 #include "src/viewer/stage_watch.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <GLES2/gl2.h>
 
@@ -21,16 +20,7 @@ void StageWatch::leave() {
     waitForPicture();
     const std::chrono::duration<double, std::milli> time =
         std::chrono::steady_clock::now() - start_;
-    milliseconds_[static_cast<std::size_t>(stage_)] += time.count();
-}
-
-StageMs StageWatch::stages() const {
-    const auto of = [&](FrameStage stage) {
-        return milliseconds_[static_cast<std::size_t>(stage)];
-    };
-    const double silhouette = of(FrameStage::silhouette);
-    return {of(FrameStage::ambient), of(FrameStage::map), silhouette,
-            std::max(0.0, of(FrameStage::volumes) - silhouette), of(FrameStage::lit)};
+    spans_.push_back({static_cast<int>(stage_), time.count(), false});
 }
 
 } // namespace edgeshade::viewer

@@ -2,8 +2,8 @@
 
 #include "src/render/stage_timer.hpp"
 
-#include <array>
 #include <chrono>
+#include <vector>
 
 namespace edgeshade::viewer {
 
@@ -19,10 +19,10 @@ class StageWatch : public StageClock {
     bool wantsSilhouette() const override { return true; }
 
     /// What was timed so far.
-    StageMs stages() const;
+    StageMs stages() const { return stageMs(spans_); }
 
   private:
-    std::array<double, 5> milliseconds_{}; ///< by FrameStage
+    std::vector<gl::SpanTimer::Span> spans_;
     FrameStage stage_ = FrameStage::ambient;
     std::chrono::steady_clock::time_point start_;
 };
