@@ -1,25 +1,13 @@
 #include "tests/support/adapted_probe.hpp"
 
-#include "src/render/attributes.hpp"
-
-#include <algorithm>
 #include <numeric>
 
 namespace edgeshade::test {
 
 AdaptedProbe::AdaptedProbe()
-    : context_({side, side}),
-      pairsProgram_(makeAdaptedSidesProgram({true, false}, {"PROBE"}, {"a_pixel"})),
+    : pairsProgram_(makeAdaptedSidesProgram({true, false}, {"PROBE"}, {"a_pixel"})),
       singlesProgram_(makeAdaptedSidesProgram({false, false}, {"PROBE"}, {"a_pixel"})),
-      capsProgram_(makeAdaptedCapsProgram(false, false, {"PROBE"}, {"a_pixel"})) {
-    std::vector<glm::vec2> centres;
-    centres.reserve(std::size_t{side} * side);
-    for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x)
-            centres.emplace_back((2.0f * static_cast<float>(x) + 1.0f) / side - 1.0f,
-                                 (2.0f * static_cast<float>(y) + 1.0f) / side - 1.0f);
-    pixels_ = gl::vertexBuffer<glm::vec2>(centres);
-}
+      capsProgram_(makeAdaptedCapsProgram(false, false, {"PROBE"}, {"a_pixel"})) {}
 
 void AdaptedProbe::upload(const AdaptedShadow& shadow) {
     pairCount_ = shadow.pairs.size();
@@ -39,38 +27,21 @@ AdaptedSigns AdaptedProbe::signs(const glm::vec4& light, const glm::vec2& counte
 std::vector<int> AdaptedProbe::draw(gl::Program& program, const gl::Buffer& records,
                                     const std::vector<int>& components, std::size_t count,
                                     const glm::vec4& light, const glm::vec2& counted) {
-    glViewport(0, 0, side, side);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
     program.use();
     program.set("u_light", light);
     program.set("u_counted", counted);
     const std::size_t stride =
         sizeof(float) *
         static_cast<std::size_t>(std::accumulate(components.begin(), components.end(), 0));
-    std::vector<int> numbers;
-    std::vector<std::uint8_t> rgba(std::size_t{4} * side * side);
-    for (std::size_t first = 0; first < count; first += std::size_t{side} * side) {
-        const std::size_t drawn = std::min(count - first, std::size_t{side} * side);
-        const auto rows = static_cast<int>((drawn + side - 1) / side);
-        glClear(GL_COLOR_BUFFER_BIT);
-        {
-            AttributeBinding binding(nullptr);
-            binding.add(pixels_, 1, GL_FLOAT, false, sizeof(glm::vec2), 0, false); // no corner
-            std::size_t offset = first * stride;
-            for (const int size : components) {
-                binding.add(records, size, GL_FLOAT, false, stride, offset, false);
-                offset += sizeof(float) * static_cast<std::size_t>(size);
-            }
-            binding.add(pixels_, 2, GL_FLOAT, false, sizeof(glm::vec2), 0, false);
-            glDrawArrays(GL_POINTS, 0, static_cast<int>(drawn));
+    return points_.draw(count, [&](AttributeBinding& binding, std::size_t first) {
+        // A point has no corner.
+        binding.add(points_.pixels(), 1, GL_FLOAT, false, sizeof(glm::vec2), 0, false);
+        std::size_t offset = first * stride;
+        for (const int size : components) {
+            binding.add(records, size, GL_FLOAT, false, stride, offset, false);
+            offset += sizeof(float) * static_cast<std::size_t>(size);
         }
-        glReadPixels(0, 0, side, rows, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-        for (std::size_t i = 0; i < drawn; ++i)
-            numbers.push_back(rgba[4 * i] - 128);
-    }
-    gl::requireNoError("probing");
-    return numbers;
+    });
 }
 
 } // namespace edgeshade::test

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "preprocess/shadow_data.hpp"
-#include "src/gl/headless_context.hpp"
 #include "src/render/volume_program.hpp"
+#include "tests/support/probe_points.hpp"
 
 #include <map>
 
@@ -24,14 +24,11 @@ class Probe {
     std::vector<int> signs(const glm::vec4& light);
 
   private:
-    static constexpr int side = 1024; ///< pixels of the square that points are drawn into
-
     std::vector<int> draw(gl::Program& program, const gl::Buffer& records, std::size_t vectors,
                           std::size_t count, const glm::vec4& light);
 
     MultiplicityMethod method_;
-    gl::HeadlessContext context_;
-    gl::Buffer pixels_; ///< centres of the square's pixels, row by row
+    ProbePoints points_;
     std::map<int, gl::Program> sidesPrograms_;
     gl::Program capsProgram_;
     gl::Buffer sides_, caps_;
