@@ -11,7 +11,17 @@ namespace {
 class Emitter {
   public:
     Emitter(const CasterMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes)
-        : mesh_(mesh.welded), edges_(edges), planes_(planes) {}
+        : mesh_(mesh.welded), edges_(edges), planes_(planes), capOf_(planes.size()) {}
+
+    void emitCap(std::uint32_t triangle, AdaptedShadow& shadow) {
+        const Triangle& corners = mesh_.triangles[triangle];
+        capOf_[triangle] = static_cast<std::uint32_t>(shadow.caps.size());
+        shadow.caps.push_back({mesh_.positions[corners[0]], mesh_.positions[corners[1]],
+                               mesh_.positions[corners[2]], planes_[triangle]});
+        shadow.capTriangles.push_back(triangle);
+    }
+
+    /// The caps of the edge's triangles come first.
 
     void emitEdge(const Edge& edge, AdaptedShadow& shadow) {
         const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
@@ -19,27 +29,28 @@ class Emitter {
         const std::size_t before = shadow.pairs.size() + shadow.singles.size();
         pairUp(mesh_, edges_, edge, planes_, paired_);
         for (const OppositePair& pair : paired_) {
-            if (!pair.second)
-                shadow.singles.push_back({a, b, pair.first});
-            else if (pair.first == *pair.second)
+            const glm::vec4 plane = pair.first.planeIn(planes_);
+            if (!pair.second) {
+                shadow.singles.push_back({a, b, plane});
+            } else if (const glm::vec4 other = pair.second->planeIn(planes_); plane == other) {
                 ++shadow.flatPairs;
-            else
-                shadow.pairs.push_back({a, b, pair.first, *pair.second});
+            } else {
+                shadow.pairs.push_back({a, b, plane, other});
+                shadow.pairPlanes.push_back({planeOf(pair.first), planeOf(*pair.second)});
+            }
         }
         shadow.flatEdges += shadow.pairs.size() + shadow.singles.size() == before;
     }
 
-    void emitCap(std::uint32_t triangle, AdaptedShadow& shadow) const {
-        const Triangle& corners = mesh_.triangles[triangle];
-        shadow.caps.push_back({mesh_.positions[corners[0]], mesh_.positions[corners[1]],
-                               mesh_.positions[corners[2]], planes_[triangle]});
-        shadow.capTriangles.push_back(triangle);
+  private:
+    PlaneOf planeOf(const PairedTriangle& of) const {
+        return {2 * capOf_[of.triangle] + (of.negated ? 1u : 0u)};
     }
 
-  private:
     const WeldedMesh& mesh_;
     const EdgeList& edges_;
     const std::vector<glm::vec4>& planes_;
+    std::vector<std::uint32_t> capOf_; ///< by triangle
     std::vector<OppositePair> paired_;
 };
 
@@ -81,10 +92,10 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
                           caps = shadow.caps.size(), groups = shadow.groups.size(),
                           parts = shadow.parts.size();
         shadow.parts.insert(shadow.parts.end(), cluster.parts.begin(), cluster.parts.end());
-        for (const std::uint32_t edge : cluster.edges)
-            emitter.emitEdge(edges.edges[edge], shadow);
         for (const std::uint32_t triangle : cluster.triangles)
             emitter.emitCap(triangle, shadow);
+        for (const std::uint32_t edge : cluster.edges)
+            emitter.emitEdge(edges.edges[edge], shadow);
         addGroups(mesh, cluster, static_cast<std::uint32_t>(caps), shadow.groups);
         shadow.clusters.push_back(
             {cluster.bounds, cluster.closed, cluster.holes, rangeSince(pairs, shadow.pairs.size()),

@@ -3,6 +3,7 @@
 #include "preprocess/scene.hpp"
 #include "preprocess/topology.hpp"
 
+#include <array>
 #include <memory>
 
 namespace edgeshade {
@@ -52,6 +53,14 @@ struct CapRecord {
 };
 static_assert(sizeof(PairRecord) == 56 && sizeof(SingleRecord) == 40 && sizeof(CapRecord) == 52);
 
+/// The cap that a pair's plane is of, and whether it is negated.
+struct PlaneOf {
+    std::uint32_t bits = 0; ///< 2 * cap + negated
+
+    std::uint32_t cap() const { return bits >> 1; }
+    bool negated() const { return (bits & 1u) != 0; }
+};
+
 /// Records [first, first + count).
 struct RecordRange {
     std::uint32_t first = 0;
@@ -74,6 +83,7 @@ struct ShadowCluster {
 /// One batch.
 struct AdaptedShadow {
     std::vector<PairRecord> pairs; ///< cluster after cluster, closed ones first; as singles, caps
+    std::vector<std::array<PlaneOf, 2>> pairPlanes; ///< what PairRecord's planes are, by pair
     std::vector<SingleRecord> singles;
     std::vector<CapRecord> caps;
     std::vector<std::uint32_t> capTriangles; ///< which of CasterMesh's triangles each cap is

@@ -4,6 +4,7 @@
 #include "preprocess/components.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace edgeshade {
@@ -91,6 +92,28 @@ std::vector<Box> partsOf(const TriangleCluster& cluster, const WeldedMesh& mesh)
     return parts;
 }
 
+/// Gives the clusters their triangles' edges, in linear time.
+void addEdges(const EdgeList& edges, std::vector<TriangleCluster>& clusters) {
+    const auto firstTriangle = [&](std::uint32_t edge) {
+        return edges.opposites[edges.edges[edge].firstOpposite].triangle;
+    };
+    std::size_t triangles = 0;
+    for (const TriangleCluster& cluster : clusters)
+        triangles += cluster.triangles.size();
+    std::vector<std::uint32_t> firstOf(triangles + 1, 0); // by triangle + 1, then summed up
+    for (std::uint32_t e = 0; e < edges.edges.size(); ++e)
+        ++firstOf[firstTriangle(e) + 1];
+    std::partial_sum(firstOf.begin(), firstOf.end(), firstOf.begin());
+    std::vector<std::uint32_t> next(firstOf.begin(), firstOf.end() - 1);
+    std::vector<std::uint32_t> byTriangle(edges.edges.size());
+    for (std::uint32_t e = 0; e < edges.edges.size(); ++e)
+        byTriangle[next[firstTriangle(e)]++] = e;
+    for (TriangleCluster& cluster : clusters)
+        for (const std::uint32_t t : cluster.triangles)
+            cluster.edges.insert(cluster.edges.end(), byTriangle.begin() + firstOf[t],
+                                 byTriangle.begin() + firstOf[t + 1]);
+}
+
 } // namespace
 
 std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
@@ -127,10 +150,7 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
         if (!cluster.holes) sortAlongCurve(cluster, mesh.welded);
         cluster.parts = partsOf(cluster, mesh.welded);
     }
-    for (std::uint32_t e = 0; e < edges.edges.size(); ++e) {
-        const std::uint32_t triangle = edges.opposites[edges.edges[e].firstOpposite].triangle;
-        clusters[clusterOf[components.ofTriangle[triangle]]].edges.push_back(e);
-    }
+    addEdges(edges, clusters);
     return clusters;
 }
 

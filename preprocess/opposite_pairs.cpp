@@ -8,6 +8,7 @@ namespace edgeshade {
 namespace {
 
 using Planes = std::vector<glm::vec4>;
+using Triangles = std::vector<std::uint32_t>;
 
 /// How much alike two planes are, flat ones most of all.
 float likeness(const glm::vec4& p, const glm::vec4& q) {
@@ -15,58 +16,69 @@ float likeness(const glm::vec4& p, const glm::vec4& q) {
     return p.x * q.x + p.y * q.y + p.z * q.z;
 }
 
+OppositePair opposite(std::uint32_t forward, std::uint32_t backward) {
+    return {{forward, false}, PairedTriangle{backward, false}};
+}
+
 /// Takes out of `forward` and `backward` the two that are most alike.
-OppositePair takeMostAlike(Planes& forward, Planes& backward) {
+OppositePair takeMostAlike(const Planes& planes, Triangles& forward, Triangles& backward) {
     std::size_t bestI = 0, bestJ = 0;
     float best = -3.0f;
     for (std::size_t i = 0; i < forward.size(); ++i)
         for (std::size_t j = 0; j < backward.size(); ++j) {
-            const float alike = likeness(forward[i], backward[j]);
+            const float alike = likeness(planes[forward[i]], planes[backward[j]]);
             if (alike > best) {
                 best = alike;
                 bestI = i;
                 bestJ = j;
             }
         }
-    const OppositePair pair{forward[bestI], backward[bestJ]};
+    const OppositePair pair = opposite(forward[bestI], backward[bestJ]);
     forward.erase(forward.begin() + static_cast<std::ptrdiff_t>(bestI));
     backward.erase(backward.begin() + static_cast<std::ptrdiff_t>(bestJ));
     return pair;
 }
 
+void sortByPlane(const Planes& planes, Triangles& triangles) {
+    std::sort(triangles.begin(), triangles.end(), [&](std::uint32_t s, std::uint32_t t) {
+        const glm::vec4 &p = planes[s], &q = planes[t];
+        return std::lexicographical_compare(&p.x, &p.x + 4, &q.x, &q.x + 4);
+    });
+}
+
 } // namespace
 
-void pairUp(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge,
-            const std::vector<glm::vec4>& planes, std::vector<OppositePair>& pairs) {
+void pairUp(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge, const Planes& planes,
+            std::vector<OppositePair>& pairs) {
     pairs.clear();
-    Planes forward, backward; // by the way their triangles run through the edge
-    for (const Opposite& opposite : edges.oppositesOf(edge)) {
-        const int direction = directionIn(mesh.triangles[opposite.triangle], edge);
-        (direction > 0 ? forward : backward).push_back(planes[opposite.triangle]);
+    Triangles forward, backward; // by the way they run through the edge
+    for (const Opposite& of : edges.oppositesOf(edge)) {
+        const int direction = directionIn(mesh.triangles[of.triangle], edge);
+        (direction > 0 ? forward : backward).push_back(of.triangle);
     }
     // Searching the whole of a large fan for each pair would take the cube of its size.
     constexpr std::size_t largestSearch = 64;
     if (forward.size() > largestSearch || backward.size() > largestSearch)
-        for (Planes* side : {&forward, &backward})
-            std::sort(side->begin(), side->end(), [](const glm::vec4& p, const glm::vec4& q) {
-                return std::lexicographical_compare(&p.x, &p.x + 4, &q.x, &q.x + 4);
-            });
+        for (Triangles* side : {&forward, &backward})
+            sortByPlane(planes, *side);
     while (!forward.empty() && !backward.empty()) {
         if (forward.size() > largestSearch || backward.size() > largestSearch) {
-            pairs.push_back({forward.back(), backward.back()});
+            pairs.push_back(opposite(forward.back(), backward.back()));
             forward.pop_back();
             backward.pop_back();
         } else {
-            pairs.push_back(takeMostAlike(forward, backward));
+            pairs.push_back(takeMostAlike(planes, forward, backward));
         }
     }
     // What is left runs one way.
     for (; forward.size() > 1; forward.resize(forward.size() - 2))
-        pairs.push_back({forward[forward.size() - 1], -forward[forward.size() - 2]});
+        pairs.push_back({{forward[forward.size() - 1], false},
+                         PairedTriangle{forward[forward.size() - 2], true}});
     for (; backward.size() > 1; backward.resize(backward.size() - 2))
-        pairs.push_back({-backward[backward.size() - 1], backward[backward.size() - 2]});
-    if (!forward.empty()) pairs.push_back({forward.front(), std::nullopt});
-    if (!backward.empty()) pairs.push_back({-backward.front(), std::nullopt});
+        pairs.push_back({{backward[backward.size() - 1], true},
+                         PairedTriangle{backward[backward.size() - 2], false}});
+    if (!forward.empty()) pairs.push_back({{forward.front(), false}, std::nullopt});
+    if (!backward.empty()) pairs.push_back({{backward.front(), true}, std::nullopt});
 }
 
 } // namespace edgeshade

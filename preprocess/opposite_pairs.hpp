@@ -8,11 +8,22 @@
 
 namespace edgeshade {
 
+/// A triangle whose plane a record holds, negated where the triangle runs through the edge the
+/// other way than its place in the record says.
+struct PairedTriangle {
+    std::uint32_t triangle = 0;
+    bool negated = false;
+
+    glm::vec4 planeIn(const std::vector<glm::vec4>& planes) const {
+        return negated ? -planes[triangle] : planes[triangle];
+    }
+};
+
 /// Two triangles of an edge, or one: the edge's multiplicity gets w(first) - w(second), see
-/// adapted_data.hpp. A plane is negated where the triangle runs the other way than its place says.
+/// adapted_data.hpp.
 struct OppositePair {
-    glm::vec4 first;
-    std::optional<glm::vec4> second;
+    PairedTriangle first;
+    std::optional<PairedTriangle> second;
 };
 
 /// Pairs up the triangles of an edge into ceil(n / 2) records: those that run opposite ways and

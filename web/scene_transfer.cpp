@@ -93,8 +93,9 @@ void transfer(Archive& archive, Maybe<Batch> auto& batch) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<AdaptedShadow> auto& shadow) {
-    archive(shadow.pairs, shadow.singles, shadow.caps, shadow.capTriangles, shadow.groups,
-            shadow.clusters, shadow.parts, shadow.edges, shadow.flatPairs, shadow.flatEdges);
+    archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.caps, shadow.capTriangles,
+            shadow.groups, shadow.clusters, shadow.parts, shadow.edges, shadow.flatPairs,
+            shadow.flatEdges);
 }
 
 /// A GLB that has nothing but the images which materials use, at their indices.

@@ -205,6 +205,7 @@ class Course {
         for (const GroupedShadow& light : groupsFor(contender.volumes))
             for (const auto& group : light)
                 std::for_each(group.begin(), group.end(), count);
+        result.sideBytes += contender.renderer.proposalBytes();
         result.mapBytes = contender.renderer.mapBytes();
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());

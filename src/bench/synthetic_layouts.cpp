@@ -66,7 +66,7 @@ class AdaptedSubject : public SyntheticSubject {
         ShadowCluster& cluster = shadow_->clusters.front();
         cluster.pairs.count = static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
         cluster.singles.count = static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
-        volumes_.drawSides(*buffers_, VolumeDraw{.clusters = {0, 1}}, syntheticLight,
+        volumes_.drawSides(*buffers_, nullptr, VolumeDraw{.clusters = {0, 1}}, syntheticLight,
                            glm::mat4(1.0f));
     }
 

@@ -20,6 +20,8 @@ const Choices<MultiplicityMethod> multiplicityNames = {
     {"single-edge", MultiplicityMethod::singleEdge}};
 const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::adapted},
                                            {"published", VolumeLayout::published}};
+const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
+                                                   {"all", SilhouetteChoice::all}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
@@ -78,6 +80,9 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--layout", settings.layout, layoutNames,
               "What volumes are drawn from: records of what the scene requires, which hold planes, "
               "or the published ones of opposite vertices (adapted)");
+    addChoice(verb, "--silhouette", settings.silhouette, silhouetteNames,
+              "Which adapted records reach the vertex shader: those that can be silhouettes in this "
+              "light, or all of them (proposed)");
     addChoice(
         verb, "--instancing", settings.instancing, instancingNames,
         "A record an instance, a copy for every vertex, or one draw a side, as adapted records "
@@ -113,6 +118,11 @@ void resolve(DrawSettings& settings) {
         throw Error(ExitStatus::usage, std::string("--multiplicity ") +
                                            nameIn(multiplicityNames, method) + " needs --layout " +
                                            (published ? "adapted." : "published."));
+    const bool planes = volumeLayoutOf(method) == VolumeLayout::adapted;
+    if (!planes && settings.silhouette == SilhouetteChoice::proposed)
+        throw Error(ExitStatus::usage, "--silhouette proposed needs --layout adapted.");
+    settings.render.silhouette =
+        settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
 }
@@ -123,6 +133,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     // Either of the two that is typed here says what the other one is.
     settings.multiplicity.reset();
     settings.layout.reset();
+    settings.silhouette.reset();
     CLI::App parser;
     parser.set_help_flag();
     addDrawOptions(parser, settings);
@@ -145,6 +156,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     if (!settings.multiplicity && !settings.layout) {
         settings.multiplicity = base.multiplicity;
         settings.layout = base.layout;
+        if (!settings.silhouette) settings.silhouette = base.silhouette;
     }
     resolve(settings);
     return settings;
@@ -176,6 +188,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"shadows", nameIn(shadowNames, render.shadows)},
         {"layout", nameIn(layoutNames, volumeLayoutOf(render.multiplicity))},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
+        {"silhouette", nameIn(silhouetteNames, render.silhouette)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},

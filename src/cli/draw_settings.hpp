@@ -17,6 +17,7 @@ struct DrawSettings {
     RenderSettings render;
     std::optional<MultiplicityMethod> multiplicity; ///< as typed; see resolve()
     std::optional<VolumeLayout> layout;             ///< likewise
+    std::optional<SilhouetteChoice> silhouette;     ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;      ///< nothing: as many as pay
     std::vector<std::string> mapOptions; ///< those typed that only shadow maps have
@@ -27,7 +28,7 @@ struct DrawSettings {
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Works out render.multiplicity from what was typed: adapted records hold planes, published ones
+/// Works out render.multiplicity and render.silhouette from what was typed: adapted records hold planes, published ones
 /// opposite vertices, so that layout or method follows from the other. Throws Error(usage) where
 /// they don't go together, and for options that another one makes meaningless.
 void resolve(DrawSettings& settings);

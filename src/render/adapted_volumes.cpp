@@ -60,7 +60,8 @@ std::vector<std::string> joined(std::vector<std::string> words,
 }
 
 glm::vec2 rangeOf(Counted counted) {
-    return counted == Counted::all ? glm::vec2(-1.0f, 1.0f) : glm::vec2(0.0f, 1.0f);
+    return {counted == Counted::lightFacing ? 0.0f : -1.0f,
+            counted == Counted::facingAway ? 0.0f : 1.0f};
 }
 
 /// From the first cluster's first record to the last one's last.
@@ -69,6 +70,15 @@ RecordRange rangeOver(const AdaptedShadow& shadow, const RecordRange& clusters, 
     const RecordRange& first = shadow.clusters[clusters.first].*member;
     const RecordRange& last = shadow.clusters[clusters.end() - 1].*member;
     return {first.first, last.end() - first.first};
+}
+
+/// Where the pairs of neighbouring clusters are in the list of those proposed, or among all.
+RecordRange pairsOver(const AdaptedShadow& shadow, const ProposedPairs* proposed,
+                      const RecordRange& clusters) {
+    if (!proposed) return rangeOver(shadow, clusters, &ShadowCluster::pairs);
+    const std::vector<RecordRange>& ofCluster = proposed->list.ofCluster;
+    const std::uint32_t first = ofCluster[clusters.first].first;
+    return {first, ofCluster[clusters.end() - 1].end() - first};
 }
 
 } // namespace
@@ -115,13 +125,14 @@ AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing>
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
 }
 
-void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const VolumeDraw& draw,
-                               const glm::vec4& light, const glm::mat4& clipFromObject) {
-    const AdaptedShadow& shadow = buffers.shadow();
+void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedPairs* proposed,
+                               const VolumeDraw& draw, const glm::vec4& light,
+                               const glm::mat4& clipFromObject) {
+    const AdaptedShadow& shadow = *buffers.shadow();
     const bool sun = light.w == 0.0f;
     for (const bool pair : {true, false}) {
-        const RecordRange range = rangeOver(shadow, draw.clusters,
-                                            pair ? &ShadowCluster::pairs : &ShadowCluster::singles);
+        const RecordRange range = pair ? pairsOver(shadow, proposed, draw.clusters)
+                                       : rangeOver(shadow, draw.clusters, &ShadowCluster::singles);
         if (range.count == 0) continue;
         const AdaptedSidesVariant variant{pair, sun};
         auto program = sides_.find(variant);
@@ -134,10 +145,13 @@ void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const VolumeDraw& 
         program->second.set("u_clipFromObject", clipFromObject);
         // Two triangles that both cast make two quads.
         const int quads = pair && draw.counted == Counted::all ? 2 : 1;
+        const gl::Buffer& records = !pair      ? buffers.singles()
+                                    : proposed ? proposed->records
+                                               : buffers.pairs();
         for (int quad = 0; quad < quads; ++quad) {
             program->second.set("u_side", static_cast<float>(quad));
-            drawQuads(pair ? buffers.pairs() : buffers.singles(),
-                      pair ? pairComponents : singleComponents, buffers.copied(), range, sun);
+            drawQuads(records, pair ? pairComponents : singleComponents, buffers.copied(), range,
+                      sun);
         }
     }
 }
@@ -177,7 +191,7 @@ gl::Program& AdaptedVolumes::capsProgram(bool nearDiscard, bool alphaTest) {
 void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& draw,
                               const std::vector<Material>& materials, const Textures& textures,
                               const glm::vec4& light, const glm::mat4& clipFromObject) {
-    const AdaptedShadow& shadow = buffers.shadow();
+    const AdaptedShadow& shadow = *buffers.shadow();
     const bool backCaps = light.w != 0.0f; // a sun's points at infinity are one
     if (!draw.zFail || !(draw.frontCaps || backCaps)) return;
     const CapKind kind = !backCaps        ? CapKind::front
@@ -234,13 +248,14 @@ void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const Rec
     }
 }
 
-std::size_t vertexRuns(const AdaptedShadow& shadow, const std::vector<VolumeDraw>& draws,
-                       const std::vector<Material>& materials, bool sun) {
+std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* proposed,
+                       const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
+                       bool sun) {
     std::size_t runs = 0;
     for (const VolumeDraw& draw : draws) {
         const std::size_t perQuad = sun ? 3 : verticesPerQuad;
         const std::size_t quads = draw.counted == Counted::all ? 2 : 1;
-        runs += perQuad * (quads * rangeOver(shadow, draw.clusters, &ShadowCluster::pairs).count +
+        runs += perQuad * (quads * pairsOver(shadow, proposed, draw.clusters).count +
                            rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);
         if (!draw.zFail) continue;
         const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (sun ? 0 : 1);

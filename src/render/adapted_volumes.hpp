@@ -2,6 +2,7 @@
 
 #include "src/gl/instancing.hpp"
 #include "src/gl/program.hpp"
+#include "src/render/proposals.hpp"
 #include "src/render/volume_plan.hpp"
 #include "src/scene/adapted_buffers.hpp"
 #include "src/scene/textures.hpp"
@@ -39,9 +40,10 @@ class AdaptedVolumes {
                    std::vector<std::string> sidesDefines = {},
                    std::vector<std::string> capsDefines = {});
 
-    /// `light` and `clipFromObject` are in the batch's space.
-    void drawSides(const AdaptedBuffers& buffers, const VolumeDraw& draw, const glm::vec4& light,
-                   const glm::mat4& clipFromObject);
+    /// `proposed`: the pairs to draw, null for all of them. `light` and `clipFromObject` are in the
+    /// batch's space.
+    void drawSides(const AdaptedBuffers& buffers, const ProposedPairs* proposed,
+                   const VolumeDraw& draw, const glm::vec4& light, const glm::mat4& clipFromObject);
     void drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& draw,
                   const std::vector<Material>& materials, const Textures& textures,
                   const glm::vec4& light, const glm::mat4& clipFromObject);
@@ -65,8 +67,9 @@ class AdaptedVolumes {
     std::map<std::pair<bool, bool>, gl::Program> caps_;
 };
 
-/// How many vertices the vertex shader runs for such draws.
-std::size_t vertexRuns(const AdaptedShadow& shadow, const std::vector<VolumeDraw>& draws,
-                       const std::vector<Material>& materials, bool sun);
+/// How many vertices the vertex shader runs for such draws; `proposed` as in drawSides().
+std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* proposed,
+                       const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
+                       bool sun);
 
 } // namespace edgeshade

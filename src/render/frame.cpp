@@ -72,8 +72,11 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     : settings_(settings), surfaces_(settings.map.pcf) {
     const auto& instancing = requireInstancing(settings, capabilities).instancing;
     const auto records = settings.records();
-    if (records && records->volumes == VolumeLayout::adapted)
+    if (records && records->volumes == VolumeLayout::adapted) {
         adapted_.emplace(settings.layout, instancing);
+        if (settings.silhouette == SilhouetteChoice::proposed)
+            proposals_.emplace(settings.layout, capabilities.vertexHighpMantissaBits);
+    }
     if (records && records->volumes == VolumeLayout::published) {
         sides_.emplace(settings.multiplicity, settings.layout, instancing);
         caps_.emplace(settings.multiplicity, settings.layout, instancing);
@@ -84,6 +87,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
 void Renderer::draw(const GpuScene& scene, const FrameView& view,
                     const std::vector<GroupedShadow>& groups, StageClock* clock) {
     vertexRuns_ = 0;
+    if (proposals_) proposals_->beginFrame();
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
@@ -145,12 +149,12 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
     if (groups) {
         mark_.clear();
         for (const auto& group : *groups) {
-            drawVolumes(pass, light,
+            drawVolumes(pass, lightIndex,
                         [&](std::size_t b) -> const BatchVolumes& { return group[b]; });
             mark_.markCounted();
         }
     } else if (settings_.shadows == ShadowMethod::volumes) {
-        drawVolumes(pass, light, [&](std::size_t b) -> const BatchVolumes& {
+        drawVolumes(pass, lightIndex, [&](std::size_t b) -> const BatchVolumes& {
             return pass.scene.batches[b].volumes;
         });
     }
@@ -170,7 +174,7 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
     glDisable(GL_STENCIL_TEST);
 }
 
-void Renderer::drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf) {
+void Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -190,7 +194,7 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const VolumesOf
     vertexRuns_ += countVolumes(pass, light, volumesOf);
 }
 
-std::size_t Renderer::countVolumes(const Pass& pass, const Light& light,
+std::size_t Renderer::countVolumes(const Pass& pass, std::size_t light,
                                    const VolumesOfBatch& volumesOf) {
     std::size_t runs = 0;
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
@@ -202,24 +206,28 @@ std::size_t Renderer::countVolumes(const Pass& pass, const Light& light,
     return runs;
 }
 
-std::size_t Renderer::countAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex, const GpuBatch& batch,
                                    const AdaptedBuffers& buffers) {
+    const Light& light = pass.view.lights[lightIndex];
     const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-    const std::vector<VolumeDraw> draws =
-        planVolumes(buffers.shadow(), planView(pass.view, pass.slice, light, batch.worldFromBatch));
+    const ProposedPairs* proposed =
+        proposals_ ? &proposals_->of(buffers.shadow(), lightIndex, lightHere) : nullptr;
+    const std::vector<VolumeDraw> draws = planVolumes(
+        *buffers.shadow(), planView(pass.view, pass.slice, light, batch.worldFromBatch));
     for (const VolumeDraw& draw : draws) {
         countInStencil(draw.zFail, batchView.mirrored);
-        adapted_->drawSides(buffers, draw, lightHere, batchView.clipFromObject);
+        adapted_->drawSides(buffers, proposed, draw, lightHere, batchView.clipFromObject);
         adapted_->drawCaps(buffers, draw, pass.scene.materials, pass.scene.textures, lightHere,
                            batchView.clipFromObject);
     }
-    return edgeshade::vertexRuns(buffers.shadow(), draws, pass.scene.materials,
+    return edgeshade::vertexRuns(*buffers.shadow(), proposed, draws, pass.scene.materials,
                                  light.position.w == 0.0);
 }
 
-std::size_t Renderer::countPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
-                                     const ShadowBuffers& shadow) {
+std::size_t Renderer::countPublished(const Pass& pass, std::size_t lightIndex,
+                                     std::size_t batchIndex, const ShadowBuffers& shadow) {
+    const Light& light = pass.view.lights[lightIndex];
     const GpuBatch& batch = pass.scene.batches[batchIndex];
     const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);

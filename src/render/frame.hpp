@@ -4,6 +4,7 @@
 #include "src/render/adapted_volumes.hpp"
 #include "src/render/caps_pass.hpp"
 #include "src/render/frame_view.hpp"
+#include "src/render/proposals.hpp"
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
 #include "src/render/sides_pass.hpp"
@@ -17,10 +18,17 @@ namespace edgeshade {
 
 enum class ShadowMethod { volumes, map, none };
 
+/// Which adapted records are offered to the vertex shader, the judge of their multiplicity.
+enum class SilhouetteChoice {
+    all,
+    proposed, ///< those that may be silhouettes, see Proposal
+};
+
 /// How frames are drawn; fixed for a renderer, but for `ambient` and `background`.
 struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
+    SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of adapted records
     SidesLayout layout = SidesLayout::instanced;
     ShadowMapSettings map; ///< where shadows are maps
     float ambient = 0.35f; ///< 0..1; the lights share the rest
@@ -65,6 +73,12 @@ class Renderer {
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
+    /// Memory of the records that are proposed for the lights of late.
+    std::size_t proposalBytes() const { return proposals_ ? proposals_->bytes() : 0; }
+
+    /// Lists of records that were proposed since the beginning.
+    std::size_t proposalsMade() const { return proposals_ ? proposals_->made() : 0; }
+
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame.
     std::size_t vertexRuns() const { return vertexRuns_; }
 
@@ -81,12 +95,12 @@ class Renderer {
 
     void drawDepthAndAmbient(const Pass& pass);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
-    void drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
+    void drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
     /// These return how many vertices they sent through shaders.
-    std::size_t countVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
-    std::size_t countAdapted(const Pass& pass, const Light& light, const GpuBatch& batch,
+    std::size_t countVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
+    std::size_t countAdapted(const Pass& pass, std::size_t light, const GpuBatch& batch,
                              const AdaptedBuffers& buffers);
-    std::size_t countPublished(const Pass& pass, const Light& light, std::size_t batchIndex,
+    std::size_t countPublished(const Pass& pass, std::size_t light, std::size_t batchIndex,
                                const ShadowBuffers& shadow);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
@@ -98,6 +112,7 @@ class Renderer {
     RenderSettings settings_;
     SurfacePass surfaces_;
     std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
+    std::optional<Proposals> proposals_;    ///< where they are asked for
     std::optional<SidesPass> sides_;        ///< where not
     std::optional<CapsPass> caps_;          ///< likewise
     ShadowMark mark_;

@@ -72,35 +72,55 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
            !mayOverlap(cluster.bounds, boxAround(glm::dvec3(view.light) / view.light.w));
 }
 
-/// Whether a triangle of the cluster may be within the pyramid.
 bool mayMeet(const LightPyramid& pyramid, const ShadowCluster& cluster,
              const AdaptedShadow& shadow) {
-    if (areApart(pyramid, cluster.bounds)) return false;
-    for (std::uint32_t p = 0; p < cluster.parts.count; ++p) {
-        if (areApart(pyramid, shadow.parts[cluster.parts.first + p])) continue;
-        const std::uint32_t first = cluster.caps.first + p * partTriangles;
-        const std::uint32_t end = std::min(first + partTriangles, cluster.caps.end());
-        for (std::uint32_t i = first; i < end; ++i) {
-            const CapRecord& cap = shadow.caps[i];
-            if (!areApart(pyramid, {glm::dvec3(cap.a), glm::dvec3(cap.b), glm::dvec3(cap.c)}))
-                return true;
-        }
-    }
-    return false;
+    return !capsTouching(pyramid, cluster, shadow).caps.empty();
 }
 
-bool mayCountHalf(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view) {
-    return cluster.closed && !mayMeet(view.beforeNearest, cluster, shadow) &&
-           (areOutside(cluster, view) || !mayMeet(view.fromNearest, cluster, shadow));
+/// How the cluster's triangles count, by winding numbers at eye and light (method, section 6.4).
+/// They are 0 outside of its bounds; else their difference is told by the triangles on the way from
+/// near rectangle to light, `touched`.
+Counted countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view,
+                  const Touched& touched) {
+    if (!cluster.closed || mayMeet(view.beforeNearest, cluster, shadow)) return Counted::all;
+    if (touched.caps.empty() || areOutside(cluster, view)) return Counted::lightFacing;
+    if (touched.tooMany) return Counted::all;
+    const auto layers = layersFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
+    if (!layers) return Counted::all;
+    return layers->winding >= 0 ? Counted::lightFacing : Counted::facingAway;
+}
+
+int countOf(const Layers& layers, Counted counted) {
+    switch (counted) {
+    case Counted::lightFacing:
+        return layers.lightFacing;
+    case Counted::facingAway:
+        return layers.facingAway;
+    case Counted::all:
+        break;
+    }
+    return layers.all();
+}
+
+/// The count at which the whole near rectangle starts, if it is one number.
+std::optional<int> startOf(const AdaptedShadow& shadow, const PlanView& view,
+                           const Touched& touched, Counted counted) {
+    if (touched.caps.empty()) return 0;
+    if (touched.tooMany ||
+        unevenness(view.fromNear, touched.caps, shadow, view.rounding) != Uneven::no)
+        return std::nullopt;
+    const auto layers = layersFromSomePoint(view.fromNear, touched.caps, shadow, view.rounding);
+    return layers ? std::optional(countOf(*layers, counted)) : std::nullopt;
 }
 
 } // namespace
 
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
-                  const glm::dmat4& worldFromBatch) {
+                  const glm::dmat4& worldFromBatch, int mantissaBits) {
     const glm::dmat4 viewFromBatch = viewFromWorld(view.camera) * worldFromBatch;
     const glm::dmat4 batchFromView = glm::inverse(viewFromBatch);
     PlanView result;
+    result.rounding = dotRounding(mantissaBits);
     result.light = glm::inverse(worldFromBatch) * light.position;
     result.eye = glm::dvec3(batchFromView[3]);
     result.nearest = rectangleAt(view.near(), view, batchFromView);
@@ -128,9 +148,17 @@ std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView&
                 return isVolumeOutside(cluster.bounds, plane, view.light);
             });
         if (missed) continue;
-        VolumeDraw draw{{i, 1}, Counted::all, true, true, true};
-        draw.zFail = cluster.holes || mayMeet(view.fromNear, cluster, shadow);
-        if (mayCountHalf(cluster, shadow, view)) draw.counted = Counted::lightFacing;
+        const Touched touched = capsTouching(view.fromNear, cluster, shadow);
+        VolumeDraw draw;
+        draw.clusters = {i, 1};
+        draw.counted =
+            countedOf(cluster, shadow, view,
+                      view.nearest == view.fromNear.corners
+                          ? touched
+                          : capsTouching(view.fromNearest, cluster, shadow));
+        const auto start = startOf(shadow, view, touched, draw.counted);
+        draw.zFail = cluster.holes || !start;
+        draw.start = draw.zFail ? 0 : *start;
         const bool inView =
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
                          [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });
@@ -139,10 +167,12 @@ std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView&
         draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         const bool joins =
             !draws.empty() && draws.back().clusters.end() == i && draws.back().drawnLike(draw);
-        if (joins)
+        if (joins) {
             ++draws.back().clusters.count;
-        else
+            draws.back().start += draw.start;
+        } else {
             draws.push_back(draw);
+        }
     }
     return draws;
 }

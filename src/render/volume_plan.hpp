@@ -2,7 +2,8 @@
 
 #include "preprocess/adapted_data.hpp"
 #include "src/render/frame_view.hpp"
-#include "src/render/separation.hpp"
+#include "src/render/layers.hpp"
+#include "src/render/light_facings.hpp"
 
 #include <array>
 #include <vector>
@@ -11,15 +12,18 @@ namespace edgeshade {
 
 /// Which triangles of a cluster cast (method, section 6.4).
 enum class Counted {
-    all,         ///< every triangle: always right
-    lightFacing, ///< of a closed cluster around which eye and light have the same winding numbers
+    all, ///< every triangle: always right
+    // Of a closed cluster, whose winding number is, at the eye,
+    lightFacing, ///< no smaller than at the light
+    facingAway,  ///< no larger than at the light
 };
 
 /// How shadow volumes of some neighbouring clusters are drawn. Those of one batch are in order.
 struct VolumeDraw {
     RecordRange clusters;
     Counted counted = Counted::all;
-    bool zFail = true;       ///< with caps, counting behind surfaces; else sides alone, before them
+    bool zFail = true; ///< with caps, counting behind surfaces; else sides alone, before them
+    int start = 0;     ///< without z-fail: volumes that the whole near rectangle is in
     bool frontCaps = true;   ///< with z-fail: some casters may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
 
@@ -40,21 +44,23 @@ struct PlanView {
     /// left, right, bottom, top, near, and the farthest that is visible: dot(plane, (p, 1)) >= 0
     /// inside.
     std::array<glm::dvec4, 6> planes;
+    double rounding = dotRounding(23); ///< of the shaders' dot products with the light
 };
 
-/// The view of a batch placed by `worldFromBatch`, which must be invertible.
+/// The view of a batch placed by `worldFromBatch`, which must be invertible. `mantissaBits`: of the
+/// vertex shader's floats.
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
-                  const glm::dmat4& worldFromBatch);
+                  const glm::dmat4& worldFromBatch, int mantissaBits = 23);
 
 /// Decides how each cluster is drawn, if at all. A pure function:
 /// - not at all where its volume, the cluster's box away from the light, certainly misses the view
 ///   or begins behind everything visible;
-/// - without caps, before surfaces (z-pass), where no point of the near rectangle is within the
-///   volume: the hull of rectangle and light is apart from all of the cluster's triangles. Casters
-///   with holes always get caps, since the eye sees volumes through them;
-/// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
-///   and the nearest near plane, and eye and light have the same winding numbers: either both are
-///   outside of its bounds, or the way from the eye by the near plane to the light meets none.
+/// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
+///   same number of its volumes: none where the hull of rectangle and light is apart from all of
+///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.
+///   Casters with holes always get caps, since the eye sees volumes through them;
+/// - triangles of one facing alone where the cluster is closed, no triangle of it is between the eye
+///   and the nearest near plane, and the winding numbers of eye and light are known to allow it.
 std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade

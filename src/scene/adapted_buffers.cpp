@@ -18,7 +18,7 @@ void appendCopies(std::vector<float>& floats, const Record& record, int firstCor
 }
 
 template <class Record>
-gl::Buffer uploadSides(const std::vector<Record>& records, bool copied) {
+gl::Buffer uploadSides(std::span<const Record> records, bool copied) {
     if (records.empty()) return {};
     if (!copied) return gl::vertexBuffer<Record>(records);
     std::vector<float> floats;
@@ -53,11 +53,20 @@ CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::v
 
 } // namespace
 
+gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout) {
+    return uploadSides(records, layout == SidesLayout::notInstanced);
+}
+
 AdaptedBuffers::AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow,
                                std::vector<glm::vec4> capHoles, SidesLayout layout)
     : shadow_(std::move(shadow)), capHoles_(std::move(capHoles)), layout_(layout),
-      pairs_(uploadSides(shadow_->pairs, copied())),
-      singles_(uploadSides(shadow_->singles, copied())), caps_(shadow_->clusters.size()) {}
+      singles_(uploadSides(std::span(shadow_->singles), copied())),
+      caps_(shadow_->clusters.size()) {}
+
+const gl::Buffer& AdaptedBuffers::pairs() const {
+    if (!pairs_) pairs_ = uploadPairs(shadow_->pairs, layout_);
+    return *pairs_;
+}
 
 const CapBuffers& AdaptedBuffers::capsOf(std::size_t cluster) const {
     if (!caps_[cluster]) {

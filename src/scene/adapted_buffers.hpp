@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace edgeshade {
@@ -27,6 +28,9 @@ struct CapBuffers {
     gl::Buffer holes; ///< three vec4s a cap, see capHoles(); or empty
 };
 
+/// Uploads records as they are, or a copy for every vertex; nothing where there are none.
+gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout);
+
 /// One batch's adapted shadow data on the GPU. Caps are uploaded cluster by cluster when they are
 /// first drawn: most never are.
 class AdaptedBuffers {
@@ -35,21 +39,25 @@ class AdaptedBuffers {
     AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow, std::vector<glm::vec4> capHoles,
                    SidesLayout layout);
 
-    const AdaptedShadow& shadow() const { return *shadow_; }
-    const gl::Buffer& pairs() const { return pairs_; }
+    const std::shared_ptr<const AdaptedShadow>& shadow() const { return shadow_; }
+    /// All of them, uploaded when they are first asked for: where silhouettes are proposed, nobody
+    /// does.
+    const gl::Buffer& pairs() const;
     const gl::Buffer& singles() const { return singles_; }
     const CapBuffers& capsOf(std::size_t cluster) const;
     /// Whether records are copied for every vertex.
     bool copied() const { return layout_ == SidesLayout::notInstanced; }
-    std::size_t sideBytes() const { return pairs_.size() + singles_.size(); }
-    std::size_t capBytes() const; ///< of what was uploaded so far
+    // Of what was uploaded so far.
+    std::size_t sideBytes() const { return (pairs_ ? pairs_->size() : 0) + singles_.size(); }
+    std::size_t capBytes() const;
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 
   private:
     std::shared_ptr<const AdaptedShadow> shadow_;
     std::vector<glm::vec4> capHoles_;
     SidesLayout layout_;
-    gl::Buffer pairs_, singles_;
+    mutable std::optional<gl::Buffer> pairs_;
+    gl::Buffer singles_;
     mutable std::vector<std::optional<CapBuffers>> caps_; ///< by cluster
 };
 
