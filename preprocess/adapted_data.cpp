@@ -98,9 +98,10 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
             emitter.emitEdge(edges.edges[edge], shadow);
         addGroups(mesh, cluster, static_cast<std::uint32_t>(caps), shadow.groups);
         shadow.clusters.push_back(
-            {cluster.bounds, cluster.closed, cluster.holes, rangeSince(pairs, shadow.pairs.size()),
-             rangeSince(singles, shadow.singles.size()), rangeSince(caps, shadow.caps.size()),
-             rangeSince(groups, shadow.groups.size()), rangeSince(parts, shadow.parts.size())});
+            {cluster.bounds, cluster.closed, cluster.holes, cluster.components,
+             rangeSince(pairs, shadow.pairs.size()), rangeSince(singles, shadow.singles.size()),
+             rangeSince(caps, shadow.caps.size()), rangeSince(groups, shadow.groups.size()),
+             rangeSince(parts, shadow.parts.size())});
     }
     return shadow;
 }

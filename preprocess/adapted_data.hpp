@@ -75,6 +75,7 @@ struct ShadowCluster {
     Box bounds;
     bool closed = false; ///< every component of it
     bool holes = false;  ///< some casters are not opaque
+    std::uint32_t components = 1;
     RecordRange pairs, singles, caps;
     RecordRange groups; ///< of AdaptedShadow::groups
     RecordRange parts;  ///< of AdaptedShadow::parts: each holds the next partTriangles caps

@@ -135,11 +135,12 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
     for (const std::uint32_t i : order) {
         const Part& part = parts[i];
         if (part.kind() != kind || sizes.back() + part.triangles > clusterTriangles) {
-            clusters.push_back({{}, part.closed, part.holes, {}, {}, {}});
+            clusters.push_back({{}, part.closed, part.holes, 0, {}, {}, {}});
             sizes.push_back(0);
             kind = part.kind();
         }
         sizes.back() += part.triangles;
+        ++clusters.back().components;
         clusters.back().bounds.add(part.bounds.low);
         clusters.back().bounds.add(part.bounds.high);
         clusterOf[i] = static_cast<std::uint32_t>(clusters.size() - 1);

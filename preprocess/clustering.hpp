@@ -10,6 +10,7 @@ struct TriangleCluster {
     Box bounds;
     bool closed = false;
     bool holes = false;                   ///< some triangle is not opaque; never closed then
+    std::uint32_t components = 0;
     std::vector<std::uint32_t> triangles; ///< with holes ascending, else along a Morton curve
     std::vector<std::uint32_t> edges;     ///< each where its first opposite vertex's triangle is
     std::vector<Box> parts; ///< around partTriangles consecutive triangles each, the last fewer

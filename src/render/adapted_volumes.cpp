@@ -193,7 +193,7 @@ void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& d
                               const glm::vec4& light, const glm::mat4& clipFromObject) {
     const AdaptedShadow& shadow = *buffers.shadow();
     const bool backCaps = light.w != 0.0f; // a sun's points at infinity are one
-    if (!draw.zFail || !(draw.frontCaps || backCaps)) return;
+    if (!draw.zFail() || !(draw.frontCaps || backCaps)) return;
     const CapKind kind = !backCaps        ? CapKind::front
                          : draw.frontCaps ? CapKind::both
                                           : CapKind::back;
@@ -257,7 +257,7 @@ std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* propose
         const std::size_t quads = draw.counted == Counted::all ? 2 : 1;
         runs += perQuad * (quads * pairsOver(shadow, proposed, draw.clusters).count +
                            rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);
-        if (!draw.zFail) continue;
+        if (!draw.zFail()) continue;
         const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (sun ? 0 : 1);
         runs +=
             verticesPerCap * kinds * rangeOver(shadow, draw.clusters, &ShadowCluster::caps).count;

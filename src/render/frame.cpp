@@ -22,17 +22,23 @@ const gl::Capabilities& requireInstancing(const RenderSettings& settings,
 }
 
 /// Counts volumes that begin before a surface and end behind it: by what of them is behind it
-/// (z-fail), or before it (z-pass). A mirroring transform turns every winding over.
+/// (z-fail), or before it (z-pass). Volumes' triangles are seen counter-clockwise from outside. A
+/// mirroring transform turns every winding over.
 void countInStencil(bool zFail, bool mirrored) {
     const GLenum front = mirrored ? GL_BACK : GL_FRONT;
     const GLenum back = mirrored ? GL_FRONT : GL_BACK;
     if (zFail) {
-        glStencilOpSeparate(front, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-        glStencilOpSeparate(back, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+        glStencilOpSeparate(front, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+        glStencilOpSeparate(back, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
     } else {
-        glStencilOpSeparate(front, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
-        glStencilOpSeparate(back, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+        glStencilOpSeparate(front, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+        glStencilOpSeparate(back, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     }
+}
+
+void clearStencil(int count) {
+    glClearStencil(count & 0xFF); // counts wrap
+    glClear(GL_STENCIL_BUFFER_BIT);
 }
 
 } // namespace
@@ -69,13 +75,14 @@ std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const F
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings), surfaces_(settings.map.pcf) {
+    : settings_(settings), mantissaBits_(capabilities.vertexHighpMantissaBits),
+      surfaces_(settings.map.pcf) {
     const auto& instancing = requireInstancing(settings, capabilities).instancing;
     const auto records = settings.records();
     if (records && records->volumes == VolumeLayout::adapted) {
         adapted_.emplace(settings.layout, instancing);
         if (settings.silhouette == SilhouetteChoice::proposed)
-            proposals_.emplace(settings.layout, capabilities.vertexHighpMantissaBits);
+            proposals_.emplace(settings.layout, mantissaBits_);
     }
     if (records && records->volumes == VolumeLayout::published) {
         sides_.emplace(settings.multiplicity, settings.layout, instancing);
@@ -189,54 +196,65 @@ void Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfB
         glViewport(0, 0, pass.view.width, pass.view.height);
     }
     const StageScope stage(pass.clock, FrameStage::volumes);
-    glClearStencil(0);
-    glClear(GL_STENCIL_BUFFER_BIT);
     vertexRuns_ += countVolumes(pass, light, volumesOf);
 }
 
 std::size_t Renderer::countVolumes(const Pass& pass, std::size_t light,
                                    const VolumesOfBatch& volumesOf) {
-    std::size_t runs = 0;
+    return adapted_ ? countAdapted(pass, light, volumesOf) : countPublished(pass, light, volumesOf);
+}
+
+std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
+                                   const VolumesOfBatch& volumesOf) {
+    const Light& light = pass.view.lights[lightIndex];
+    std::vector<PlacedShadow> casters;
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
         const GpuBatch& batch = pass.scene.batches[i];
-        if (batch.hidden) continue;
-        runs += adapted_ ? countAdapted(pass, light, batch, *volumesOf(i).adapted)
-                         : countPublished(pass, light, i, *volumesOf(i).published);
+        if (!batch.hidden)
+            casters.push_back({i, volumesOf(i).adapted->shadow().get(), batch.worldFromBatch});
+    }
+    const LightPlan plan = planLight(casters, pass.view, pass.slice, light, mantissaBits_);
+    clearStencil(plan.start());
+    std::size_t runs = 0;
+    for (const auto& [index, volumes] : plan.batches) {
+        const GpuBatch& batch = pass.scene.batches[index];
+        const AdaptedBuffers& buffers = *volumesOf(index).adapted;
+        const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
+        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
+        const ProposedPairs* proposed = nullptr;
+        if (proposals_ && !volumes.draws.empty())
+            proposed = &proposals_->of(buffers.shadow(), lightIndex, lightHere);
+        for (const VolumeDraw& draw : volumes.draws) {
+            countInStencil(draw.zFail(), batchView.mirrored);
+            adapted_->drawSides(buffers, proposed, draw, lightHere, batchView.clipFromObject);
+            adapted_->drawCaps(buffers, draw, pass.scene.materials, pass.scene.textures, lightHere,
+                               batchView.clipFromObject);
+        }
+        runs += edgeshade::vertexRuns(*buffers.shadow(), proposed, volumes.draws,
+                                      pass.scene.materials, light.position.w == 0.0);
     }
     return runs;
 }
 
-std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex, const GpuBatch& batch,
-                                   const AdaptedBuffers& buffers) {
-    const Light& light = pass.view.lights[lightIndex];
-    const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
-    const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-    const ProposedPairs* proposed =
-        proposals_ ? &proposals_->of(buffers.shadow(), lightIndex, lightHere) : nullptr;
-    const std::vector<VolumeDraw> draws = planVolumes(
-        *buffers.shadow(), planView(pass.view, pass.slice, light, batch.worldFromBatch));
-    for (const VolumeDraw& draw : draws) {
-        countInStencil(draw.zFail, batchView.mirrored);
-        adapted_->drawSides(buffers, proposed, draw, lightHere, batchView.clipFromObject);
-        adapted_->drawCaps(buffers, draw, pass.scene.materials, pass.scene.textures, lightHere,
-                           batchView.clipFromObject);
-    }
-    return edgeshade::vertexRuns(*buffers.shadow(), proposed, draws, pass.scene.materials,
-                                 light.position.w == 0.0);
-}
-
 std::size_t Renderer::countPublished(const Pass& pass, std::size_t lightIndex,
-                                     std::size_t batchIndex, const ShadowBuffers& shadow) {
+                                     const VolumesOfBatch& volumesOf) {
     const Light& light = pass.view.lights[lightIndex];
-    const GpuBatch& batch = pass.scene.batches[batchIndex];
-    const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
-    const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-    countInStencil(true, batchView.mirrored);
-    sides_->draw(shadow, lightHere, batchView.clipFromObject);
-    const bool nearDiscard = pass.view.nearestDepths[batchIndex] <= pass.slice.near;
-    caps_->draw(shadow, pass.scene.materials, pass.scene.textures, lightHere,
-                batchView.clipFromObject, nearDiscard);
-    return shadow.vertexRuns(pass.scene.materials);
+    clearStencil(0);
+    std::size_t runs = 0;
+    for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
+        const GpuBatch& batch = pass.scene.batches[i];
+        if (batch.hidden) continue;
+        const ShadowBuffers& shadow = *volumesOf(i).published;
+        const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
+        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
+        countInStencil(true, batchView.mirrored);
+        sides_->draw(shadow, lightHere, batchView.clipFromObject);
+        const bool nearDiscard = pass.view.nearestDepths[i] <= pass.slice.near;
+        caps_->draw(shadow, pass.scene.materials, pass.scene.textures, lightHere,
+                    batchView.clipFromObject, nearDiscard);
+        runs += shadow.vertexRuns(pass.scene.materials);
+    }
+    return runs;
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {

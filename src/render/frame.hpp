@@ -4,6 +4,7 @@
 #include "src/render/adapted_volumes.hpp"
 #include "src/render/caps_pass.hpp"
 #include "src/render/frame_view.hpp"
+#include "src/render/light_plan.hpp"
 #include "src/render/proposals.hpp"
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
@@ -96,12 +97,11 @@ class Renderer {
     void drawDepthAndAmbient(const Pass& pass);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
     void drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    /// These return how many vertices they sent through shaders.
+    /// These clear the stencil first, and return how many vertices they sent through shaders.
     std::size_t countVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    std::size_t countAdapted(const Pass& pass, std::size_t light, const GpuBatch& batch,
-                             const AdaptedBuffers& buffers);
-    std::size_t countPublished(const Pass& pass, std::size_t light, std::size_t batchIndex,
-                               const ShadowBuffers& shadow);
+    std::size_t countAdapted(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
+    std::size_t countPublished(const Pass& pass, std::size_t light,
+                               const VolumesOfBatch& volumesOf);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
@@ -110,6 +110,7 @@ class Renderer {
                       const ShadowMapLookup* map = nullptr);
 
     RenderSettings settings_;
+    int mantissaBits_; ///< of the vertex shader's floats
     SurfacePass surfaces_;
     std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
     std::optional<Proposals> proposals_;    ///< where they are asked for

@@ -8,9 +8,6 @@
 namespace edgeshade {
 namespace {
 
-/// Where more triangles than these stand in the pyramid, counting them is not worth it.
-constexpr std::size_t mostTouched = 1024;
-
 /// A share of the factors' sizes below which a product's sign is left undecided.
 constexpr double leastShare = 1e-10;
 
@@ -49,8 +46,7 @@ Crossing crossingOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3&
     // Two that differ tell that the line passes by, whatever the third is.
     if (std::abs(signs) < sure) return Crossing::none;
     if (sure < 3) return Crossing::uncertain;
-    const glm::dvec3 normal =
-        glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double slope = glm::dot(way, normal), height = glm::dot(corners[0], normal);
     const double normalLength = glm::length(normal);
     if (!(std::abs(slope) > leastShare * length * normalLength) ||
@@ -79,7 +75,7 @@ std::optional<Layers> layersFrom(const glm::dvec3& start, const glm::dvec4& ligh
         if (crossing == Crossing::none) continue;
         const int inSpace = crossing == Crossing::towardsItsFront ? 1 : -1;
         (side > 0 ? layers.lightFacing : layers.facingAway) += side * inSpace;
-        layers.winding += inSpace;
+        ++(inSpace > 0 ? layers.outwards : layers.inwards);
     }
     return layers;
 }
@@ -115,7 +111,7 @@ bool anySilhouette(std::vector<EdgeSign>& edges) {
 } // namespace
 
 Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
-                     const AdaptedShadow& shadow) {
+                     const AdaptedShadow& shadow, std::size_t limit) {
     Touched touched;
     if (areApart(pyramid, cluster.bounds)) return touched;
     for (std::uint32_t p = 0; p < cluster.parts.count; ++p) {
@@ -125,7 +121,7 @@ Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
         for (std::uint32_t i = first; i < end; ++i) {
             if (areApart(pyramid, cornersOf(shadow.caps[i]))) continue;
             touched.caps.push_back(i);
-            touched.tooMany = touched.caps.size() > mostTouched;
+            touched.tooMany = touched.caps.size() > limit;
             if (touched.tooMany) return touched;
         }
     }
@@ -136,37 +132,41 @@ std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
                                           std::span<const std::uint32_t> touched,
                                           const AdaptedShadow& shadow, double rounding) {
     // Ways that meet an edge are undecided, but not from every point.
-    constexpr std::array<glm::dvec2, 6> places = {
-        {{0.5, 0.5}, {0.387, 0.561}, {0.613, 0.423}, {0.271, 0.317}, {0.717, 0.659}, {0.441, 0.191}}};
+    constexpr std::array<glm::dvec2, 6> places = {{{0.5, 0.5},
+                                                   {0.387, 0.561},
+                                                   {0.613, 0.423},
+                                                   {0.271, 0.317},
+                                                   {0.717, 0.659},
+                                                   {0.441, 0.191}}};
     const auto& corners = pyramid.corners;
     for (const glm::dvec2& place : places) {
-        const glm::dvec3 start = corners[0] + place.x * (corners[1] - corners[0]) +
-                                 place.y * (corners[3] - corners[0]);
+        const glm::dvec3 start =
+            corners[0] + place.x * (corners[1] - corners[0]) + place.y * (corners[3] - corners[0]);
         const auto layers = layersFrom(start, pyramid.light, touched, shadow, rounding);
         if (layers) return layers;
     }
     return std::nullopt;
 }
 
-Uneven unevenness(const LightPyramid& pyramid, std::span<const std::uint32_t> touched,
-                  const AdaptedShadow& shadow, double rounding) {
+Evenness evennessOf(const LightPyramid& pyramid, std::span<const std::uint32_t> touched,
+                    const AdaptedShadow& shadow, double rounding) {
     std::vector<EdgeSign> edges;
     for (const std::uint32_t i : touched) {
         const CapRecord& cap = shadow.caps[i];
         const std::array<glm::dvec3, 3> corners = cornersOf(cap);
-        if (mayMeetRectangle(pyramid, corners)) return Uneven::rectangleMet;
+        if (mayMeetRectangle(pyramid, corners)) return Evenness::rectangleMet;
         const int side = certainSide(cap.plane, pyramid.light, rounding);
-        if (side == 0) return Uneven::uncertain;
+        if (side == 0) return Evenness::uncertain;
         const std::array<glm::vec3, 3> ends = {cap.a, cap.b, cap.c};
         for (std::size_t e = 0; e < 3; ++e) {
             const std::size_t f = (e + 1) % 3;
             if (areApart(pyramid, {corners[e], corners[f], corners[f]})) continue;
             const bool forward = orderedBefore(ends[e], ends[f]);
-            edges.push_back({forward ? ends[e] : ends[f], forward ? ends[f] : ends[e],
-                             forward ? side : -side});
+            edges.push_back(
+                {forward ? ends[e] : ends[f], forward ? ends[f] : ends[e], forward ? side : -side});
         }
     }
-    return anySilhouette(edges) ? Uneven::outlineMet : Uneven::no;
+    return anySilhouette(edges) ? Evenness::outlineMet : Evenness::even;
 }
 
 } // namespace edgeshade

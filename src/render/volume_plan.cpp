@@ -74,7 +74,7 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
 
 bool mayMeet(const LightPyramid& pyramid, const ShadowCluster& cluster,
              const AdaptedShadow& shadow) {
-    return !capsTouching(pyramid, cluster, shadow).caps.empty();
+    return !capsTouching(pyramid, cluster, shadow, 0).caps.empty();
 }
 
 /// How the cluster's triangles count, by winding numbers at eye and light (method, section 6.4).
@@ -87,7 +87,11 @@ Counted countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, con
     if (touched.tooMany) return Counted::all;
     const auto layers = layersFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
     if (!layers) return Counted::all;
-    return layers->winding >= 0 ? Counted::lightFacing : Counted::facingAway;
+    // Of each component the winding number at the eye less that at the light is what of it is crossed
+    // outwards less what inwards.
+    const bool sumTells = cluster.components == 1 || layers->outwards == 0 || layers->inwards == 0;
+    if (!sumTells) return Counted::all;
+    return layers->outwards >= layers->inwards ? Counted::lightFacing : Counted::facingAway;
 }
 
 int countOf(const Layers& layers, Counted counted) {
@@ -102,15 +106,57 @@ int countOf(const Layers& layers, Counted counted) {
     return layers.all();
 }
 
-/// The count at which the whole near rectangle starts, if it is one number.
-std::optional<int> startOf(const AdaptedShadow& shadow, const PlanView& view,
-                           const Touched& touched, Counted counted) {
-    if (touched.caps.empty()) return 0;
-    if (touched.tooMany ||
-        unevenness(view.fromNear, touched.caps, shadow, view.rounding) != Uneven::no)
-        return std::nullopt;
+/// Whether the cluster needs caps, and where not the count at which the whole near rectangle
+/// starts.
+void decideCaps(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view,
+                const Touched& touched, VolumeDraw& draw) {
+    draw.caps = CapsNeeded::seenThrough;
+    if (cluster.holes) return;
+    draw.caps = CapsNeeded::no;
+    if (touched.caps.empty()) return;
+    draw.caps = CapsNeeded::uncertain;
+    if (touched.tooMany) return;
+    switch (evennessOf(view.fromNear, touched.caps, shadow, view.rounding)) {
+    case Evenness::uncertain:
+        return;
+    case Evenness::rectangleMet:
+        draw.caps = CapsNeeded::nearPlaneMet;
+        return;
+    case Evenness::outlineMet:
+        draw.caps = CapsNeeded::outlineMet;
+        return;
+    case Evenness::even:
+        break;
+    }
     const auto layers = layersFromSomePoint(view.fromNear, touched.caps, shadow, view.rounding);
-    return layers ? std::optional(countOf(*layers, counted)) : std::nullopt;
+    if (!layers) return;
+    draw.caps = CapsNeeded::no;
+    draw.start = countOf(*layers, draw.counted);
+}
+
+/// Why the cluster is left out, if it is.
+std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanView& view) {
+    for (std::size_t i = 0; i < view.planes.size(); ++i)
+        if (isVolumeOutside(cluster.bounds, view.planes[i], view.light))
+            return i + 1 == view.planes.size() ? LeftOut::Why::tooDeep : LeftOut::Why::outsideView;
+    return std::nullopt;
+}
+
+void appendLeftOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
+    if (!all.empty() && all.back().clusters.end() == cluster && all.back().why == why)
+        ++all.back().clusters.count;
+    else
+        all.push_back({{cluster, 1}, why});
+}
+
+void appendDraw(std::vector<VolumeDraw>& draws, const VolumeDraw& draw) {
+    if (draws.empty() || draws.back().clusters.end() != draw.clusters.first ||
+        !draws.back().drawnLike(draw)) {
+        draws.push_back(draw);
+        return;
+    }
+    ++draws.back().clusters.count;
+    draws.back().start += draw.start;
 }
 
 } // namespace
@@ -123,10 +169,9 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     result.rounding = dotRounding(mantissaBits);
     result.light = glm::inverse(worldFromBatch) * light.position;
     result.eye = glm::dvec3(batchFromView[3]);
-    result.nearest = rectangleAt(view.near(), view, batchFromView);
     result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
-    result.fromNearest = {result.nearest, result.light};
-    result.beforeNearest = {result.nearest, glm::dvec4(result.eye, 1.0)};
+    result.fromNearest = {rectangleAt(view.near(), view, batchFromView), result.light};
+    result.beforeNearest = {result.fromNearest.corners, glm::dvec4(result.eye, 1.0)};
     const double aspect = static_cast<double>(view.width) / view.height;
     const glm::dmat4 rows =
         glm::transpose(clipFromView(view.camera, aspect, slice.near) * viewFromBatch);
@@ -138,43 +183,38 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     return result;
 }
 
-std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
-    const std::vector<ShadowCluster>& clusters = shadow.clusters;
-    std::vector<VolumeDraw> draws;
-    for (std::uint32_t i = 0; i < clusters.size(); ++i) {
-        const ShadowCluster& cluster = clusters[i];
-        const bool missed =
-            std::any_of(view.planes.begin(), view.planes.end(), [&](const glm::dvec4& plane) {
-                return isVolumeOutside(cluster.bounds, plane, view.light);
-            });
-        if (missed) continue;
+int VolumePlan::start() const {
+    int sum = 0;
+    for (const VolumeDraw& draw : draws)
+        sum += draw.start;
+    return sum;
+}
+
+VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
+    const bool oneNear = view.fromNear.corners == view.fromNearest.corners;
+    VolumePlan plan;
+    for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
+        const ShadowCluster& cluster = shadow.clusters[i];
+        if (const auto why = leftOutFor(cluster, view)) {
+            appendLeftOut(plan.leftOut, i, *why);
+            continue;
+        }
         const Touched touched = capsTouching(view.fromNear, cluster, shadow);
         VolumeDraw draw;
         draw.clusters = {i, 1};
         draw.counted =
             countedOf(cluster, shadow, view,
-                      view.nearest == view.fromNear.corners
-                          ? touched
-                          : capsTouching(view.fromNearest, cluster, shadow));
-        const auto start = startOf(shadow, view, touched, draw.counted);
-        draw.zFail = cluster.holes || !start;
-        draw.start = draw.zFail ? 0 : *start;
+                      oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow));
+        decideCaps(cluster, shadow, view, touched, draw);
         const bool inView =
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
                          [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });
-        draw.frontCaps = draw.zFail && inView;
+        draw.frontCaps = draw.zFail() && inView;
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
         draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
-        const bool joins =
-            !draws.empty() && draws.back().clusters.end() == i && draws.back().drawnLike(draw);
-        if (joins) {
-            ++draws.back().clusters.count;
-            draws.back().start += draw.start;
-        } else {
-            draws.push_back(draw);
-        }
+        appendDraw(plan.draws, draw);
     }
-    return draws;
+    return plan;
 }
 
 } // namespace edgeshade

@@ -18,29 +18,57 @@ enum class Counted {
     facingAway,  ///< no larger than at the light
 };
 
+/// Why volumes are drawn with caps and counted behind surfaces (z-fail).
+enum class CapsNeeded {
+    no,           ///< sides alone, counted before surfaces (z-pass)
+    seenThrough,  ///< casters have holes
+    nearPlaneMet, ///< a triangle may cross the near plane
+    outlineMet,   ///< a shadow's outline may run through the near rectangle
+    uncertain,    ///< rounding may decide, or there are too many triangles to tell
+};
+
 /// How shadow volumes of some neighbouring clusters are drawn. Those of one batch are in order.
 struct VolumeDraw {
     RecordRange clusters;
     Counted counted = Counted::all;
-    bool zFail = true; ///< with caps, counting behind surfaces; else sides alone, before them
-    int start = 0;     ///< without z-fail: volumes that the whole near rectangle is in
+    CapsNeeded caps = CapsNeeded::uncertain;
+    int start = 0;           ///< without caps: volumes that the whole near rectangle is in
     bool frontCaps = true;   ///< with z-fail: some casters may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
 
     bool drawnLike(const VolumeDraw& other) const {
-        return counted == other.counted && zFail == other.zFail && frontCaps == other.frontCaps &&
+        return counted == other.counted && caps == other.caps && frontCaps == other.frontCaps &&
                nearDiscard == other.nearDiscard;
     }
+    bool zFail() const { return caps != CapsNeeded::no; }
+};
+
+/// Neighbouring clusters that are not drawn.
+struct LeftOut {
+    enum class Why {
+        outsideView, ///< their volumes miss it
+        tooDeep,     ///< they begin behind everything that is visible
+    };
+    RecordRange clusters;
+    Why why = Why::outsideView;
+};
+
+/// What is drawn of a batch for one light, and what is not.
+struct VolumePlan {
+    std::vector<VolumeDraw> draws; ///< in the order of clusters; as are those left out
+    std::vector<LeftOut> leftOut;
+
+    /// The stencil's count before any of it is drawn: volumes that the near rectangle is in.
+    int start() const;
 };
 
 /// Light and view in a batch's space: all that decides how its clusters are drawn.
 struct PlanView {
     glm::dvec4 light;
     glm::dvec3 eye;
-    std::array<glm::dvec3, 4> nearest; ///< corners of the rectangle in the nearest near plane
-    LightPyramid fromNear;             ///< from the slice's near plane to the light
-    LightPyramid fromNearest;          ///< from the nearest near plane to the light
-    LightPyramid beforeNearest;        ///< from the nearest near plane to the eye
+    LightPyramid fromNear;      ///< from the slice's near plane to the light
+    LightPyramid fromNearest;   ///< from the nearest near plane to the light
+    LightPyramid beforeNearest; ///< from the nearest near plane to the eye
     /// left, right, bottom, top, near, and the farthest that is visible: dot(plane, (p, 1)) >= 0
     /// inside.
     std::array<glm::dvec4, 6> planes;
@@ -59,8 +87,9 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
 ///   same number of its volumes: none where the hull of rectangle and light is apart from all of
 ///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.
 ///   Casters with holes always get caps, since the eye sees volumes through them;
-/// - triangles of one facing alone where the cluster is closed, no triangle of it is between the eye
+/// - triangles of one facing alone where the cluster is closed, no triangle of it is between the
+/// eye
 ///   and the nearest near plane, and the winding numbers of eye and light are known to allow it.
-std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView& view);
+VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade

@@ -1,0 +1,86 @@
+#include "src/render/explain.hpp"
+
+#include <sstream>
+
+namespace edgeshade {
+namespace {
+
+/// "3 things", "1 thing".
+std::string counted(std::size_t count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string clustersOf(const RecordRange& clusters) {
+    return counted(clusters.count, "cluster") + " from " + std::to_string(clusters.first);
+}
+
+std::size_t trianglesOf(const AdaptedShadow& shadow, const RecordRange& clusters) {
+    std::size_t triangles = 0;
+    for (std::uint32_t c = clusters.first; c < clusters.end(); ++c)
+        triangles += shadow.clusters[c].caps.count;
+    return triangles;
+}
+
+const char* wordsFor(Counted counted) {
+    switch (counted) {
+    case Counted::lightFacing:
+        return "light-facing triangles alone: closed, and eye and light are apart as that needs";
+    case Counted::facingAway:
+        return "triangles facing away alone: closed, and the light is further within than the eye";
+    case Counted::all:
+        break;
+    }
+    return "all triangles: open, or eye, near plane or light may be within";
+}
+
+const char* wordsFor(CapsNeeded caps) {
+    switch (caps) {
+    case CapsNeeded::no:
+        return "z-pass without caps";
+    case CapsNeeded::seenThrough:
+        return "z-fail with caps: casters have holes";
+    case CapsNeeded::nearPlaneMet:
+        return "z-fail with caps: a triangle may cross the near plane";
+    case CapsNeeded::outlineMet:
+        return "z-fail with caps: a shadow's outline may run through the near rectangle";
+    case CapsNeeded::uncertain:
+        break;
+    }
+    return "z-fail with caps: what stands between near plane and light can't be told for certain";
+}
+
+const char* wordsFor(LeftOut::Why why) {
+    return why == LeftOut::Why::outsideView ? "their volumes miss the view"
+                                            : "their volumes begin behind all that is visible";
+}
+
+} // namespace
+
+std::string explain(const LightPlan& plan, const std::vector<PlacedShadow>& casters) {
+    std::ostringstream text;
+    text << "the count starts at " << plan.start() << "\n";
+    for (std::size_t i = 0; i < plan.batches.size(); ++i) {
+        const AdaptedShadow& shadow = *casters[i].shadow;
+        text << "batch " << plan.batches[i].batch << ": "
+             << counted(shadow.caps.size(), "casting triangle") << " in "
+             << counted(shadow.clusters.size(), "cluster") << "\n";
+        for (const VolumeDraw& draw : plan.batches[i].volumes.draws) {
+            text << "  drawn: " << clustersOf(draw.clusters) << ", "
+                 << counted(trianglesOf(shadow, draw.clusters), "triangle") << "; "
+                 << wordsFor(draw.caps);
+            if (draw.start != 0)
+                text << ", the near rectangle within " << counted(draw.start, "volume");
+            if (draw.zFail())
+                text << (draw.frontCaps ? "" : ", no front caps in view")
+                     << (draw.nearDiscard ? ", cut where the near plane cuts" : "");
+            text << "; " << wordsFor(draw.counted) << "\n";
+        }
+        for (const LeftOut& left : plan.batches[i].volumes.leftOut)
+            text << "  left out: " << clustersOf(left.clusters) << ", "
+                 << counted(trianglesOf(shadow, left.clusters), "triangle") << "; "
+                 << wordsFor(left.why) << "\n";
+    }
+    return text.str();
+}
+
+} // namespace edgeshade

@@ -1,0 +1,23 @@
+#include "src/render/light_plan.hpp"
+
+namespace edgeshade {
+
+int LightPlan::start() const {
+    int sum = 0;
+    for (const Batch& batch : batches)
+        sum += batch.volumes.start();
+    return sum;
+}
+
+LightPlan planLight(const std::vector<PlacedShadow>& casters, const FrameView& view,
+                    const DepthSlice& slice, const Light& light, int mantissaBits) {
+    LightPlan plan;
+    for (const PlacedShadow& caster : casters)
+        plan.batches.push_back(
+            {caster.batch,
+             planVolumes(*caster.shadow,
+                         planView(view, slice, light, caster.worldFromBatch, mantissaBits))});
+    return plan;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,206 @@
+// Proposals (method, section 6.8): no record that is left out may have a multiplicity other than 0
+// for any light of the ball.
+#include "src/render/proposal.hpp"
+
+#include "tests/support/adapted_chain.hpp"
+#include "tests/support/small_soups.hpp"
+
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace edgeshade {
+namespace {
+
+using test::Random;
+using test::Soup;
+
+AdaptedShadow shadowOf(const Soup& soup) {
+    CasterMesh mesh;
+    mesh.welded = weld(soup.positions, soup.indices);
+    const auto count = static_cast<std::uint32_t>(mesh.welded.triangles.size());
+    if (count > 0) mesh.groups = {{0, 0, count}};
+    return buildAdapted(mesh, buildEdges(mesh.welded), {Material()});
+}
+
+Proposal proposalFor(const AdaptedShadow& shadow, const LightBall& ball, int mantissaBits = 23) {
+    Proposal proposal;
+    propose(shadow, LightFacings(shadow), ball, mantissaBits, proposal);
+    return proposal;
+}
+
+/// A ball around or near what casts: its centre on planes, edges and vertices, and a few units in
+/// the last place beside them, as often as anywhere; its radius any, or 0.
+LightBall ballFor(const AdaptedShadow& shadow, Random& random) {
+    const CapRecord& cap =
+        shadow.caps[static_cast<std::size_t>(random.below(static_cast<int>(shadow.caps.size())))];
+    const glm::dvec3 a(cap.a), b(cap.b), c(cap.c);
+    const double size = std::max({glm::length(b - a), glm::length(c - a), 1e-30});
+    const bool sun = random.below(3) == 0;
+    glm::dvec3 at = sun ? glm::dvec3(0.0) : a;
+    if (random.below(3) == 0) {
+        at += random.inCube() * size * random.magnitude(-2, 4);
+    } else {
+        const double s = random.below(3) == 0 ? 0.0 : random.uniform(-2, 2);
+        const double t = random.below(3) == 0 ? 0.0 : random.uniform(-2, 2);
+        at += s * (b - a) + t * (c - a);
+    }
+    if (sun && glm::length(at) > 0.0 && random.below(2)) at = glm::normalize(at);
+    LightBall ball;
+    ball.center = glm::vec4(test::nudged(random, glm::vec3(at)), sun ? 0.0f : 1.0f);
+    if (random.below(3) > 0)
+        ball.radius = static_cast<float>(random.magnitude(-9, 1) *
+                                         (sun ? glm::length(at) + 1e-6 : size));
+    return ball;
+}
+
+/// A light of the ball, on its surface as often as within.
+glm::vec4 lightIn(const LightBall& ball, Random& random) {
+    for (int tries = 0; ball.radius > 0.0f && tries < 20; ++tries) {
+        glm::dvec3 way = glm::normalize(random.inCube());
+        if (random.below(2)) way *= random.uniform(0, 1);
+        const glm::vec4 light(
+            glm::vec3(glm::dvec3(ball.center) + way * (double(ball.radius) * (1.0 - 1e-6))),
+            ball.center.w);
+        if (ball.holds(light)) return light;
+    }
+    return ball.center;
+}
+
+/// 1 for a proposal that leaves a silhouette out, for any way to count that the cluster allows.
+std::size_t missed(const AdaptedShadow& shadow, const Proposal& proposal, const glm::vec4& light,
+                   std::size_t& checked) {
+    std::size_t wrong = 0;
+    for (std::size_t c = 0; c < shadow.clusters.size(); ++c) {
+        const ShadowCluster& cluster = shadow.clusters[c];
+        const RecordRange& listed = proposal.ofCluster[c];
+        std::uint32_t next = listed.first;
+        for (std::uint32_t i = cluster.pairs.first; i < cluster.pairs.end(); ++i) {
+            if (next < listed.end() && proposal.pairs[next] == i) {
+                ++next;
+                continue;
+            }
+            ++checked;
+            const PairRecord& pair = shadow.pairs[i];
+            wrong += test::multiplicityOf(pair, light, test::countAll) != 0;
+            if (!cluster.closed) continue;
+            wrong += test::multiplicityOf(pair, light, test::countLightFacing) != 0;
+            wrong += test::multiplicityOf(pair, light, test::countFacingAway) != 0;
+        }
+        EXPECT_EQ(next, listed.end()) << "the list is out of order";
+    }
+    return wrong;
+}
+
+/// Checks at least `pairs` records that were left out.
+void expectNoneMissed(std::size_t pairs) {
+    Random random(17);
+    std::size_t checked = 0, wrong = 0, all = 0;
+    while (checked < pairs) {
+        const AdaptedShadow shadow = shadowOf(test::randomSoup(random, 20 + random.below(40)));
+        if (shadow.pairs.empty()) continue;
+        for (int ball = 0; ball < 20; ++ball) {
+            const LightBall lights = ballFor(shadow, random);
+            const Proposal proposal = proposalFor(shadow, lights);
+            for (int i = 0; i < 50; ++i) {
+                wrong += missed(shadow, proposal, lightIn(lights, random), checked);
+                all += shadow.pairs.size();
+            }
+        }
+    }
+    std::cout << all << " records and lights, " << checked << " of them left out\n";
+    EXPECT_EQ(wrong, 0u);
+}
+
+} // namespace
+
+TEST(Proposal, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
+    expectNoneMissed(1'000'000);
+}
+
+TEST(Long, ProposalsLeaveOutNoSilhouetteForAnyLightOfTheBall) {
+    expectNoneMissed(100'000'000);
+}
+
+TEST(Proposal, OfALightAtRestIsNextToWhatItMust) {
+    // A closed ball: the records that are listed are those with a multiplicity.
+    Soup ball;
+    constexpr int rings = 40, sectors = 80;
+    for (int r = 0; r <= rings; ++r)
+        for (int s = 0; s < sectors; ++s) {
+            const double a = 3.14159265358979 * r / rings, b = 6.28318530717959 * s / sectors;
+            ball.positions.emplace_back(std::sin(a) * std::cos(b), std::cos(a),
+                                        std::sin(a) * std::sin(b));
+        }
+    for (std::uint32_t r = 0; r < rings; ++r)
+        for (std::uint32_t s = 0; s < sectors; ++s) {
+            const std::uint32_t p = r * sectors + s, q = r * sectors + (s + 1) % sectors;
+            ball.indices.insert(ball.indices.end(), {p, q, p + sectors});
+            ball.indices.insert(ball.indices.end(), {q, q + sectors, p + sectors});
+        }
+    const AdaptedShadow shadow = shadowOf(ball);
+    const glm::vec4 light(3, 2, 1, 1);
+    std::size_t silhouettes = 0;
+    for (const PairRecord& pair : shadow.pairs)
+        silhouettes += test::multiplicityOf(pair, light, test::countAll) != 0;
+    const std::size_t listed = proposalFor(shadow, {light, 0.0f}).pairs.size();
+    EXPECT_EQ(listed, silhouettes);
+    EXPECT_LT(10 * listed, shadow.pairs.size());
+    const std::size_t ofBall = proposalFor(shadow, {light, 0.05f}).pairs.size();
+    EXPECT_GT(ofBall, listed);
+    EXPECT_LT(5 * ofBall, shadow.pairs.size());
+}
+
+TEST(Proposal, KeepsMoreWhereFloatsHaveFewerBits) {
+    const AdaptedShadow shadow = shadowOf(test::cube());
+    // Next to the plane of a face, nearer than 16 bits tell.
+    const LightBall ball{{0.5f, 1.00001f, 3.0f, 1.0f}, 0.0f};
+    EXPECT_GT(proposalFor(shadow, ball, 16).pairs.size(), proposalFor(shadow, ball, 23).pairs.size());
+}
+
+TEST(Proposal, OfWhatIsNotFiniteLeavesNothingOut) {
+    const AdaptedShadow shadow = shadowOf(test::cube());
+    const float infinity = std::numeric_limits<float>::infinity();
+    for (const float value : {infinity, std::numeric_limits<float>::quiet_NaN(), 3e38f})
+        EXPECT_EQ(proposalFor(shadow, {{value, value, -value, 1}, 0.0f}).pairs.size(),
+                  shadow.pairs.size());
+}
+
+TEST(LightTrack, MakesNothingAnewForALightAtRest) {
+    LightTrack track;
+    const glm::vec4 light(1, 2, 3, 1);
+    EXPECT_TRUE(track.follow(light));
+    for (int i = 0; i < 5; ++i)
+        EXPECT_FALSE(track.follow(light));
+    EXPECT_EQ(track.ball().radius, 0.0f);
+    EXPECT_TRUE(track.ball().holds(light));
+}
+
+TEST(LightTrack, GrowsWithTheLightsPaceAndShrinksWhenItRests) {
+    LightTrack track;
+    int made = 0;
+    glm::vec4 light(0, 0, 0, 1);
+    for (int i = 0; i < 100; ++i) {
+        light.x += 0.1f;
+        made += track.follow(light);
+        EXPECT_TRUE(track.ball().holds(light));
+    }
+    EXPECT_LT(made, 30);
+    EXPECT_GT(track.ball().radius, 0.0f);
+    int atRest = 0;
+    for (int i = 0; i < 10; ++i)
+        atRest += track.follow(light);
+    EXPECT_EQ(atRest, 1);
+    EXPECT_EQ(track.ball().radius, 0.0f);
+}
+
+TEST(LightTrack, AJumpMakesNoBall) {
+    LightTrack track;
+    track.follow({0, 0, 0, 1});
+    EXPECT_TRUE(track.follow({100, 0, 0, 1}));
+    EXPECT_EQ(track.ball().radius, 0.0f);
+    // Nor does a sun where a point light was.
+    EXPECT_TRUE(track.follow({100, 0, 0, 0}));
+    EXPECT_TRUE(track.ball().holds({100, 0, 0, 0}));
+}
+
+} // namespace edgeshade
