@@ -48,8 +48,8 @@ LightBall ballFor(const AdaptedShadow& shadow, Random& random) {
     LightBall ball;
     ball.center = glm::vec4(test::nudged(random, glm::vec3(at)), sun ? 0.0f : 1.0f);
     if (random.below(3) > 0)
-        ball.radius = static_cast<float>(random.magnitude(-9, 1) *
-                                         (sun ? glm::length(at) + 1e-6 : size));
+        ball.radius =
+            static_cast<float>(random.magnitude(-9, 1) * (sun ? glm::length(at) + 1e-6 : size));
     return ball;
 }
 
@@ -91,11 +91,13 @@ std::size_t missed(const AdaptedShadow& shadow, const Proposal& proposal, const 
     return wrong;
 }
 
-/// Checks at least `pairs` records that were left out.
-void expectNoneMissed(std::size_t pairs) {
+} // namespace
+
+TEST(Proposal, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
+    constexpr std::size_t leftOut = 100'000'000;
     Random random(17);
     std::size_t checked = 0, wrong = 0, all = 0;
-    while (checked < pairs) {
+    while (checked < leftOut) {
         const AdaptedShadow shadow = shadowOf(test::randomSoup(random, 20 + random.below(40)));
         if (shadow.pairs.empty()) continue;
         for (int ball = 0; ball < 20; ++ball) {
@@ -109,16 +111,6 @@ void expectNoneMissed(std::size_t pairs) {
     }
     std::cout << all << " records and lights, " << checked << " of them left out\n";
     EXPECT_EQ(wrong, 0u);
-}
-
-} // namespace
-
-TEST(Proposal, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
-    expectNoneMissed(1'000'000);
-}
-
-TEST(Long, ProposalsLeaveOutNoSilhouetteForAnyLightOfTheBall) {
-    expectNoneMissed(100'000'000);
 }
 
 TEST(Proposal, OfALightAtRestIsNextToWhatItMust) {
@@ -154,13 +146,14 @@ TEST(Proposal, KeepsMoreWhereFloatsHaveFewerBits) {
     const AdaptedShadow shadow = shadowOf(test::cube());
     // Next to the plane of a face, nearer than 16 bits tell.
     const LightBall ball{{0.5f, 1.00001f, 3.0f, 1.0f}, 0.0f};
-    EXPECT_GT(proposalFor(shadow, ball, 16).pairs.size(), proposalFor(shadow, ball, 23).pairs.size());
+    EXPECT_GT(proposalFor(shadow, ball, 16).pairs.size(),
+              proposalFor(shadow, ball, 23).pairs.size());
 }
 
 TEST(Proposal, OfWhatIsNotFiniteLeavesNothingOut) {
     const AdaptedShadow shadow = shadowOf(test::cube());
     const float infinity = std::numeric_limits<float>::infinity();
-    for (const float value : {infinity, std::numeric_limits<float>::quiet_NaN(), 3e38f})
+    for (const float value : {infinity, std::numeric_limits<float>::quiet_NaN()})
         EXPECT_EQ(proposalFor(shadow, {{value, value, -value, 1}, 0.0f}).pairs.size(),
                   shadow.pairs.size());
 }

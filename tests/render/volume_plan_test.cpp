@@ -16,7 +16,13 @@ Box boxAround(const glm::dvec3& center, double halfSize) {
     return box;
 }
 
-/// The twelve triangles of a box.
+CapRecord capOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const glm::dvec3 p(a);
+    const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(b) - p, glm::dvec3(c) - p));
+    return {a, b, c, glm::vec4(glm::dvec4(normal, -glm::dot(normal, p)))};
+}
+
+/// The twelve triangles of a box, seen from outside.
 void appendShell(const Box& box, std::vector<CapRecord>& caps) {
     const auto corner = [&](int i) {
         return glm::vec3(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
@@ -26,7 +32,7 @@ void appendShell(const Box& box, std::vector<CapRecord>& caps) {
                                  {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     for (const auto& f : faces)
         for (const auto& [p, q, r] : {std::array{f[0], f[1], f[2]}, std::array{f[0], f[2], f[3]}})
-            caps.push_back({corner(p), corner(q), corner(r), glm::vec4(0.0f)});
+            caps.push_back(capOf(corner(p), corner(q), corner(r)));
 }
 
 /// The clusters are shells of their bounds.
@@ -135,37 +141,77 @@ TEST(VolumePlan, AnOpenOneCountsInFull) {
     EXPECT_EQ(onlyDraw(clusterAt({0, 0, -10}, 1, false), {0, 50, -10, 1}).counted, Counted::all);
 }
 
-TEST(VolumePlan, TheEyeInItsShadowTakesCaps) {
-    const VolumeDraw draw = onlyDraw(clusterAt({0, 5, 0}, 1), {0, 50, 0, 1});
-    EXPECT_TRUE(draw.zFail());
+TEST(VolumePlan, TheEyeInItsShadowStartsTheCountAtOne) {
+    for (const glm::dvec4& light : {glm::dvec4(0, 50, 0, 1), glm::dvec4(0, 1, 0, 0)}) {
+        const VolumeDraw draw = onlyDraw(clusterAt({0, 5, 0}, 1), light);
+        EXPECT_FALSE(draw.zFail());
+        EXPECT_EQ(draw.counted, Counted::lightFacing);
+        EXPECT_EQ(draw.start, 1);
+        EXPECT_EQ(onlyDraw(clusterAt({0, 5, 0}, 1, false), light).start, 2)
+            << "all triangles count";
+    }
+}
+
+TEST(VolumePlan, AShadowsOutlineOverTheNearRectangleTakesCaps) {
+    const VolumeDraw draw = onlyDraw(clusterAt({1.01, 5, 0}, 1), {0, 50, 0, 1});
+    EXPECT_EQ(draw.caps, CapsNeeded::outlineMet);
     EXPECT_FALSE(draw.frontCaps) << "it is above the eye, out of view";
     EXPECT_EQ(draw.counted, Counted::lightFacing);
-    EXPECT_TRUE(onlyDraw(clusterAt({0, 5, 0}, 1), {0, 1, 0, 0}).zFail());
+    // A sun within the plane of a face says nothing of that.
+    EXPECT_EQ(onlyDraw(clusterAt({1, 5, 0}, 1), {0, 1, 0, 0}).caps, CapsNeeded::uncertain);
+}
+
+TEST(VolumePlan, AddsUpStartsOfAllClusters) {
+    const FrameView view = viewAlongZ();
+    const std::vector<ShadowCluster> clusters = {clusterAt({0, 5, 0}, 1), clusterAt({0, 9, 0}, 1),
+                                                 clusterAt({0, 0, -10}, 1)};
+    const PlanView placed = planView(view, view.slices[0], {{0, 50, 0, 1}}, glm::dmat4(1.0));
+    EXPECT_EQ(planOf(clusters, placed).start(), 2);
 }
 
 TEST(VolumePlan, TheEyeBetweenLightAndObjectTakesNone) {
     EXPECT_FALSE(onlyDraw(clusterAt({0, 0, -10}, 1), {0, 0, 20, 1}).zFail());
 }
 
-TEST(VolumePlan, TheLightWithinItsBoundsCountsInFull) {
+TEST(VolumePlan, WithTheLightWithinTrianglesThatFaceAwayCount) {
     const VolumeDraw draw = onlyDraw(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1});
-    EXPECT_EQ(draw.counted, Counted::all);
-    EXPECT_TRUE(draw.zFail()) << "the hull of near rectangle and light meets the box";
-    EXPECT_TRUE(draw.frontCaps);
-    EXPECT_FALSE(draw.nearDiscard);
+    EXPECT_EQ(draw.counted, Counted::facingAway);
+    EXPECT_FALSE(draw.zFail());
+    EXPECT_EQ(draw.start, 1);
 }
 
-TEST(VolumePlan, TheEyeWithinItsBoundsCountsInFullAndCutsCaps) {
+TEST(VolumePlan, WithTheEyeWithinTrianglesThatFaceTheLightCount) {
     const VolumeDraw draw = onlyDraw(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1});
-    EXPECT_EQ(draw.counted, Counted::all);
-    EXPECT_TRUE(draw.zFail());
-    EXPECT_TRUE(draw.frontCaps);
-    EXPECT_TRUE(draw.nearDiscard);
+    EXPECT_EQ(draw.counted, Counted::lightFacing);
+    EXPECT_FALSE(draw.zFail());
+    EXPECT_EQ(draw.start, 1);
+}
+
+TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
+    // The eye is within one box, the light within another: their winding numbers must not be added.
+    AdaptedShadow shadow;
+    appendShell(boxAround({0, 0, 0}, 3), shadow.caps);
+    appendShell(boxAround({0, 50, 0}, 3), shadow.caps);
+    ShadowCluster cluster = clusterAt({0, 25, 0}, 30);
+    cluster.caps = {0, 24};
+    cluster.parts = {0, 1};
+    cluster.components = 2;
+    shadow.parts = {cluster.bounds};
+    shadow.clusters = {cluster};
+    const FrameView frame = viewAlongZ();
+    const PlanView view = planView(frame, frame.slices[0], {{0.1, 50, 0.2, 1}}, glm::dmat4(1.0));
+    const auto draws = planVolumes(shadow, view).draws;
+    ASSERT_EQ(draws.size(), 1u);
+    EXPECT_EQ(draws[0].counted, Counted::all);
+    EXPECT_EQ(draws[0].start, 2);
 }
 
 TEST(VolumePlan, TheNearPlaneWithinItsBoundsCountsInFull) {
     // Not the eye, which is at 0; the near plane is at 0.1.
-    EXPECT_EQ(onlyDraw(clusterAt({0, 0, -0.1}, 0.05), {0, 50, -10, 1}).counted, Counted::all);
+    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, -0.1}, 0.05), {0, 50, -10, 1});
+    EXPECT_EQ(draw.counted, Counted::all);
+    EXPECT_EQ(draw.caps, CapsNeeded::nearPlaneMet);
+    EXPECT_TRUE(draw.nearDiscard);
 }
 
 TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTriangles) {
@@ -196,8 +242,13 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     shadow.parts.push_back(cluster.bounds);
     draws = planVolumes(shadow, view).draws;
     ASSERT_EQ(draws.size(), 1u);
-    EXPECT_TRUE(draws[0].zFail());
+    EXPECT_FALSE(draws[0].zFail());
+    EXPECT_EQ(draws[0].start, 1);
+    // Where the components are not known, one crossed each way may be two.
+    shadow.clusters[0].components = 3;
+    draws = planVolumes(shadow, view).draws;
     EXPECT_EQ(draws[0].counted, Counted::all);
+    EXPECT_EQ(draws[0].start, 2);
 }
 
 TEST(VolumePlan, ANearPlaneJustBeforeItTakesNoCapsAndHalfTheTriangles) {
@@ -250,7 +301,7 @@ TEST(VolumePlan, NeighboursThatAreDrawnAlikeShareADraw) {
 TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
     Random random(8);
     const FrameView view = viewAlongZ();
-    std::size_t leftOut = 0, withoutCaps = 0;
+    std::size_t leftOut = 0, withoutCaps = 0, inShadow = 0;
     for (int i = 0; i < 30'000; ++i) {
         const bool sun = random.below(3) == 0;
         const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-1, 2)), !sun);
@@ -281,11 +332,19 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         }
         if (draws.empty()) continue;
         withoutCaps += !draws[0].zFail();
-        const bool within = enter == 0.0 && leave == (sun ? 1e30 : 1.0); // a shell casts nothing
-        EXPECT_FALSE(enter <= leave && !within && !draws[0].zFail());
+        // What it crosses of the shell, from outside and from inside.
+        const int in = enter <= leave && enter > 0.0;
+        const int out = enter <= leave && leave < (sun ? 1e30 : 1.0);
+        inShadow += in + out > 0 && !draws[0].zFail();
+        if (draws[0].zFail()) continue;
+        const Counted counted = draws[0].counted;
+        EXPECT_EQ(draws[0].start, counted == Counted::all           ? in + out
+                                  : counted == Counted::lightFacing ? out
+                                                                    : in);
     }
     EXPECT_GT(leftOut, 1'000u);
     EXPECT_GT(withoutCaps, 1'000u);
+    EXPECT_GT(inShadow, 300u);
 }
 
 TEST(VolumePlan, IsTheSameInTheSpaceOfAMovedNode) {
