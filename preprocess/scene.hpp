@@ -19,6 +19,10 @@ struct Box {
         low = glm::min(low, point);
         high = glm::max(high, point);
     }
+    bool holds(const glm::dvec3& point) const {
+        return glm::all(glm::lessThanEqual(low, point)) &&
+               glm::all(glm::lessThanEqual(point, high));
+    }
     glm::dvec3 center() const { return empty() ? glm::dvec3(0.0) : 0.5 * (low + high); }
     double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
 };

@@ -1,11 +1,11 @@
 // Sides of the shadow volumes from records of one or two planes (preprocess/adapted_data.hpp).
 //
-// Variants: PAIR, two planes, else one; SUN, all points at infinity coincide, so that a side is the
+// Variants: PAIR, two planes, else one; SUN, volumes end at infinity, where all points coincide, so that a side is the
 // triangle of A, B and the first of them; PROBE and DEGENERATE as in sides.vert.
 #include "plane_side.glsl"
 #include "extrusion.glsl"
 
-attribute float a_corner; // 0: A, 1: B, 2 and 3: their points at infinity
+attribute float a_corner; // 0: A, 1: B, 2 and 3: where they are pushed to
 attribute vec3 a_edgeA;
 attribute vec3 a_edgeB;
 attribute vec4 a_plane0;
@@ -16,6 +16,7 @@ attribute vec4 a_plane1;
 uniform vec4 u_light;   // in object space
 uniform vec2 u_counted; // see countedSide()
 uniform float u_side;   // index of the quad: 0 or 1
+uniform vec4 u_end;     // where volumes end, see pushedTo()
 uniform mat4 u_clipFromObject;
 #ifdef DEGENERATE
 uniform float u_degenerate;
@@ -50,7 +51,7 @@ void main() {
     if (turned && (corner < 0.5 || corner > 2.5)) corner = 3.0 - corner;
 #endif
     vec3 end = corner == 0.0 || corner == 2.0 ? a_edgeA : a_edgeB;
-    vec4 p = corner > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
+    vec4 p = corner > 1.5 ? pushedTo(u_end, end, u_light) : vec4(end, 1.0);
     // A useless vertex makes its triangle a point, which covers no pixel.
     gl_Position = u_side < abs(multiplicity) ? rasterizable(clipPosition(u_clipFromObject, p))
                                              : vec4(0.0);

@@ -5,6 +5,16 @@ vec4 toInfinity(vec3 p, vec4 light) {
     return vec4(p.x * light.w - light.x, p.y * light.w - light.y, p.z * light.w - light.z, 0.0);
 }
 
+// p pushed away from the light until the plane `end`, whose inside is where dot(end, (x, 1)) > 0, and
+// where both the light and, nearer to it, p are. The plane at infinity is (0, 0, 0, 1): that is
+// toInfinity.
+vec4 pushedTo(vec4 end, vec3 p, vec4 light) {
+    float height = end.x * p.x + end.y * p.y + end.z * p.z + end.w;
+    float ofLight = end.x * light.x + end.y * light.y + end.z * light.z + end.w * light.w;
+    return vec4(p.x * ofLight - light.x * height, p.y * ofLight - light.y * height,
+                p.z * ofLight - light.z * height, ofLight - height * light.w);
+}
+
 // matrix * p, its sum spelled out.
 vec4 clipPosition(mat4 matrix, vec4 p) {
     return matrix[0] * p.x + matrix[1] * p.y + matrix[2] * p.z + matrix[3] * p.w;

@@ -66,8 +66,8 @@ class AdaptedSubject : public SyntheticSubject {
         ShadowCluster& cluster = shadow_->clusters.front();
         cluster.pairs.count = static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
         cluster.singles.count = static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
-        volumes_.drawSides(*buffers_, nullptr, VolumeDraw{.clusters = {0, 1}}, syntheticLight,
-                           glm::mat4(1.0f));
+        volumes_.drawSides(*buffers_, nullptr, VolumeDraw{.clusters = {0, 1}},
+                           glm::vec4(0, 0, 0, 1), syntheticLight, glm::mat4(1.0f));
     }
 
   private:

@@ -80,9 +80,10 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--layout", settings.layout, layoutNames,
               "What volumes are drawn from: records of what the scene requires, which hold planes, "
               "or the published ones of opposite vertices (adapted)");
-    addChoice(verb, "--silhouette", settings.silhouette, silhouetteNames,
-              "Which adapted records reach the vertex shader: those that can be silhouettes in this "
-              "light, or all of them (proposed)");
+    addChoice(
+        verb, "--silhouette", settings.silhouette, silhouetteNames,
+        "Which adapted records reach the vertex shader: those that can be silhouettes in this "
+        "light, or all of them (proposed)");
     addChoice(
         verb, "--instancing", settings.instancing, instancingNames,
         "A record an instance, a copy for every vertex, or one draw a side, as adapted records "

@@ -1,6 +1,7 @@
 #include "preprocess/stopwatch.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/explanation.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/gl/headless_context.hpp"
@@ -19,6 +20,7 @@ struct RenderOptions {
     CasterOptions casters;
     DrawSettings settings;
     bool mask = false;
+    bool explain = false;
     int samples = 0;
 };
 
@@ -71,6 +73,8 @@ void render(const RenderOptions& options) {
     const std::vector<std::uint8_t> pixels = context.readPixels();
     const double drawSeconds = watch.lap();
     writeFile(options.output, encodePng(pixels, view.width, view.height));
+    if (options.explain)
+        printResult(explanationOf(loaded, view, settings, groups, capabilities), options.report);
     printResult(options.output + ": " + std::to_string(view.width) + "x" +
                     std::to_string(view.height) + ", " +
                     std::to_string(loaded.scene.triangleCount()) + " triangles, drawn by " +
@@ -91,7 +95,7 @@ void render(const RenderOptions& options) {
         {"settings", settingsJson(options.settings)},
         {"plan", planJson(view)},
         {"device", deviceJson(capabilities)},
-        {"bytes_gpu", scene.shadowBytes() + renderer.mapBytes()},
+        {"bytes_gpu", scene.shadowBytes() + renderer.proposalBytes() + renderer.mapBytes()},
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };
@@ -115,6 +119,8 @@ void addRenderCommand(CLI::App& program) {
     verb->add_flag("--mask", options->mask,
                    "The lit mask of the first light: white lit, black in shadow, clear where "
                    "nothing is");
+    verb->add_flag("--explain", options->explain,
+                   "Say what of the shadow volumes is drawn, how, and why, and what is left out");
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);

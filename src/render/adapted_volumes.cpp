@@ -126,10 +126,10 @@ AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing>
 }
 
 void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedPairs* proposed,
-                               const VolumeDraw& draw, const glm::vec4& light,
+                               const VolumeDraw& draw, const glm::vec4& end, const glm::vec4& light,
                                const glm::mat4& clipFromObject) {
     const AdaptedShadow& shadow = *buffers.shadow();
-    const bool sun = light.w == 0.0f;
+    const bool sun = light.w == 0.0f && draw.end < 0;
     for (const bool pair : {true, false}) {
         const RecordRange range = pair ? pairsOver(shadow, proposed, draw.clusters)
                                        : rangeOver(shadow, draw.clusters, &ShadowCluster::singles);
@@ -141,6 +141,7 @@ void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedPair
                 sides_.emplace(variant, makeAdaptedSidesProgram(variant, sidesDefines_)).first;
         program->second.use();
         program->second.set("u_light", light);
+        program->second.set("u_end", end);
         program->second.set("u_counted", rangeOf(draw.counted));
         program->second.set("u_clipFromObject", clipFromObject);
         // Two triangles that both cast make two quads.
@@ -253,7 +254,7 @@ std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* propose
                        bool sun) {
     std::size_t runs = 0;
     for (const VolumeDraw& draw : draws) {
-        const std::size_t perQuad = sun ? 3 : verticesPerQuad;
+        const std::size_t perQuad = sun && draw.end < 0 ? 3 : verticesPerQuad;
         const std::size_t quads = draw.counted == Counted::all ? 2 : 1;
         runs += perQuad * (quads * pairsOver(shadow, proposed, draw.clusters).count +
                            rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);

@@ -40,10 +40,11 @@ class AdaptedVolumes {
                    std::vector<std::string> sidesDefines = {},
                    std::vector<std::string> capsDefines = {});
 
-    /// `proposed`: the pairs to draw, null for all of them. `light` and `clipFromObject` are in the
-    /// batch's space.
+    /// `proposed`: the pairs to draw, null for all of them. `end`: the plane at which volumes end,
+    /// (0, 0, 0, 1) for infinity. All is in the batch's space.
     void drawSides(const AdaptedBuffers& buffers, const ProposedPairs* proposed,
-                   const VolumeDraw& draw, const glm::vec4& light, const glm::mat4& clipFromObject);
+                   const VolumeDraw& draw, const glm::vec4& end, const glm::vec4& light,
+                   const glm::mat4& clipFromObject);
     void drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& draw,
                   const std::vector<Material>& materials, const Textures& textures,
                   const glm::vec4& light, const glm::mat4& clipFromObject);

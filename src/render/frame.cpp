@@ -216,7 +216,7 @@ std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
     const LightPlan plan = planLight(casters, pass.view, pass.slice, light, mantissaBits_);
     clearStencil(plan.start());
     std::size_t runs = 0;
-    for (const auto& [index, volumes] : plan.batches) {
+    for (const auto& [index, planned, volumes] : plan.batches) {
         const GpuBatch& batch = pass.scene.batches[index];
         const AdaptedBuffers& buffers = *volumesOf(index).adapted;
         const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
@@ -226,7 +226,8 @@ std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
             proposed = &proposals_->of(buffers.shadow(), lightIndex, lightHere);
         for (const VolumeDraw& draw : volumes.draws) {
             countInStencil(draw.zFail(), batchView.mirrored);
-            adapted_->drawSides(buffers, proposed, draw, lightHere, batchView.clipFromObject);
+            adapted_->drawSides(buffers, proposed, draw, endOf(draw, planned), lightHere,
+                                batchView.clipFromObject);
             adapted_->drawCaps(buffers, draw, pass.scene.materials, pass.scene.textures, lightHere,
                                batchView.clipFromObject);
         }

@@ -53,9 +53,12 @@ FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request, 
     const double aspect = static_cast<double>(request.width) / request.height;
     DepthRange range;
     for (const Batch& batch : loaded.scene.batches) {
-        const DepthRange own = visibleDepth(batch, request.camera, aspect);
+        const VisiblePart part = visiblePart(batch, request.camera, aspect);
+        const DepthRange& own = part.depth;
         view.nearestDepths.push_back(own.nearest);
         if (own.nearest > own.farthest) continue;
+        view.visible.add(part.box.low);
+        view.visible.add(part.box.high);
         range.add(own.nearest);
         range.add(own.farthest);
     }

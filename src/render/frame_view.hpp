@@ -40,8 +40,9 @@ struct FrameView {
     Box bounds{};                      ///< of the scene; shadow maps are fitted to it
     std::vector<DepthSlice> slices;    ///< from far to near, at least one
     double farthestDepth = 0.0;        ///< of what is visible
-    std::vector<double> nearestDepths; ///< of each batch, visibleDepth()
-    std::vector<LayerBound> layers;    ///< of each light; empty: no stencil can overflow
+    std::vector<double> nearestDepths; ///< of each batch, visiblePart()
+    Box visible{}; ///< of what is visible, in the world; empty: nothing is known of it
+    std::vector<LayerBound> layers; ///< of each light; empty: no stencil can overflow
 
     bool mask = false;               ///< the lit mask of the first light, not a picture
     std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn

@@ -12,11 +12,10 @@ int LightPlan::start() const {
 LightPlan planLight(const std::vector<PlacedShadow>& casters, const FrameView& view,
                     const DepthSlice& slice, const Light& light, int mantissaBits) {
     LightPlan plan;
-    for (const PlacedShadow& caster : casters)
-        plan.batches.push_back(
-            {caster.batch,
-             planVolumes(*caster.shadow,
-                         planView(view, slice, light, caster.worldFromBatch, mantissaBits))});
+    for (const PlacedShadow& caster : casters) {
+        const PlanView here = planView(view, slice, light, caster.worldFromBatch, mantissaBits);
+        plan.batches.push_back({caster.batch, here, planVolumes(*caster.shadow, here)});
+    }
     return plan;
 }
 

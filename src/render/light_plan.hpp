@@ -18,6 +18,7 @@ struct PlacedShadow {
 struct LightPlan {
     struct Batch {
         std::size_t batch = 0;
+        PlanView view; ///< in its space
         VolumePlan volumes;
     };
     std::vector<Batch> batches;

@@ -19,8 +19,14 @@ struct DepthRange {
     bool contains(double from, double to) const { return nearest <= from && to <= farthest; }
 };
 
-/// The range of the batch's surfaces within the picture's pyramid, a little widened. Exact but for
+/// Where surfaces are that may be visible.
+struct VisiblePart {
+    DepthRange depth;
+    Box box; ///< in the world
+};
+
+/// Where the batch's surfaces are within the picture's pyramid, a little widened. Exact but for
 /// rounding: triangles are clipped to the pyramid.
-DepthRange visibleDepth(const Batch& batch, const Camera& camera, double aspect);
+VisiblePart visiblePart(const Batch& batch, const Camera& camera, double aspect);
 
 } // namespace edgeshade

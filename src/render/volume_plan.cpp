@@ -8,6 +8,13 @@ namespace {
 
 constexpr double rounding = 4e-6; // of the coordinates: GL places things in floats
 
+/// How far outside of what is visible volumes end, as a share of its size.
+constexpr double endMargin = 2e-3;
+
+/// How far below the light, of its own height above a plane, casters must be whose volumes end
+/// there.
+constexpr double leastBelow = 1e-2;
+
 /// Corners of the picture at a depth, in the batch.
 std::array<glm::dvec3, 4> rectangleAt(double depth, const FrameView& view,
                                       const glm::dmat4& batchFromView) {
@@ -87,8 +94,8 @@ Counted countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, con
     if (touched.tooMany) return Counted::all;
     const auto layers = layersFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
     if (!layers) return Counted::all;
-    // Of each component the winding number at the eye less that at the light is what of it is crossed
-    // outwards less what inwards.
+    // Of each component the winding number at the eye less that at the light is what of it is
+    // crossed outwards less what inwards.
     const bool sumTells = cluster.components == 1 || layers->outwards == 0 || layers->inwards == 0;
     if (!sumTells) return Counted::all;
     return layers->outwards >= layers->inwards ? Counted::lightFacing : Counted::facingAway;
@@ -132,6 +139,30 @@ void decideCaps(const ShadowCluster& cluster, const AdaptedShadow& shadow, const
     if (!layers) return;
     draw.caps = CapsNeeded::no;
     draw.start = countOf(*layers, draw.counted);
+}
+
+/// Adds a plane if the light is on its inside, where dot(plane, (p, 1)) > 0.
+void addEnd(const glm::dvec4& plane, PlanView& view) {
+    const double ofLight = glm::dot(plane, view.light);
+    const glm::dvec4 terms = glm::abs(plane) * glm::abs(view.light);
+    const double size = terms.x + terms.y + terms.z + terms.w;
+    if (ofLight > 1e-3 * size) view.ends.push_back(plane / ofLight);
+}
+
+/// The end that the cluster's volumes reach soonest; -1: none suits all of it.
+int endFor(const Box& bounds, const PlanView& view) {
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < view.ends.size(); ++i) {
+        const double highest = largestOver(bounds, view.ends[i]);
+        const double below = 1.0 - highest * view.light.w; // how far the light is above all of it
+        if (!(below > leastBelow)) continue;
+        const double reach = highest / below;
+        if (reach >= least) continue;
+        least = reach;
+        best = static_cast<int>(i);
+    }
+    return best;
 }
 
 /// Why the cluster is left out, if it is.
@@ -180,7 +211,21 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     farthestPlane.w += farthest;
     result.planes = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
                      rows[3] - rows[1], rows[3] + rows[2], farthestPlane};
+    addEnd(farthestPlane, result);
+    for (glm::length_t axis = 0; axis < 3 && !view.visible.empty(); ++axis)
+        for (const double side : {1.0, -1.0}) {
+            glm::dvec4 plane(0.0); // of the box of what is visible, a little outside of it
+            plane[axis] = side;
+            plane.w = (side > 0.0 ? -view.visible.low[axis] : view.visible.high[axis]) +
+                      endMargin * view.visible.diagonal();
+            addEnd(glm::transpose(worldFromBatch) * plane, result);
+        }
     return result;
+}
+
+glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view) {
+    return draw.end < 0 ? glm::vec4(0, 0, 0, 1)
+                        : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
 }
 
 int VolumePlan::start() const {
@@ -206,6 +251,7 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
             countedOf(cluster, shadow, view,
                       oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow));
         decideCaps(cluster, shadow, view, touched, draw);
+        if (!draw.zFail()) draw.end = endFor(cluster.bounds, view);
         const bool inView =
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
                          [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });

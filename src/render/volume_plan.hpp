@@ -32,13 +32,14 @@ struct VolumeDraw {
     RecordRange clusters;
     Counted counted = Counted::all;
     CapsNeeded caps = CapsNeeded::uncertain;
-    int start = 0;           ///< without caps: volumes that the whole near rectangle is in
+    int start = 0; ///< without caps: volumes that the whole near rectangle is in
+    int end = -1;  ///< without caps: which of PlanView::ends volumes end at; -1: at infinity
     bool frontCaps = true;   ///< with z-fail: some casters may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
 
     bool drawnLike(const VolumeDraw& other) const {
-        return counted == other.counted && caps == other.caps && frontCaps == other.frontCaps &&
-               nearDiscard == other.nearDiscard;
+        return counted == other.counted && caps == other.caps && end == other.end &&
+               frontCaps == other.frontCaps && nearDiscard == other.nearDiscard;
     }
     bool zFail() const { return caps != CapsNeeded::no; }
 };
@@ -72,6 +73,9 @@ struct PlanView {
     /// left, right, bottom, top, near, and the farthest that is visible: dot(plane, (p, 1)) >= 0
     /// inside.
     std::array<glm::dvec4, 6> planes;
+    /// Planes beyond which nothing is visible, with the light on the near side; scaled so that the
+    /// light is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
+    std::vector<glm::dvec4> ends;
     double rounding = dotRounding(23); ///< of the shaders' dot products with the light
 };
 
@@ -80,13 +84,17 @@ struct PlanView {
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits = 23);
 
+/// The plane at which a draw's volumes end, for the shaders.
+glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
+
 /// Decides how each cluster is drawn, if at all. A pure function:
 /// - not at all where its volume, the cluster's box away from the light, certainly misses the view
 ///   or begins behind everything visible;
 /// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
 ///   same number of its volumes: none where the hull of rectangle and light is apart from all of
 ///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.
-///   Casters with holes always get caps, since the eye sees volumes through them;
+///   Casters with holes always get caps, since the eye sees volumes through them. Such volumes end
+///   at a plane beyond everything visible, where there is one for all of the cluster;
 /// - triangles of one facing alone where the cluster is closed, no triangle of it is between the
 /// eye
 ///   and the nearest near plane, and the winding numbers of eye and light are known to allow it.

@@ -39,4 +39,11 @@ std::size_t Renderers::mapBytes() const {
     return total;
 }
 
+std::size_t Renderers::proposalBytes() const {
+    std::size_t total = 0;
+    for (const auto& [key, renderer] : renderers_)
+        if (renderer) total += renderer->proposalBytes();
+    return total;
+}
+
 } // namespace edgeshade::viewer

@@ -26,6 +26,9 @@ class Renderers {
     /// Of all shadow maps that are kept.
     std::size_t mapBytes() const;
 
+    /// Of all records that are proposed for lights.
+    std::size_t proposalBytes() const;
+
   private:
     using Key = std::tuple<ShadowMethod, int, MultiplicityMethod>;
     static Key keyOf(const SideSettings& side);

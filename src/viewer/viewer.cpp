@@ -323,7 +323,8 @@ FrameStats Viewer::stats() const {
     stats.edges = counts.edges;
     stats.records = counts.records;
     stats.silhouettes = counts.silhouettes;
-    if (parts.gpu && parts.gpu->scene) stats.shadowBytes = parts.gpu->scene->shadowBytes();
+    if (parts.gpu && parts.gpu->scene)
+        stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.proposalBytes();
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
     return stats;
 }

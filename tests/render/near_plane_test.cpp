@@ -12,7 +12,7 @@ using test::SceneBuilder;
 constexpr Camera lookingAlongMinusZ{{0, 0, 0}, {0, 0, -1}, 90.0};
 
 double depthOf(const SceneBuilder& builder) {
-    return visibleDepth(builder.scene().batches[0], lookingAlongMinusZ, 1.0).nearest;
+    return visiblePart(builder.scene().batches[0], lookingAlongMinusZ, 1.0).depth.nearest;
 }
 
 TEST(NearPlane, IsTheDepthOfAQuadAhead) {
@@ -56,7 +56,8 @@ TEST(VisibleDepth, EndsAtTheFarthest) {
     const auto two = SceneBuilder()
                          .quad({-1, -1, -5}, {1, -1, -5}, {1, 1, -5}, {-1, 1, -5})
                          .quad({-1, -1, -9}, {1, -1, -9}, {1, 1, -9}, {-1, 1, -9});
-    const DepthRange range = visibleDepth(two.scene().batches[0], lookingAlongMinusZ, 1.0);
+    const VisiblePart part = visiblePart(two.scene().batches[0], lookingAlongMinusZ, 1.0);
+    const DepthRange& range = part.depth;
     EXPECT_NEAR(range.nearest, 5.0, 1e-6);
     EXPECT_NEAR(range.farthest, 9.0, 1e-6);
 }

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "src/render/frame.hpp"
+
+#include <string>
+
+namespace edgeshade::cli {
+
+/// What a frame draws for its shadows, how, and why, in lines of text. `groups`: as the renderer
+/// gets them.
+std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
+                          const RenderSettings& settings, const std::vector<GroupedShadow>& groups,
+                          const gl::Capabilities& capabilities);
+
+} // namespace edgeshade::cli
