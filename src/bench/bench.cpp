@@ -206,6 +206,7 @@ class Course {
             for (const auto& group : light)
                 std::for_each(group.begin(), group.end(), count);
         result.mapBytes = contender.renderer.mapBytes();
+        result.maskBytes = contender.renderer.maskBytes();
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());
         result.repeated =

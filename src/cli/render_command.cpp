@@ -91,7 +91,7 @@ void render(const RenderOptions& options) {
         {"settings", settingsJson(options.settings)},
         {"plan", planJson(view)},
         {"device", deviceJson(capabilities)},
-        {"bytes_gpu", scene.shadowBytes() + renderer.mapBytes()},
+        {"bytes_gpu", scene.shadowBytes() + renderer.mapBytes() + renderer.maskBytes()},
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };

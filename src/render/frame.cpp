@@ -1,6 +1,7 @@
 #include "src/render/frame.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/gl/framebuffer_keeper.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
@@ -79,25 +80,33 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         caps_.emplace(settings.multiplicity, settings.layout, instancing);
     }
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
+    if (records && settings.maskScale > 1) coarse_.emplace(settings.maskScale, capabilities);
 }
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view,
                     const std::vector<GroupedShadow>& groups, StageClock* clock) {
     vertexRuns_ = 0;
+    glm::ivec2 counted(view.width, view.height);
+    if (coarse_) {
+        const gl::FramebufferKeeper keeper;
+        coarse_->fit(view.width, view.height);
+        counted = coarse_->size();
+    }
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
     const std::size_t lights = view.mask ? 1 : view.lights.size();
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
-        const Pass pass{scene, view, view.slices[s], s == 0, clock};
+        const Pass pass{scene, view, view.slices[s], s == 0, clock, counted};
         drawDepthAndAmbient(pass);
+        if (coarse_) drawCoarseSurfaces(pass);
         for (std::size_t i = 0; i < lights; ++i) {
             if ((view.drawnLights >> i & 1u) == 0) continue;
             const bool grouped = i < groups.size() && !groups[i].empty() &&
                                  settings_.shadows == ShadowMethod::volumes;
             drawShadowedLight(pass, i, grouped ? &groups[i] : nullptr);
-            marked = marked || grouped;
+            marked = marked || (grouped && !coarse_);
         }
         if (!view.mask && view.drawBlended) drawBlended(pass);
     }
@@ -137,27 +146,40 @@ void Renderer::drawDepthAndAmbient(const Pass& pass) {
     drawSurfaces(pass, shading);
 }
 
+/// Depth and planes of what is visible, for the masks of all lights.
+void Renderer::drawCoarseSurfaces(const Pass& pass) {
+    const StageScope stage(pass.clock, FrameStage::volumes);
+    const gl::FramebufferKeeper keeper;
+    coarse_->bindSurfaces();
+    glDisable(GL_DITHER); // the bytes are no colour
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const PlaneSpace planes = coarse_->space(pass.view, pass.slice);
+    SurfaceShading shading;
+    shading.planes = &planes;
+    shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
+    drawSurfaces(pass, shading);
+    glEnable(GL_DITHER);
+    glViewport(0, 0, pass.view.width, pass.view.height);
+    for (const GpuBatch& batch : pass.scene.batches)
+        for (const SurfaceChunk& chunk : batch.surfaces)
+            if (!batch.hidden && pass.scene.materials[chunk.material].alphaMode != AlphaMode::blend)
+                vertexRuns_ += static_cast<std::size_t>(chunk.indexCount);
+}
+
 void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
                                  const GroupedShadow* groups) {
     const Light& light = pass.view.lights[lightIndex];
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
-    if (groups) {
-        mark_.clear();
-        for (const auto& group : *groups) {
-            drawVolumes(pass, light,
-                        [&](std::size_t b) -> const BatchVolumes& { return group[b]; });
-            mark_.markCounted();
-        }
-    } else if (settings_.shadows == ShadowMethod::volumes) {
-        drawVolumes(pass, light, [&](std::size_t b) -> const BatchVolumes& {
-            return pass.scene.batches[b].volumes;
-        });
-    }
+    if (settings_.shadows == ShadowMethod::volumes) countAndMark(pass, light, groups);
 
     const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
-    if (groups) {
+    if (coarse_) {
+        glDisable(GL_STENCIL_TEST);
+        glBlendFunc(GL_ONE, GL_ONE);
+    } else if (groups) {
         // What a group has shaded has alpha 0 and takes no light.
         glDisable(GL_STENCIL_TEST);
         glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
@@ -168,6 +190,28 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
     }
     drawLit(pass, light, map ? &*map : nullptr);
     glDisable(GL_STENCIL_TEST);
+}
+
+/// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.
+void Renderer::countAndMark(const Pass& pass, const Light& light, const GroupedShadow* groups) {
+    std::optional<gl::FramebufferKeeper> keeper;
+    if (coarse_) {
+        keeper.emplace();
+        coarse_->bindCounts();
+    }
+    const bool marks = groups || coarse_;
+    if (marks) mark_.clear();
+    const auto count = [&](const VolumesOfBatch& volumesOf) {
+        drawVolumes(pass, light, volumesOf);
+        if (marks) mark_.markCounted();
+    };
+    if (groups) {
+        for (const auto& group : *groups)
+            count([&](std::size_t b) -> const BatchVolumes& { return group[b]; });
+    } else {
+        count([&](std::size_t b) -> const BatchVolumes& { return pass.scene.batches[b].volumes; });
+    }
+    if (coarse_) glViewport(0, 0, pass.view.width, pass.view.height);
 }
 
 void Renderer::drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf) {
@@ -182,7 +226,7 @@ void Renderer::drawVolumes(const Pass& pass, const Light& light, const VolumesOf
         const StageScope stage(pass.clock, FrameStage::silhouette);
         glViewport(0, 0, 1, 1);
         countVolumes(pass, light, volumesOf);
-        glViewport(0, 0, pass.view.width, pass.view.height);
+        glViewport(0, 0, pass.counted.x, pass.counted.y);
     }
     const StageScope stage(pass.clock, FrameStage::volumes);
     glClearStencil(0);
@@ -251,6 +295,11 @@ void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLook
     shading.maskValue = 1.0f;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     shading.map = map;
+    CoarseMaskLookup mask;
+    if (coarse_) {
+        mask = coarse_->lookup(pass.view, pass.slice, light);
+        shading.coarse = &mask;
+    }
     drawSurfaces(pass, shading, map);
 }
 
@@ -297,7 +346,7 @@ void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
     SurfaceShading shading;
     shading.mask = true;
     const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
-    drawSurfaces({scene, view, whole, false, nullptr}, shading);
+    drawSurfaces({scene, view, whole, false}, shading);
 }
 
 } // namespace edgeshade

@@ -3,6 +3,7 @@
 #include "src/gl/capabilities.hpp"
 #include "src/render/adapted_volumes.hpp"
 #include "src/render/caps_pass.hpp"
+#include "src/render/coarse_mask.hpp"
 #include "src/render/frame_view.hpp"
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
@@ -23,6 +24,7 @@ struct RenderSettings {
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SidesLayout layout = SidesLayout::instanced;
     ShadowMapSettings map; ///< where shadows are maps
+    int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
@@ -42,15 +44,22 @@ struct RenderSettings {
 /// draw over the surfaces that they hold. Where more volumes may lie around a point than the
 /// stencil counts, casters come in groups (GroupedShadow), and the picture's alpha remembers what
 /// any group has shaded. Draws into the current framebuffer, which needs a stencil and alpha.
+///
+/// With a mask scale volumes are counted in a smaller framebuffer of the renderer's own, from which
+/// the lit pass looks up what its surface has. Depth slices and groups of casters are the same
+/// there. A fragment is lit or not as a whole: with samples outlines are smooth, and boundaries of
+/// shadows within a surface are not.
 class Renderer {
   public:
-    /// Throws Error(unavailable) if the layout needs instancing and there is none, or the GL's
-    /// largest texture is smaller than a shadow map.
+    /// Throws Error(unavailable) if the layout needs instancing and there is none, the GL's largest
+    /// texture is smaller than a shadow map, or a mask scale needs derivatives in shaders and there
+    /// are none.
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
     /// `groups`: for each light of the view its casters in groups, where view.layers asks for
     /// them, else empty; an empty vector where no light needs any. `clock`, which may be null, is
-    /// told of the stages.
+    /// told of the stages. Throws Error(unavailable) if the GL can't draw masks of lower
+    /// resolution.
     void draw(const GpuScene& scene, const FrameView& view,
               const std::vector<GroupedShadow>& groups = {}, StageClock* clock = nullptr);
 
@@ -65,7 +74,11 @@ class Renderer {
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
-    /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame.
+    /// Memory of the framebuffers for masks of lower resolution.
+    std::size_t maskBytes() const { return coarse_ ? coarse_->bytes() : 0; }
+
+    /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
+    /// those of surfaces that a mask of lower resolution is made for.
     std::size_t vertexRuns() const { return vertexRuns_; }
 
   private:
@@ -76,11 +89,14 @@ class Renderer {
         const DepthSlice& slice;
         bool first; ///< the farthest slice, which clears the picture
         StageClock* clock = nullptr;
+        glm::ivec2 counted{0}; ///< size of the framebuffer that volumes are counted in
     };
     using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
 
     void drawDepthAndAmbient(const Pass& pass);
+    void drawCoarseSurfaces(const Pass& pass);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
+    void countAndMark(const Pass& pass, const Light& light, const GroupedShadow* groups);
     void drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
     /// These return how many vertices they sent through shaders.
     std::size_t countVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
@@ -102,6 +118,7 @@ class Renderer {
     std::optional<CapsPass> caps_;          ///< likewise
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
+    std::optional<CoarseMask> coarse_;  ///< where volumes are counted at a lower resolution
     std::size_t vertexRuns_ = 0;        ///< of the last frame
 };
 

@@ -27,8 +27,8 @@ TEST(Help, EveryVerbNamesItsOptions) {
         expectHelp({"info", "--help"}, word);
     for (const char* word :
          {"OUT", "--mask", "--size", "--camera-from", "--camera-to", "--fov", "--near", "--light",
-          "--sun", "--shadows", "--map-size", "--map-bias", "--pcf", "--multiplicity",
-          "--instancing", "--depth-slices", "--samples", "--report"})
+          "--sun", "--shadows", "--map-size", "--map-bias", "--pcf", "--mask-scale",
+          "--multiplicity", "--instancing", "--depth-slices", "--samples", "--report"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);
