@@ -78,8 +78,10 @@ void render(const RenderOptions& options) {
                 options.report);
 
     nlohmann::ordered_json lights = nlohmann::ordered_json::array();
-    for (const Light& light : view.lights)
+    for (const Light& light : view.lights) {
         lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
+        if (light.hasRange()) lights.back().push_back(light.range);
+    }
     nlohmann::ordered_json report = {
         {"size", {view.width, view.height}},
         {"camera",

@@ -13,6 +13,9 @@ struct PixelRectangle {
 /// What is in both; empty where nothing is.
 PixelRectangle intersection(const PixelRectangle& a, const PixelRectangle& b);
 
+/// The smallest rectangle around both.
+PixelRectangle united(const PixelRectangle& a, const PixelRectangle& b);
+
 /// What the scissor lets through of a framebuffer of this size.
 PixelRectangle scissored(int width, int height);
 

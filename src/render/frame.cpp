@@ -96,16 +96,24 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
     const std::size_t lights = view.mask ? 1 : view.lights.size();
+    const gl::PixelRectangle open = gl::scissored(view.width, view.height);
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
         const Pass pass{scene, view, view.slices[s], s == 0, clock, counted};
         drawDepthAndAmbient(pass);
-        if (coarse_) drawCoarseSurfaces(pass);
+        std::vector<gl::PixelRectangle> reaches(lights); // empty: nothing to draw
+        gl::PixelRectangle reach;
         for (std::size_t i = 0; i < lights; ++i) {
             if ((view.drawnLights >> i & 1u) == 0) continue;
+            reaches[i] = gl::intersection(open, lightReach(view, pass.slice, view.lights[i]));
+            reach = gl::united(reach, reaches[i]);
+        }
+        if (coarse_ && !reach.empty()) drawCoarseSurfaces(pass, reach);
+        for (std::size_t i = 0; i < lights; ++i) {
+            if (reaches[i].empty()) continue;
             const bool grouped = i < groups.size() && !groups[i].empty() &&
                                  settings_.shadows == ShadowMethod::volumes;
-            drawShadowedLight(pass, i, grouped ? &groups[i] : nullptr);
+            drawShadowedLight(pass, i, grouped ? &groups[i] : nullptr, reaches[i]);
             marked = marked || (grouped && !coarse_);
         }
         if (!view.mask && view.drawBlended) drawBlended(pass);
@@ -147,10 +155,11 @@ void Renderer::drawDepthAndAmbient(const Pass& pass) {
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.
-void Renderer::drawCoarseSurfaces(const Pass& pass) {
+void Renderer::drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& reach) {
     const StageScope stage(pass.clock, FrameStage::volumes);
     const gl::FramebufferKeeper keeper;
     coarse_->bindSurfaces();
+    const gl::ScissorScope cut(scaledReach(reach, pass.view, coarse_->size()));
     glDisable(GL_DITHER); // the bytes are no colour
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -168,11 +177,13 @@ void Renderer::drawCoarseSurfaces(const Pass& pass) {
 }
 
 void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
-                                 const GroupedShadow* groups) {
+                                 const GroupedShadow* groups, const gl::PixelRectangle& reach) {
     const Light& light = pass.view.lights[lightIndex];
+    std::optional<gl::ScissorScope> cut;
+    if (light.hasRange()) cut.emplace(reach);
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
-    if (settings_.shadows == ShadowMethod::volumes) countAndMark(pass, light, groups);
+    if (settings_.shadows == ShadowMethod::volumes) countAndMark(pass, light, groups, reach);
 
     const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
@@ -193,11 +204,14 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
 }
 
 /// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.
-void Renderer::countAndMark(const Pass& pass, const Light& light, const GroupedShadow* groups) {
+void Renderer::countAndMark(const Pass& pass, const Light& light, const GroupedShadow* groups,
+                            const gl::PixelRectangle& reach) {
     std::optional<gl::FramebufferKeeper> keeper;
+    std::optional<gl::ScissorScope> cut;
     if (coarse_) {
         keeper.emplace();
         coarse_->bindCounts();
+        cut.emplace(scaledReach(reach, pass.view, coarse_->size()));
     }
     const bool marks = groups || coarse_;
     if (marks) mark_.clear();

@@ -5,6 +5,7 @@
 #include "src/render/caps_pass.hpp"
 #include "src/render/coarse_mask.hpp"
 #include "src/render/frame_view.hpp"
+#include "src/render/light_reach.hpp"
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
 #include "src/render/sides_pass.hpp"
@@ -44,6 +45,9 @@ struct RenderSettings {
 /// draw over the surfaces that they hold. Where more volumes may lie around a point than the
 /// stencil counts, casters come in groups (GroupedShadow), and the picture's alpha remembers what
 /// any group has shaded. Draws into the current framebuffer, which needs a stencil and alpha.
+///
+/// Lights with a range are counted and drawn within the part of the picture that they reach, if
+/// any.
 ///
 /// With a mask scale volumes are counted in a smaller framebuffer of the renderer's own, from which
 /// the lit pass looks up what its surface has. Depth slices and groups of casters are the same
@@ -94,9 +98,11 @@ class Renderer {
     using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
 
     void drawDepthAndAmbient(const Pass& pass);
-    void drawCoarseSurfaces(const Pass& pass);
-    void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
-    void countAndMark(const Pass& pass, const Light& light, const GroupedShadow* groups);
+    void drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& reach);
+    void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups,
+                           const gl::PixelRectangle& reach);
+    void countAndMark(const Pass& pass, const Light& light, const GroupedShadow* groups,
+                      const gl::PixelRectangle& reach);
     void drawVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);
     /// These return how many vertices they sent through shaders.
     std::size_t countVolumes(const Pass& pass, const Light& light, const VolumesOfBatch& volumesOf);

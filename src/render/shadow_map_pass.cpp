@@ -79,7 +79,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
 
 ShadowMapPass::Subject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds,
                                                 const Light& light) {
-    Subject subject{scene.identity, light.position, bounds.low, bounds.high, {}};
+    Subject subject{scene.identity, light.position, light.range, bounds.low, bounds.high, {}};
     for (const GpuBatch& batch : scene.batches)
         subject.batches.emplace_back(batch.worldFromBatch, batch.hidden);
     return subject;

@@ -18,6 +18,8 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
     if (light.w == 0.0)
         fromEye /= std::max({std::abs(fromEye.x), std::abs(fromEye.y), std::abs(fromEye.z)});
     program.set("u_light", glm::vec4(fromEye, light.w));
+    program.set("u_inverseRange",
+                shading.light.hasRange() ? static_cast<float>(1.0 / shading.light.range) : 0.0f);
     program.set("u_ambient", shading.ambient);
     program.set("u_diffuse", shading.diffuse);
     program.set("u_mask", shading.mask ? 1.0f : 0.0f);

@@ -1,5 +1,7 @@
 #include "src/render/volume_plan.hpp"
 
+#include "src/render/light_reach.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -102,6 +104,7 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     const glm::dmat4 batchFromView = glm::inverse(viewFromBatch);
     PlanView result;
     result.light = glm::inverse(worldFromBatch) * light.position;
+    if (light.hasRange()) result.range = rangeInObject(light.range, worldFromBatch);
     result.eye = glm::dvec3(batchFromView[3]);
     result.nearest = rectangleAt(view.near(), view, batchFromView);
     result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
@@ -127,7 +130,7 @@ std::vector<VolumeDraw> planVolumes(const AdaptedShadow& shadow, const PlanView&
             std::any_of(view.planes.begin(), view.planes.end(), [&](const glm::dvec4& plane) {
                 return isVolumeOutside(cluster.bounds, plane, view.light);
             });
-        if (missed) continue;
+        if (missed || isBeyond(cluster.bounds, glm::dvec3(view.light), view.range)) continue;
         VolumeDraw draw{{i, 1}, Counted::all, true, true, true};
         draw.zFail = cluster.holes || mayMeet(view.fromNear, cluster, shadow);
         if (mayCountHalf(cluster, shadow, view)) draw.counted = Counted::lightFacing;

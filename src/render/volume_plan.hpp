@@ -32,6 +32,7 @@ struct VolumeDraw {
 /// Light and view in a batch's space: all that decides how its clusters are drawn.
 struct PlanView {
     glm::dvec4 light;
+    double range = std::numeric_limits<double>::infinity(); ///< of the light; see rangeInObject()
     glm::dvec3 eye;
     std::array<glm::dvec3, 4> nearest; ///< corners of the rectangle in the nearest near plane
     LightPyramid fromNear;             ///< from the slice's near plane to the light
@@ -47,7 +48,8 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
                   const glm::dmat4& worldFromBatch);
 
 /// Decides how each cluster is drawn, if at all. A pure function:
-/// - not at all where its volume, the cluster's box away from the light, certainly misses the view
+/// - not at all where it is out of the light's range, or its volume, the cluster's box away from
+/// the light, certainly misses the view
 ///   or begins behind everything visible;
 /// - without caps, before surfaces (z-pass), where no point of the near rectangle is within the
 ///   volume: the hull of rectangle and light is apart from all of the cluster's triangles. Casters

@@ -7,7 +7,7 @@ Renderers::Key Renderers::keyOf(const SideSettings& side) {
     const bool map = side.shadows == ShadowMethod::map;
     const bool volumes = side.shadows == ShadowMethod::volumes;
     return {side.shadows, map ? side.mapSize : 0,
-            volumes ? side.multiplicity : MultiplicityMethod::plane};
+            volumes ? side.multiplicity : MultiplicityMethod::plane, volumes ? side.maskScale : 1};
 }
 
 Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
@@ -17,6 +17,7 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
         settings.shadows = side.shadows;
         settings.multiplicity = side.multiplicity;
         settings.map.size = side.mapSize;
+        settings.maskScale = side.maskScale;
         renderer = std::make_unique<Renderer>(settings, capabilities_);
     }
     renderer->setAmbient(state.ambient);

@@ -27,7 +27,7 @@ class Renderers {
     std::size_t mapBytes() const;
 
   private:
-    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod>;
+    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int>;
     static Key keyOf(const SideSettings& side);
 
     RenderSettings base_;

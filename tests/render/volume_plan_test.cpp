@@ -295,4 +295,29 @@ TEST(VolumePlan, IsTheSameInTheSpaceOfAMovedNode) {
     EXPECT_TRUE(planFor(clusterAt({0, 0, 20}, 0.5), light, worldFromBatch).empty());
 }
 
+TEST(VolumePlan, ClustersOutOfALightsRangeAreLeftOut) {
+    const FrameView view = viewAlongZ();
+    const auto draws = [&](double range, const glm::dmat4& worldFromBatch = glm::dmat4(1.0)) {
+        const Light light{{0, 0, -10, 1}, range};
+        // 1, 4 and 9 away from the light, on the far side of it and to both sides.
+        const std::vector<ShadowCluster> clusters = {clusterAt({0, 0, -11.5}, 0.5),
+                                                     clusterAt({4.5, 0, -10}, 0.5),
+                                                     clusterAt({-9.5, 0, -20}, 0.5)};
+        std::uint32_t count = 0;
+        for (const VolumeDraw& draw :
+             planFor(clusters, planView(view, view.slices[0], light, worldFromBatch)))
+            count += draw.clusters.count;
+        return count;
+    };
+    EXPECT_EQ(draws(0.9), 0u);
+    EXPECT_EQ(draws(1.1), 1u);
+    EXPECT_EQ(draws(3.9), 1u);
+    EXPECT_EQ(draws(4.1), 2u);
+    EXPECT_EQ(draws(20.0), 3u);
+    EXPECT_EQ(draws(std::numeric_limits<double>::infinity()), 3u);
+    // Seen from a batch of twice the scale all is half as far from the light, which is at z = -5.
+    EXPECT_GT(draws(20.0, glm::dmat4(glm::dmat3(2.0))), 0u);
+    EXPECT_EQ(draws(5.0, glm::dmat4(glm::dmat3(2.0))), 0u);
+}
+
 } // namespace edgeshade
