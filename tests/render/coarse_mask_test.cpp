@@ -153,42 +153,41 @@ TEST(CoarseMask, GoesWithEverythingElse) {
                   {pointLight({3, 6, 2}), sun({-0.5, 1, 0.4}), pointLight({-2, 5, 3})},
                   width,
                   height};
-    view.depth.slices = 3;
-    for (const bool mask : {false, true})
-        for (const bool castMasked : {false, true}) {
-            view.mask = mask;
-            RenderSettings settings;
-            settings.layout = castMasked ? SidesLayout::notInstanced : SidesLayout::instanced;
-            const auto exact = test::drawScene(everything(), view, settings, castMasked);
-            std::vector<std::array<int, 4>> colors;
-            for (std::size_t i = 0; i < exact.size(); i += 4)
-                colors.push_back({exact[i], exact[i + 1], exact[i + 2], exact[i + 3]});
-            for (const int scale : {2, 4}) {
-                settings.maskScale = scale;
-                const auto drawn = test::drawScene(everything(), view, settings, castMasked);
-                int differ = 0, away = 0;
-                for (int y = 0; y < height; ++y)
-                    for (int x = 0; x < width; ++x) {
-                        bool same = true, edge = false;
-                        for (std::size_t c = 0; c < 4; ++c)
-                            same = same &&
-                                   std::abs(drawn[4 * at(x, y) + c] - exact[4 * at(x, y) + c]) <= 2;
-                        if (same) continue;
-                        ++differ;
-                        // Shading changes slowly but at boundaries.
-                        for (int ny = y - 2 * scale; ny <= y + 2 * scale; ++ny)
-                            for (int nx = x - 2 * scale; nx <= x + 2 * scale; ++nx)
-                                if (nx >= 0 && ny >= 0 && nx < width && ny < height)
-                                    for (std::size_t c = 0; c < 4; ++c)
-                                        edge = edge || std::abs(colors[at(nx, ny)][c] -
-                                                                colors[at(x, y)][c]) > 8;
-                        away += !edge;
-                    }
-                EXPECT_EQ(away, 0) << "mask " << mask << ", scale " << scale;
-                EXPECT_GT(differ, 0) << "nothing was coarse";
-                EXPECT_LT(differ, width * height / 20) << "mask " << mask << ", scale " << scale;
-            }
+    view.depth.slices = 2;
+    for (const auto& [mask, castMasked] : {std::pair(false, false), {false, true}, {true, false}}) {
+        view.mask = mask;
+        RenderSettings settings;
+        settings.layout = castMasked ? SidesLayout::notInstanced : SidesLayout::instanced;
+        const auto exact = test::drawScene(everything(), view, settings, castMasked);
+        std::vector<std::array<int, 4>> colors;
+        for (std::size_t i = 0; i < exact.size(); i += 4)
+            colors.push_back({exact[i], exact[i + 1], exact[i + 2], exact[i + 3]});
+        for (const int scale : {2, 4}) {
+            settings.maskScale = scale;
+            const auto drawn = test::drawScene(everything(), view, settings, castMasked);
+            int differ = 0, away = 0;
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    bool same = true, edge = false;
+                    for (std::size_t c = 0; c < 4; ++c)
+                        same = same &&
+                               std::abs(drawn[4 * at(x, y) + c] - exact[4 * at(x, y) + c]) <= 2;
+                    if (same) continue;
+                    ++differ;
+                    // Shading changes slowly but at boundaries.
+                    for (int ny = y - 2 * scale; ny <= y + 2 * scale; ++ny)
+                        for (int nx = x - 2 * scale; nx <= x + 2 * scale; ++nx)
+                            if (nx >= 0 && ny >= 0 && nx < width && ny < height)
+                                for (std::size_t c = 0; c < 4; ++c)
+                                    edge = edge || std::abs(colors[at(nx, ny)][c] -
+                                                            colors[at(x, y)][c]) > 8;
+                    away += !edge;
+                }
+            EXPECT_EQ(away, 0) << "mask " << mask << ", scale " << scale;
+            EXPECT_GT(differ, 0) << "nothing was coarse";
+            EXPECT_LT(differ, width * height / 20) << "mask " << mask << ", scale " << scale;
         }
+    }
 }
 
 TEST(CoarseMask, PictureAndMaskAgree) {
@@ -245,8 +244,13 @@ TEST(CoarseMask, DrawsIntoTheFramebufferThatIsBound) {
         plain = context.readPixels();
         EXPECT_GE(yard.renderer->maskBytes(), std::size_t{126} * 95 * 11);
     }
-    const gl::HeadlessContext context({width, height, 4});
-    Yard yard(context.capabilities(), 2);
+    std::optional<gl::HeadlessContext> sampled;
+    try {
+        sampled.emplace(gl::HeadlessContext::Request{width, height, 4});
+    } catch (const Error& error) {
+        GTEST_SKIP() << error.what();
+    }
+    Yard yard(sampled->capabilities(), 2);
     GLint before = 0, after = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
     yard.draw();
@@ -254,7 +258,7 @@ TEST(CoarseMask, DrawsIntoTheFramebufferThatIsBound) {
     EXPECT_EQ(before, after);
     EXPECT_NE(before, 0);
     // Samples change outlines alone.
-    EXPECT_LT(pixelsUnlike(plain, context.readPixels()), width * height / 15);
+    EXPECT_LT(pixelsUnlike(plain, sampled->readPixels()), width * height / 15);
 }
 
 TEST(CoarseMask, KeepsTheScissor) {
@@ -287,14 +291,17 @@ TEST(CoarseMask, NeedsDerivatives) {
     const std::string name = "GL_OES_standard_derivatives";
     ASSERT_NE(without.extensions.find(name), std::string::npos);
     without.extensions.replace(without.extensions.find(name), name.size(), "GL_none");
+    RenderSettings settings = coarse(2);
+    settings.layout = bestLayout(without);
     try {
-        const Renderer renderer(coarse(2), without);
+        const Renderer renderer(settings, without);
         FAIL() << "derivatives weren't missed";
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), ExitStatus::unavailable);
         EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
     }
-    const Renderer exact(coarse(1), without);
+    settings.maskScale = 1;
+    const Renderer exact(settings, without);
 }
 
 TEST(CoarseMask, DrawsOrRefusesWithoutPackedDepthAndStencil) {
