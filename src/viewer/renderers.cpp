@@ -25,12 +25,21 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
     return *renderer;
 }
 
-void Renderers::dropUnusedMaps(const ViewState& state) {
+void Renderers::dropUnusedTargets(const ViewState& state) {
     std::erase_if(renderers_, [&](const auto& entry) {
         const bool used =
             entry.first == keyOf(state.left) || (state.split && entry.first == keyOf(state.right));
-        return !used && std::get<ShadowMethod>(entry.first) == ShadowMethod::map;
+        const bool hasTargets =
+            entry.second && entry.second->mapBytes() + entry.second->maskBytes() > 0;
+        return !used && hasTargets;
     });
+}
+
+std::size_t Renderers::maskBytes() const {
+    std::size_t total = 0;
+    for (const auto& [key, renderer] : renderers_)
+        if (renderer) total += renderer->maskBytes();
+    return total;
 }
 
 std::size_t Renderers::mapBytes() const {

@@ -42,7 +42,7 @@ test('a light with a range, and volumes counted at lower resolutions, are the na
     await page.evaluate((changes) => document.querySelector('edgeshade-viewer').change(changes),
       { lights, left: { mask_scale: scale } });
     // A texel that the rasterisers see otherwise is several pixels.
-    await requireAlike(page, `mask scale ${scale}`, 100 * scale * scale, 0.003 * scale);
+    await requireAlike(page, `mask scale ${scale}`, 25 * scale * scale);
   }
   await shared.check(page);
 });
