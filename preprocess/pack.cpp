@@ -50,8 +50,17 @@ nlohmann::ordered_json toJson(const PackReport& report) {
 
 PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings) {
     Stopwatch watch;
+    GltfDocument document = readGltf(path);
+    const double readSeconds = watch.lap();
+    PackInput input = readForPacking(std::move(document), settings);
+    input.report.readSeconds += readSeconds;
+    return input;
+}
+
+PackInput readForPacking(GltfDocument document, const CasterSettings& settings) {
+    Stopwatch watch;
     PackInput input;
-    input.document = readGltf(path);
+    input.document = std::move(document);
     input.scene = flattenScene(input.document, settings.weldTolerance);
     PackReport& report = input.report;
     report.readSeconds = watch.lap();
@@ -65,7 +74,7 @@ PackInput readForPacking(const std::filesystem::path& path, const CasterSettings
     }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;
-    const auto fileBytes = std::filesystem::file_size(path, error);
+    const auto fileBytes = std::filesystem::file_size(input.document.path, error);
     report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
     report.warnings = input.scene.warnings.sentences();
     return input;

@@ -33,6 +33,9 @@ struct PackInput {
 /// read -> flatten -> weld -> edges -> count. Throws InputError.
 PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings);
 
+/// The same of a file that was read already; reading is not in its times.
+PackInput readForPacking(GltfDocument document, const CasterSettings& settings);
+
 /// ... -> pack. The packed file's bytes; completes `input.report`.
 Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings);
 

@@ -1,6 +1,6 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions, so
 // gl_Position is invariant and depends on nothing that a variant changes. Variants MAP and SLICED:
-// see surface.frag.
+// see surface.frag; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -28,6 +28,9 @@ varying float v_depth; // along the viewing direction
 #ifdef MAP
 varying vec3 v_mapPosition;
 #endif
+#ifdef PLANE
+varying vec3 v_clip;
+#endif
 
 void main() {
     vec3 p = (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
@@ -41,5 +44,8 @@ void main() {
     gl_Position = rasterizable(clipPosition(u_clipFromObject, vec4(a_position, 1.0)));
 #ifdef SLICED
     v_depth = gl_Position.w;
+#endif
+#ifdef PLANE
+    v_clip = gl_Position.xyw;
 #endif
 }

@@ -207,6 +207,7 @@ class Course {
                 std::for_each(group.begin(), group.end(), count);
         result.sideBytes += contender.renderer.proposalBytes();
         result.mapBytes = contender.renderer.mapBytes();
+        result.maskBytes = contender.renderer.maskBytes();
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());
         result.repeated =

@@ -45,9 +45,10 @@ struct Result {
     std::size_t sideBytes = 0;  ///< on the GPU, of shadows alone
     std::size_t capBytes = 0;
     std::size_t mapBytes = 0;
-    double repeated = 1.0; ///< time of the first frames, drawn again at the end, over theirs
+    std::size_t maskBytes = 0; ///< of masks of lower resolution
+    double repeated = 1.0;     ///< time of the first frames, drawn again at the end, over theirs
 
-    std::size_t bytes() const { return sideBytes + capBytes + mapBytes; }
+    std::size_t bytes() const { return sideBytes + capBytes + mapBytes + maskBytes; }
 };
 
 struct Report {

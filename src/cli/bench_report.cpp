@@ -63,7 +63,10 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
             {"vertex_runs", result.vertexRuns},
             {"bytes_gpu", result.bytes()},
             {"bytes",
-             {{"sides", result.sideBytes}, {"caps", result.capBytes}, {"maps", result.mapBytes}}},
+             {{"sides", result.sideBytes},
+              {"caps", result.capBytes},
+              {"maps", result.mapBytes},
+              {"masks", result.maskBytes}}},
             {"repeated", result.repeated}};
 }
 

@@ -10,11 +10,8 @@ lab::Contender contenderOf(const std::string& name, const DrawSettings& settings
     contender.settings = settings.render;
     contender.depthSlices = settings.depthSlices;
     contender.tuneMapBias = settings.render.shadows == ShadowMethod::map && !settings.hasMapBias();
-    // The best there is, where nothing was asked for: the studio falls back by itself.
-    contender.settings.layout =
-        settings.instancing == InstancingChoice::off         ? SidesLayout::notInstanced
-        : settings.instancing == InstancingChoice::multiDraw ? SidesLayout::multiDraw
-                                                             : SidesLayout::instanced;
+    if (settings.instancing != InstancingChoice::automatic)
+        contender.layout = layoutFor(settings.instancing, {});
     return contender;
 }
 

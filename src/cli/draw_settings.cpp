@@ -26,6 +26,8 @@ const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
 
+const Choices<int> maskScaleNames = {{"1", 1}, {"1/2", 2}, {"1/4", 4}};
+
 template <class Value>
 std::string nameIn(const Choices<Value>& names, Value value) {
     for (const auto& [name, candidate] : names)
@@ -62,6 +64,24 @@ void addMapOptions(CLI::App& verb, DrawSettings& settings) {
                  "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
         ->check(CLI::IsMember({1, 3, 5, 7}))
         ->type_name("N");
+}
+
+void addMaskScale(CLI::App& verb, DrawSettings& settings) {
+    verb.add_option_function<std::string>(
+            "--mask-scale",
+            [&settings](const std::string& text) {
+                for (const auto& [word, scale] : maskScaleNames)
+                    if (word == text) {
+                        settings.render.maskScale = scale;
+                        settings.volumeOptions.push_back("--mask-scale");
+                        return;
+                    }
+                throw CLI::ValidationError("--mask-scale", "'" + text + "' is none of " +
+                                                               wordsOf(maskScaleNames, ", "));
+            },
+            "Resolution at which volumes are counted, as a share of the picture's; less is faster "
+            "and less exact (1)")
+        ->type_name(wordsOf(maskScaleNames, "|"));
 }
 
 } // namespace
@@ -103,6 +123,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
             "Parts of the view by depth, each with a depth range of its own (auto: as many as "
             "pay)")
         ->type_name("N|auto");
+    addMaskScale(verb, settings);
     verb.add_option("--ambient", settings.render.ambient,
                     "Share of ambient light; the lights share the rest (0.35)")
         ->check(finite())
@@ -126,11 +147,15 @@ void resolve(DrawSettings& settings) {
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
+    if (settings.render.shadows != ShadowMethod::volumes && !settings.volumeOptions.empty())
+        throw Error(ExitStatus::usage,
+                    settings.volumeOptions.front() + " needs --shadows volumes.");
 }
 
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     DrawSettings settings = base;
     settings.mapOptions.clear();
+    settings.volumeOptions.clear();
     // Either of the two that is typed here says what the other one is.
     settings.multiplicity.reset();
     settings.layout.reset();
@@ -180,6 +205,8 @@ std::string shortName(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     std::string name = nameIn(shadowNames, render.shadows);
     if (render.shadows == ShadowMethod::map) name += " " + std::to_string(render.map.size);
+    if (render.shadows == ShadowMethod::volumes && render.maskScale > 1)
+        name += ", mask " + nameIn(maskScaleNames, render.maskScale);
     return name;
 }
 
@@ -194,6 +221,8 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},
         {"ambient", render.ambient}};
+    if (render.shadows == ShadowMethod::volumes)
+        json["mask-scale"] = nameIn(maskScaleNames, render.maskScale);
     if (render.shadows == ShadowMethod::map)
         json.update({{"map-size", render.map.size},
                      {"map-bias", render.map.biasTexels},

@@ -19,8 +19,9 @@ struct DrawSettings {
     std::optional<VolumeLayout> layout;             ///< likewise
     std::optional<SilhouetteChoice> silhouette;     ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
-    std::optional<int> depthSlices;      ///< nothing: as many as pay
-    std::vector<std::string> mapOptions; ///< those typed that only shadow maps have
+    std::optional<int> depthSlices;         ///< nothing: as many as pay
+    std::vector<std::string> mapOptions;    ///< those typed that only shadow maps have
+    std::vector<std::string> volumeOptions; ///< those that only shadow volumes have
 
     bool hasMapBias() const;
 };
@@ -40,7 +41,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
 /// The layout that the choice means in this context.
 SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities);
 
-/// What tells the settings apart at a glance: "volumes", "map 2048", "none".
+/// What tells the settings apart at a glance: "volumes", "volumes, mask 1/2", "map 2048", "none".
 std::string shortName(const DrawSettings& settings);
 
 /// The settings as report keys, by the options' names.

@@ -1,4 +1,5 @@
 #include "preprocess/pack.hpp"
+#include "preprocess/stopwatch.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
@@ -16,10 +17,14 @@ struct InfoOptions {
 };
 
 void info(const InfoOptions& options) {
-    const auto header = readShadowHeader(readGltf(options.input));
+    Stopwatch watch;
+    GltfDocument document = readGltf(options.input);
+    const auto header = readShadowHeader(document);
+    const double readSeconds = watch.lap();
     const CasterSettings settings =
         options.casters.wanted().value_or(header ? header->settings : CasterSettings());
-    const PackInput input = readForPacking(options.input, settings);
+    PackInput input = readForPacking(std::move(document), settings);
+    input.report.readSeconds += readSeconds;
     printWarnings(input.report.warnings);
     std::string text = summaryOf(input.report);
     text += std::string("\npacked                    ") +

@@ -115,6 +115,20 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
     };
     addLights("--light", 1.0, "A point light; may be repeated (a sun from above)");
     addLights("--sun", 0.0, "A directional light, the direction towards it; may be repeated");
+    // Not parsed before all lights are: theirs are.
+    verb.add_option_function<std::string>(
+            "--light-range",
+            [&](const std::string& text) {
+                const double range = numberFrom(text, "--light-range");
+                if (range <= 0.0)
+                    throw CLI::ValidationError("--light-range", "'" + text + "' is not above 0");
+                for (Light& light : options.lights)
+                    if (light.position.w != 0.0) light.range = range;
+            },
+            "How far the point lights reach, in scene units; what is farther away gets nothing of "
+            "them (everywhere)")
+        ->type_name("R")
+        ->needs(verb.get_option("--light"));
 }
 
 void addCasterOptions(CLI::App& verb, CasterOptions& options) {

@@ -82,8 +82,10 @@ void render(const RenderOptions& options) {
                 options.report);
 
     nlohmann::ordered_json lights = nlohmann::ordered_json::array();
-    for (const Light& light : view.lights)
+    for (const Light& light : view.lights) {
         lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
+        if (light.hasRange()) lights.back().push_back(light.range);
+    }
     nlohmann::ordered_json report = {
         {"size", {view.width, view.height}},
         {"camera",
@@ -95,7 +97,7 @@ void render(const RenderOptions& options) {
         {"settings", settingsJson(options.settings)},
         {"plan", planJson(view)},
         {"device", deviceJson(capabilities)},
-        {"bytes_gpu", scene.shadowBytes() + renderer.proposalBytes() + renderer.mapBytes()},
+        {"bytes_gpu", scene.shadowBytes() + renderer.bytes()},
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };

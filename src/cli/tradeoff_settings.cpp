@@ -14,6 +14,8 @@ std::vector<TradeSetting> tradeSettings(int largestMap) {
         {"two depth slices", "shadows=volumes,depth-slices=2"},
         {"published, a draw a side", "shadows=volumes,layout=published,instancing=multi-draw"},
         {"not instanced", "shadows=volumes,instancing=off"},
+        {"mask 1/2", "shadows=volumes,mask-scale=1/2"},
+        {"mask 1/4", "shadows=volumes,mask-scale=1/4"},
         {"no shadows", "shadows=none"},
     };
     for (const int pcf : {1, 3})

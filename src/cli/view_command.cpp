@@ -33,7 +33,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
     viewer::ViewState state;
     state.camera = request.camera;
     state.lights = request.lights;
-    state.left = {render.shadows, render.map.size, render.multiplicity};
+    state.left = {render.shadows, render.map.size, render.multiplicity, render.maskScale};
     state.ambient = render.ambient;
     const Json all = viewer::toJson(state);
     Json typed;

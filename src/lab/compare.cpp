@@ -31,9 +31,7 @@ class Studio {
         return context_.readPixels();
     }
 
-    SidesLayout layoutFor(SidesLayout wanted) const {
-        return context_.capabilities().instancing ? wanted : SidesLayout::notInstanced;
-    }
+    SidesLayout bestLayout() const { return edgeshade::bestLayout(context_.capabilities()); }
 
   private:
     const GpuScene& sceneFor(std::optional<VolumeRecords> records) {
@@ -165,7 +163,7 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
         CompareResult& result = results.emplace_back();
         result.name = contender.name;
         result.settings = contender.settings;
-        result.settings.layout = jury.studio().layoutFor(contender.settings.layout);
+        result.settings.layout = contender.layout.value_or(jury.studio().bestLayout());
         renderers.push_back(jury.studio().rendererFor(result.settings));
         if (contender.tuneMapBias) {
             progress(0.0, "tuning the bias of " + contender.name);

@@ -14,8 +14,9 @@ namespace edgeshade::lab {
 struct Contender {
     std::string name;
     RenderSettings settings;
-    std::optional<int> depthSlices; ///< nothing: as many as pay
-    bool tuneMapBias = false;       ///< maps: try several biases on the first views, keep the best
+    std::optional<SidesLayout> layout; ///< nothing: the best that the GL has
+    std::optional<int> depthSlices;    ///< nothing: as many as pay
+    bool tuneMapBias = false; ///< maps: try several biases on the first views, keep the best
 };
 
 /// What is compared.
@@ -31,7 +32,7 @@ struct CompareTask {
 /// What comparing one contender found.
 struct CompareResult {
     std::string name;
-    RenderSettings settings; ///< with the bias that was used
+    RenderSettings settings; ///< with the layout and the bias that were used
     std::size_t views = 0;
     WrongCounts counts;
     std::vector<WrongCounts> byView;

@@ -1,6 +1,7 @@
 #include "src/lab/exact_judge.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <optional>
 
 namespace edgeshade::lab {
@@ -121,6 +122,10 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
         const glm::dvec4 light = oracle.lightFromEye(i);
         const int lightSide =
             signOf(dot(surface.normal, Vector(glm::dvec3(light)) - Rational(light.w) * surface.a));
+        if (const double range = oracle.rangeOf(i); std::isfinite(range)) {
+            const Vector towards = Vector(glm::dvec3(light)) - Rational(light.w) * point;
+            if (dot(towards, towards) >= Rational(range) * Rational(range)) continue;
+        }
         if (lightSide == 0) verdict.coincident = true;
         const bool turnedAway = oracle.triangles()[own].casts && eyeSide * lightSide < 0;
         if (!turnedAway && !isBlocked(oracle, own, surface, point, roundedPoint, light))

@@ -190,6 +190,10 @@ glm::dvec4 Oracle::lightFromEye(std::size_t light) const {
     return {glm::dvec3(position) - question_.camera.from * position.w, position.w};
 }
 
+double Oracle::rangeOf(std::size_t light) const {
+    return question_.lights[light].hasRange() ? question_.lights[light].range : infinity;
+}
+
 bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
     const Material& material = question_.scene->materials[triangle.material];
     return material.alphaMode == AlphaMode::mask && alphaAt_(triangle, u, v) < material.alphaCutoff;
@@ -253,6 +257,11 @@ Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
         const double lightSide = glm::dot(normal, towards);
         const double reach = magnitude(glm::dvec3(light)) + magnitude(surface.a) * light.w;
         if (std::abs(lightSide) <= rounding * area * reach) checked.certain = false;
+        const double distance = glm::length(glm::dvec3(light) - point * light.w);
+        const double range = rangeOf(i);
+        if (std::abs(distance - range) <= pointError + rounding * magnitude(glm::dvec3(light)))
+            checked.certain = false;
+        if (distance >= range) continue;
         const bool turnedAway = surface.casts && eyeSide * lightSide < 0.0;
         if (!turnedAway && !isBlocked(hit.triangle, point, pointError, light, checked.certain))
             checked.answer.lit |= 1u << i;

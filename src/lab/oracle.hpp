@@ -42,7 +42,8 @@ using AlphaAt = std::function<float(const EyeTriangle&, double u, double v)>;
 
 /// Lit as in the method, section 7, by casting rays: Embree in robust mode finds what a ray may
 /// hit, double arithmetic decides. A surface never blocks itself, nor do triangles exactly in its
-/// plane; one seen from the side turned away from a light is not lit by it.
+/// plane; one seen from the side turned away from a light is not lit by it, nor is what is out of
+/// its range.
 class Oracle {
   public:
     /// Throws Error(unavailable) where the program was built without Embree.
@@ -88,6 +89,8 @@ class Oracle {
 
     /// The light relative to the eye, homogeneous.
     glm::dvec4 lightFromEye(std::size_t light) const;
+    /// Its range; infinite for suns.
+    double rangeOf(std::size_t light) const;
 
   private:
     struct Tree; ///< Embree's

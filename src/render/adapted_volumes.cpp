@@ -60,8 +60,7 @@ std::vector<std::string> joined(std::vector<std::string> words,
 }
 
 glm::vec2 rangeOf(Counted counted) {
-    return {counted == Counted::lightFacing ? 0.0f : -1.0f,
-            counted == Counted::facingAway ? 0.0f : 1.0f};
+    return counted == Counted::all ? glm::vec2(-1.0f, 1.0f) : glm::vec2(0.0f, 1.0f);
 }
 
 /// From the first cluster's first record to the last one's last.

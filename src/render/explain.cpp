@@ -24,9 +24,7 @@ std::size_t trianglesOf(const AdaptedShadow& shadow, const RecordRange& clusters
 const char* wordsFor(Counted counted) {
     switch (counted) {
     case Counted::lightFacing:
-        return "light-facing triangles alone: closed, and eye and light are apart as that needs";
-    case Counted::facingAway:
-        return "triangles facing away alone: closed, and the light is further within than the eye";
+        return "light-facing triangles alone: closed, and around eye and light alike";
     case Counted::all:
         break;
     }
@@ -50,8 +48,15 @@ const char* wordsFor(CapsNeeded caps) {
 }
 
 const char* wordsFor(LeftOut::Why why) {
-    return why == LeftOut::Why::outsideView ? "their volumes miss the view"
-                                            : "their volumes begin behind all that is visible";
+    switch (why) {
+    case LeftOut::Why::outsideView:
+        return "their volumes miss the view";
+    case LeftOut::Why::tooDeep:
+        return "their volumes begin behind all that is visible";
+    case LeftOut::Why::tooFar:
+        break;
+    }
+    return "they are out of the light's range";
 }
 
 } // namespace
@@ -64,6 +69,11 @@ std::string explain(const LightPlan& plan, const std::vector<PlacedShadow>& cast
         text << "batch " << plan.batches[i].batch << ": "
              << counted(shadow.caps.size(), "casting triangle") << " in "
              << counted(shadow.clusters.size(), "cluster") << "\n";
+        if (const auto& sealed = plan.batches[i].volumes.sealed) {
+            text << "  cluster " << *sealed << " is closed, with eye and light on different sides: "
+                 << "all that is visible is in its shadow, and no volumes are drawn\n";
+            continue;
+        }
         for (const VolumeDraw& draw : plan.batches[i].volumes.draws) {
             text << "  drawn: " << clustersOf(draw.clusters) << ", "
                  << counted(trianglesOf(shadow, draw.clusters), "triangle") << "; "

@@ -1,6 +1,7 @@
 #include "src/render/frame.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/gl/framebuffer_keeper.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
@@ -89,26 +90,42 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         caps_.emplace(settings.multiplicity, settings.layout, instancing);
     }
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
+    if (records && settings.maskScale > 1) coarse_.emplace(settings.maskScale, capabilities);
 }
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view,
                     const std::vector<GroupedShadow>& groups, StageClock* clock) {
     vertexRuns_ = 0;
     if (proposals_) proposals_->beginFrame();
+    glm::ivec2 counted(view.width, view.height);
+    if (coarse_) {
+        const gl::FramebufferKeeper keeper;
+        coarse_->fit(view.width, view.height);
+        counted = coarse_->size();
+    }
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
     const std::size_t lights = view.mask ? 1 : view.lights.size();
+    const gl::PixelRectangle open = gl::scissored(view.width, view.height);
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
-        const Pass pass{scene, view, view.slices[s], s == 0, clock};
+        const Pass pass{scene, view, view.slices[s], s == 0, clock, counted};
         drawDepthAndAmbient(pass);
+        std::vector<gl::PixelRectangle> reaches(lights); // empty: nothing to draw
+        gl::PixelRectangle reach;
         for (std::size_t i = 0; i < lights; ++i) {
             if ((view.drawnLights >> i & 1u) == 0) continue;
+            reaches[i] = gl::intersection(open, lightReach(view, pass.slice, view.lights[i]));
+            reach = gl::united(reach, reaches[i]);
+        }
+        if (coarse_ && !reach.empty()) drawCoarseSurfaces(pass, reach);
+        for (std::size_t i = 0; i < lights; ++i) {
+            if (reaches[i].empty()) continue;
             const bool grouped = i < groups.size() && !groups[i].empty() &&
                                  settings_.shadows == ShadowMethod::volumes;
-            drawShadowedLight(pass, i, grouped ? &groups[i] : nullptr);
-            marked = marked || grouped;
+            drawShadowedLight(pass, i, grouped ? &groups[i] : nullptr, reaches[i]);
+            marked = marked || (grouped && !coarse_);
         }
         if (!view.mask && view.drawBlended) drawBlended(pass);
     }
@@ -148,27 +165,45 @@ void Renderer::drawDepthAndAmbient(const Pass& pass) {
     drawSurfaces(pass, shading);
 }
 
+/// Depth and planes of what is visible, for the masks of all lights.
+void Renderer::drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& reach) {
+    const StageScope stage(pass.clock, FrameStage::volumes);
+    const gl::FramebufferKeeper keeper;
+    coarse_->bindSurfaces();
+    const gl::ScissorScope cut(scaledReach(reach, pass.view, coarse_->size()));
+    glDisable(GL_DITHER); // the bytes are no colour
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const PlaneSpace planes = coarse_->space(pass.view, pass.slice);
+    SurfaceShading shading;
+    shading.planes = &planes;
+    shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
+    drawSurfaces(pass, shading);
+    glEnable(GL_DITHER);
+    glViewport(0, 0, pass.view.width, pass.view.height);
+    for (const GpuBatch& batch : pass.scene.batches)
+        for (const SurfaceChunk& chunk : batch.surfaces)
+            if (!batch.hidden && pass.scene.materials[chunk.material].alphaMode != AlphaMode::blend)
+                vertexRuns_ += static_cast<std::size_t>(chunk.indexCount);
+}
+
 void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
-                                 const GroupedShadow* groups) {
+                                 const GroupedShadow* groups, const gl::PixelRectangle& reach) {
     const Light& light = pass.view.lights[lightIndex];
+    std::optional<gl::ScissorScope> cut;
+    if (light.hasRange()) cut.emplace(reach);
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
-    if (groups) {
-        mark_.clear();
-        for (const auto& group : *groups) {
-            drawVolumes(pass, lightIndex,
-                        [&](std::size_t b) -> const BatchVolumes& { return group[b]; });
-            mark_.markCounted();
-        }
-    } else if (settings_.shadows == ShadowMethod::volumes) {
-        drawVolumes(pass, lightIndex, [&](std::size_t b) -> const BatchVolumes& {
-            return pass.scene.batches[b].volumes;
-        });
-    }
+    const bool sealed = settings_.shadows == ShadowMethod::volumes &&
+                        !countAndMark(pass, lightIndex, groups, reach);
+    if (sealed) return;
 
     const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
-    if (groups) {
+    if (coarse_) {
+        glDisable(GL_STENCIL_TEST);
+        glBlendFunc(GL_ONE, GL_ONE);
+    } else if (groups) {
         // What a group has shaded has alpha 0 and takes no light.
         glDisable(GL_STENCIL_TEST);
         glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
@@ -181,7 +216,35 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
     glDisable(GL_STENCIL_TEST);
 }
 
-void Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf) {
+/// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.
+/// False if that is certainly everything.
+bool Renderer::countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
+                            const gl::PixelRectangle& reach) {
+    std::optional<gl::FramebufferKeeper> keeper;
+    std::optional<gl::ScissorScope> cut;
+    if (coarse_) {
+        keeper.emplace();
+        coarse_->bindCounts();
+        cut.emplace(scaledReach(reach, pass.view, coarse_->size()));
+    }
+    bool open = true;
+    const bool marks = groups || coarse_;
+    if (marks) mark_.clear();
+    const auto count = [&](const VolumesOfBatch& volumesOf) {
+        open = drawVolumes(pass, light, volumesOf) && open;
+        if (marks) mark_.markCounted();
+    };
+    if (groups) {
+        for (const auto& group : *groups)
+            count([&](std::size_t b) -> const BatchVolumes& { return group[b]; });
+    } else {
+        count([&](std::size_t b) -> const BatchVolumes& { return pass.scene.batches[b].volumes; });
+    }
+    if (coarse_) glViewport(0, 0, pass.view.width, pass.view.height);
+    return open;
+}
+
+bool Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -193,19 +256,21 @@ void Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfB
         const StageScope stage(pass.clock, FrameStage::silhouette);
         glViewport(0, 0, 1, 1);
         countVolumes(pass, light, volumesOf);
-        glViewport(0, 0, pass.view.width, pass.view.height);
+        glViewport(0, 0, pass.counted.x, pass.counted.y);
     }
     const StageScope stage(pass.clock, FrameStage::volumes);
-    vertexRuns_ += countVolumes(pass, light, volumesOf);
+    const VolumeCount count = countVolumes(pass, light, volumesOf);
+    vertexRuns_ += count.vertexRuns;
+    return !count.sealed;
 }
 
-std::size_t Renderer::countVolumes(const Pass& pass, std::size_t light,
-                                   const VolumesOfBatch& volumesOf) {
+Renderer::VolumeCount Renderer::countVolumes(const Pass& pass, std::size_t light,
+                                             const VolumesOfBatch& volumesOf) {
     return adapted_ ? countAdapted(pass, light, volumesOf) : countPublished(pass, light, volumesOf);
 }
 
-std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
-                                   const VolumesOfBatch& volumesOf) {
+Renderer::VolumeCount Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
+                                             const VolumesOfBatch& volumesOf) {
     const Light& light = pass.view.lights[lightIndex];
     std::vector<PlacedShadow> casters;
     for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
@@ -214,7 +279,8 @@ std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
             casters.push_back({i, volumesOf(i).adapted->shadow().get(), batch.worldFromBatch});
     }
     const LightPlan plan = planLight(casters, pass.view, pass.slice, light, mantissaBits_);
-    clearStencil(plan.start());
+    clearStencil(plan.sealed() ? 1 : plan.start());
+    if (plan.sealed()) return {0, true};
     std::size_t runs = 0;
     for (const auto& [index, planned, volumes] : plan.batches) {
         const GpuBatch& batch = pass.scene.batches[index];
@@ -234,11 +300,11 @@ std::size_t Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
         runs += edgeshade::vertexRuns(*buffers.shadow(), proposed, volumes.draws,
                                       pass.scene.materials, light.position.w == 0.0);
     }
-    return runs;
+    return {runs, false};
 }
 
-std::size_t Renderer::countPublished(const Pass& pass, std::size_t lightIndex,
-                                     const VolumesOfBatch& volumesOf) {
+Renderer::VolumeCount Renderer::countPublished(const Pass& pass, std::size_t lightIndex,
+                                               const VolumesOfBatch& volumesOf) {
     const Light& light = pass.view.lights[lightIndex];
     clearStencil(0);
     std::size_t runs = 0;
@@ -255,7 +321,7 @@ std::size_t Renderer::countPublished(const Pass& pass, std::size_t lightIndex,
                     batchView.clipFromObject, nearDiscard);
         runs += shadow.vertexRuns(pass.scene.materials);
     }
-    return runs;
+    return {runs, false};
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
@@ -278,6 +344,11 @@ void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLook
     shading.maskValue = 1.0f;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     shading.map = map;
+    CoarseMaskLookup mask;
+    if (coarse_) {
+        mask = coarse_->lookup(pass.view, pass.slice, light);
+        shading.coarse = &mask;
+    }
     drawSurfaces(pass, shading, map);
 }
 
@@ -324,7 +395,7 @@ void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
     SurfaceShading shading;
     shading.mask = true;
     const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
-    drawSurfaces({scene, view, whole, false, nullptr}, shading);
+    drawSurfaces({scene, view, whole, false}, shading);
 }
 
 } // namespace edgeshade

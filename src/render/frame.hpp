@@ -3,8 +3,10 @@
 #include "src/gl/capabilities.hpp"
 #include "src/render/adapted_volumes.hpp"
 #include "src/render/caps_pass.hpp"
+#include "src/render/coarse_mask.hpp"
 #include "src/render/frame_view.hpp"
 #include "src/render/light_plan.hpp"
+#include "src/render/light_reach.hpp"
 #include "src/render/proposals.hpp"
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
@@ -32,6 +34,7 @@ struct RenderSettings {
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of adapted records
     SidesLayout layout = SidesLayout::instanced;
     ShadowMapSettings map; ///< where shadows are maps
+    int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
@@ -51,15 +54,25 @@ struct RenderSettings {
 /// draw over the surfaces that they hold. Where more volumes may lie around a point than the
 /// stencil counts, casters come in groups (GroupedShadow), and the picture's alpha remembers what
 /// any group has shaded. Draws into the current framebuffer, which needs a stencil and alpha.
+///
+/// Lights with a range are counted and drawn within the part of the picture that they reach, if
+/// any.
+///
+/// With a mask scale volumes are counted in a smaller framebuffer of the renderer's own, from which
+/// the lit pass looks up what its surface has. Depth slices and groups of casters are the same
+/// there. A fragment is lit or not as a whole: with samples outlines are smooth, and boundaries of
+/// shadows within a surface are not.
 class Renderer {
   public:
-    /// Throws Error(unavailable) if the layout needs instancing and there is none, or the GL's
-    /// largest texture is smaller than a shadow map.
+    /// Throws Error(unavailable) if the layout needs instancing and there is none, the GL's largest
+    /// texture is smaller than a shadow map, or a mask scale needs derivatives in shaders and there
+    /// are none.
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
     /// `groups`: for each light of the view its casters in groups, where view.layers asks for
     /// them, else empty; an empty vector where no light needs any. `clock`, which may be null, is
-    /// told of the stages.
+    /// told of the stages. Throws Error(unavailable) if the GL can't draw masks of lower
+    /// resolution.
     void draw(const GpuScene& scene, const FrameView& view,
               const std::vector<GroupedShadow>& groups = {}, StageClock* clock = nullptr);
 
@@ -80,7 +93,14 @@ class Renderer {
     /// Lists of records that were proposed since the beginning.
     std::size_t proposalsMade() const { return proposals_ ? proposals_->made() : 0; }
 
-    /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame.
+    /// Memory of the framebuffers for masks of lower resolution.
+    std::size_t maskBytes() const { return coarse_ ? coarse_->bytes() : 0; }
+
+    /// All memory on the GPU that it holds.
+    std::size_t bytes() const { return mapBytes() + proposalBytes() + maskBytes(); }
+
+    /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
+    /// those of surfaces that a mask of lower resolution is made for.
     std::size_t vertexRuns() const { return vertexRuns_; }
 
   private:
@@ -91,16 +111,28 @@ class Renderer {
         const DepthSlice& slice;
         bool first; ///< the farthest slice, which clears the picture
         StageClock* clock = nullptr;
+        glm::ivec2 counted{0}; ///< size of the framebuffer that volumes are counted in
     };
     using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
 
     void drawDepthAndAmbient(const Pass& pass);
-    void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups);
-    void drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    /// These clear the stencil first, and return how many vertices they sent through shaders.
-    std::size_t countVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    std::size_t countAdapted(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    std::size_t countPublished(const Pass& pass, std::size_t light,
+    /// What counting volumes came to.
+    struct VolumeCount {
+        std::size_t vertexRuns = 0;
+        bool sealed = false; ///< everything visible is in shadow
+    };
+
+    void drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& reach);
+    void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups,
+                           const gl::PixelRectangle& reach);
+    /// These two return whether anything may be lit.
+    bool countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
+                      const gl::PixelRectangle& reach);
+    bool drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
+    /// These clear the stencil first.
+    VolumeCount countVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
+    VolumeCount countAdapted(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
+    VolumeCount countPublished(const Pass& pass, std::size_t light,
                                const VolumesOfBatch& volumesOf);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
@@ -118,6 +150,7 @@ class Renderer {
     std::optional<CapsPass> caps_;          ///< likewise
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
+    std::optional<CoarseMask> coarse_;  ///< where volumes are counted at a lower resolution
     std::size_t vertexRuns_ = 0;        ///< of the last frame
 };
 

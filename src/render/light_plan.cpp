@@ -1,5 +1,7 @@
 #include "src/render/light_plan.hpp"
 
+#include <algorithm>
+
 namespace edgeshade {
 
 int LightPlan::start() const {
@@ -7,6 +9,11 @@ int LightPlan::start() const {
     for (const Batch& batch : batches)
         sum += batch.volumes.start();
     return sum;
+}
+
+bool LightPlan::sealed() const {
+    return std::any_of(batches.begin(), batches.end(),
+                       [](const Batch& batch) { return batch.volumes.sealed.has_value(); });
 }
 
 LightPlan planLight(const std::vector<PlacedShadow>& casters, const FrameView& view,

@@ -25,6 +25,9 @@ struct LightPlan {
 
     /// The stencil's count before any volume is drawn.
     int start() const;
+
+    /// Whether something seals the eye off from the light, so that everything visible is in shadow.
+    bool sealed() const;
 };
 
 /// A pure function of scene, light and camera: needs no GL. `mantissaBits`: of the vertex shader's

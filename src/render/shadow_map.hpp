@@ -29,7 +29,6 @@ struct ShadowMapLookup {
     float step = 0.0f;  ///< from texel to texel in the map; for a cube at distance 1
     float texel = 0.0f; ///< the same as a length in the world
     float biasTexels = 0.0f;
-    bool masksCast = false; ///< MASK and BLEND surfaces are casters too
 };
 
 } // namespace edgeshade

@@ -2,6 +2,7 @@
 
 #include "preprocess/error.hpp"
 #include "shaders_es2.hpp"
+#include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/attributes.hpp"
 
 #include <algorithm>
@@ -19,26 +20,6 @@ bool hasSurfaces(const GpuScene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(),
                        [](const GpuBatch& batch) { return !batch.surfaces.empty(); });
 }
-
-/// The framebuffer that was bound is bound again, whatever happens in between; so is the scissor,
-/// which cuts the picture and not the map.
-class FramebufferKeeper {
-  public:
-    FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
-        glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name_);
-        glDisable(GL_SCISSOR_TEST);
-    }
-    ~FramebufferKeeper() {
-        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(name_));
-        if (scissor_) glEnable(GL_SCISSOR_TEST);
-    }
-    FramebufferKeeper(const FramebufferKeeper&) = delete;
-    FramebufferKeeper& operator=(const FramebufferKeeper&) = delete;
-
-  private:
-    GLint name_ = 0;
-    bool scissor_;
-};
 
 } // namespace
 
@@ -74,7 +55,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
     if (bounds.empty() && hasSurfaces(scene))
         throw Error(ExitStatus::unavailable,
                     "A shadow map needs the scene's bounds, and this view has none.");
-    const FramebufferKeeper keeper;
+    const gl::FramebufferKeeper keeper;
     const ShadowMapKind kind = light.position.w == 0.0 ? ShadowMapKind::sun
                                : settings_.facesApart  ? ShadowMapKind::pointApart
                                                        : ShadowMapKind::point;
@@ -93,13 +74,12 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
             view.mapFromWorld,
             static_cast<float>(view.step),
             static_cast<float>(view.texel),
-            settings_.biasTexels,
-            masksCast};
+            settings_.biasTexels};
 }
 
 ShadowMapPass::Subject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds,
                                                 const Light& light) {
-    Subject subject{scene.identity, light.position, bounds.low, bounds.high, {}};
+    Subject subject{scene.identity, light.position, light.range, bounds.low, bounds.high, {}};
     for (const GpuBatch& batch : scene.batches)
         subject.batches.emplace_back(batch.worldFromBatch, batch.hidden);
     return subject;

@@ -42,6 +42,7 @@ class ShadowMapPass {
     struct Subject {
         std::shared_ptr<const int> scene; ///< GpuScene::identity; held, so that it stays unique
         glm::dvec4 light{0.0};
+        double range = 0.0;                               ///< the light's
         glm::dvec3 low{0.0}, high{0.0};                   ///< bounds
         std::vector<std::pair<glm::dmat4, bool>> batches; ///< worldFromBatch, hidden
 

@@ -40,8 +40,16 @@ bool sees(const CubeFace& face, const std::array<glm::dvec3, 8>& offsets) {
     return true;
 }
 
-ShadowMapView pointView(const glm::dvec3& light, const Box& bounds,
+/// What of the bounds the light may reach: empty where nothing.
+Box reached(const Box& bounds, const glm::dvec3& light, double range) {
+    return {glm::max(bounds.low, light - range), glm::min(bounds.high, light + range)};
+}
+
+ShadowMapView pointView(const glm::dvec3& light, const Box& sceneBounds, double lightRange,
                         const ShadowMapSettings& settings, int depthBits) {
+    Box bounds = reached(sceneBounds, light, lightRange);
+    const bool apart = glm::any(glm::greaterThan(bounds.low, bounds.high));
+    if (apart) bounds = sceneBounds;
     std::array<glm::dvec3, 8> offsets = cornersOf(bounds);
     double farthest = 0.0;
     for (glm::dvec3& offset : offsets) {
@@ -64,7 +72,7 @@ ShadowMapView pointView(const glm::dvec3& light, const Box& bounds,
     for (const CubeFace& face : cubeFaces)
         view.faces.push_back(
             {fromRows({face.s, 0.0}, {face.t, 0.0}, {face.axis, -2.0 * near}, {face.axis, 0.0}),
-             sees(face, offsets)});
+             !apart && sees(face, offsets)});
     view.step = 2.0 / settings.size;
     view.texel = view.step * range;
     return view;
@@ -115,7 +123,7 @@ ShadowMapView shadowMapView(const Light& light, const Box& bounds,
     const glm::dvec3 position(light.position);
     return light.position.w == 0.0
                ? sunView(position, bounds, settings)
-               : pointView(position / light.position.w, bounds, settings, depthBits);
+               : pointView(position / light.position.w, bounds, light.range, settings, depthBits);
 }
 
 } // namespace edgeshade

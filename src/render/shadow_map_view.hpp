@@ -26,8 +26,9 @@ struct ShadowMapView {
     double texel = 0.0;
 };
 
-/// The view for a light and the scene's bounds, which must not be empty. `depthBits`: of the buffer
-/// that finds each texel's nearest caster.
+/// The view for a light and the scene's bounds, which must not be empty; of what a light with a
+/// range doesn't reach nothing is seen. `depthBits`: of the buffer that finds each texel's nearest
+/// caster.
 ShadowMapView shadowMapView(const Light& light, const Box& bounds,
                             const ShadowMapSettings& settings, int depthBits);
 

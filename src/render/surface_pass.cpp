@@ -18,6 +18,8 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
     if (light.w == 0.0)
         fromEye /= std::max({std::abs(fromEye.x), std::abs(fromEye.y), std::abs(fromEye.z)});
     program.set("u_light", glm::vec4(fromEye, light.w));
+    program.set("u_inverseRange",
+                shading.light.hasRange() ? static_cast<float>(1.0 / shading.light.range) : 0.0f);
     program.set("u_ambient", shading.ambient);
     program.set("u_diffuse", shading.diffuse);
     program.set("u_mask", shading.mask ? 1.0f : 0.0f);
@@ -43,6 +45,27 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
     program.set("u_casts", casts ? 1.0f : 0.0f);
 }
 
+void setPlaneSpace(gl::Program& program, const PlaneSpace& space) {
+    program.set("u_tangents", space.tangents);
+    program.set("u_focal", space.focal);
+    program.set("u_near", space.near);
+}
+
+void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool casts) {
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, mask.surface);
+    program.setSampler("u_coarseSurface", 1);
+    glActiveTexture(GL_TEXTURE2);
+    glBindTexture(GL_TEXTURE_2D, mask.lit);
+    program.setSampler("u_coarseLit", 2);
+    setPlaneSpace(program, mask.space);
+    program.set("u_coarseSize", mask.size);
+    program.set("u_coarseTexel", mask.texel);
+    program.set("u_coarseSlack", mask.slack);
+    program.set("u_coarseLight", mask.light);
+    program.set("u_casts", casts ? 1.0f : 0.0f);
+}
+
 } // namespace
 
 gl::Program& SurfacePass::program(const Variant& variant) {
@@ -58,9 +81,13 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         if (*variant.map == ShadowMapKind::sun) defines.push_back("MAP_SUN");
         if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
     }
+    if (variant.coarse) defines.push_back("COARSE_MASK");
+    if (variant.coarse || variant.planes) defines.push_back("PLANE");
     return programs_
-        .emplace(variant, gl::Program(shaders::surface_vert, shaders::surface_frag, defines,
-                                      {"a_position", "a_normal", "a_texcoord", "a_color"}))
+        .emplace(variant,
+                 gl::Program(shaders::surface_vert,
+                             variant.planes ? shaders::coarse_surface_frag : shaders::surface_frag,
+                             defines, {"a_position", "a_normal", "a_texcoord", "a_color"}))
         .first->second;
 }
 
@@ -74,14 +101,15 @@ void SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, const Batch
 void SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                             const glm::dvec3& eye, const SurfaceShading& shading) {
     const Material& material = scene.materials[chunk.material];
-    const bool casts =
-        material.alphaMode == AlphaMode::opaque || (shading.map && shading.map->masksCast);
-    gl::Program& variant =
-        program({material.alphaMode, shading.map ? std::optional(shading.map->kind) : std::nullopt,
-                 std::isfinite(shading.farthest)});
+    const bool casts = material.alphaMode == AlphaMode::opaque || scene.castMasked;
+    gl::Program& variant = program(
+        {material.alphaMode, shading.map ? std::optional(shading.map->kind) : std::nullopt,
+         std::isfinite(shading.farthest), shading.coarse != nullptr, shading.planes != nullptr});
     variant.use();
     setShading(variant, shading, eye);
     if (shading.map) setMap(variant, *shading.map, view, casts);
+    if (shading.coarse) setCoarseMask(variant, *shading.coarse, casts);
+    if (shading.planes) setPlaneSpace(variant, *shading.planes);
     variant.set("u_clipFromObject", view.clipFromObject);
     variant.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);
     variant.set("u_normalFromObject", view.normalFromObject);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/gl/program.hpp"
+#include "src/render/coarse_mask.hpp"
 #include "src/render/shadow_map.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/light.hpp"
@@ -21,7 +22,10 @@ struct SurfaceShading {
     bool mask = false;
     float maskValue = 0.0f;
     float farthest = std::numeric_limits<float>::infinity(); ///< what is deeper is not drawn
-    const ShadowMapLookup* map = nullptr; ///< the light's shadow map; null: lit everywhere
+    /// The light's shadow map, or its mask of lower resolution; both null: lit everywhere.
+    const ShadowMapLookup* map = nullptr;
+    const CoarseMaskLookup* coarse = nullptr;
+    const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
 };
 
 /// Where a camera sees a batch from, in the forms that shaders need; doubles rounded once.
@@ -52,10 +56,12 @@ class SurfacePass {
         AlphaMode alphaMode;
         std::optional<ShadowMapKind> map;
         bool sliced; ///< has a farthest depth
+        bool coarse; ///< looks up a mask of lower resolution
+        bool planes; ///< draws what such a mask stores of surfaces
 
         bool operator<(const Variant& other) const {
-            return std::tie(alphaMode, map, sliced) <
-                   std::tie(other.alphaMode, other.map, other.sliced);
+            return std::tie(alphaMode, map, sliced, coarse, planes) <
+                   std::tie(other.alphaMode, other.map, other.sliced, other.coarse, other.planes);
         }
     };
     gl::Program& program(const Variant& variant);

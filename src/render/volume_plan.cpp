@@ -1,5 +1,7 @@
 #include "src/render/volume_plan.hpp"
 
+#include "src/render/light_reach.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,9 +88,10 @@ bool mayMeet(const LightPyramid& pyramid, const ShadowCluster& cluster,
 
 /// How the cluster's triangles count, by winding numbers at eye and light (method, section 6.4).
 /// They are 0 outside of its bounds; else their difference is told by the triangles on the way from
-/// near rectangle to light, `touched`.
-Counted countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view,
-                  const Touched& touched) {
+/// near rectangle to light, `touched`. Nothing where that is not 0: everything visible is in its
+/// shadow.
+std::optional<Counted> countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow,
+                                 const PlanView& view, const Touched& touched) {
     if (!cluster.closed || mayMeet(view.beforeNearest, cluster, shadow)) return Counted::all;
     if (touched.caps.empty() || areOutside(cluster, view)) return Counted::lightFacing;
     if (touched.tooMany) return Counted::all;
@@ -98,19 +101,8 @@ Counted countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, con
     // crossed outwards less what inwards.
     const bool sumTells = cluster.components == 1 || layers->outwards == 0 || layers->inwards == 0;
     if (!sumTells) return Counted::all;
-    return layers->outwards >= layers->inwards ? Counted::lightFacing : Counted::facingAway;
-}
-
-int countOf(const Layers& layers, Counted counted) {
-    switch (counted) {
-    case Counted::lightFacing:
-        return layers.lightFacing;
-    case Counted::facingAway:
-        return layers.facingAway;
-    case Counted::all:
-        break;
-    }
-    return layers.all();
+    if (layers->outwards != layers->inwards) return std::nullopt;
+    return Counted::lightFacing;
 }
 
 /// Whether the cluster needs caps, and where not the count at which the whole near rectangle
@@ -138,7 +130,7 @@ void decideCaps(const ShadowCluster& cluster, const AdaptedShadow& shadow, const
     const auto layers = layersFromSomePoint(view.fromNear, touched.caps, shadow, view.rounding);
     if (!layers) return;
     draw.caps = CapsNeeded::no;
-    draw.start = countOf(*layers, draw.counted);
+    draw.start = draw.counted == Counted::all ? layers->all() : layers->lightFacing;
 }
 
 /// Adds a plane if the light is on its inside, where dot(plane, (p, 1)) > 0.
@@ -170,6 +162,7 @@ std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanV
     for (std::size_t i = 0; i < view.planes.size(); ++i)
         if (isVolumeOutside(cluster.bounds, view.planes[i], view.light))
             return i + 1 == view.planes.size() ? LeftOut::Why::tooDeep : LeftOut::Why::outsideView;
+    if (isBeyond(cluster.bounds, glm::dvec3(view.light), view.range)) return LeftOut::Why::tooFar;
     return std::nullopt;
 }
 
@@ -199,6 +192,7 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     PlanView result;
     result.rounding = dotRounding(mantissaBits);
     result.light = glm::inverse(worldFromBatch) * light.position;
+    if (light.hasRange()) result.range = rangeInObject(light.range, worldFromBatch);
     result.eye = glm::dvec3(batchFromView[3]);
     result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
     result.fromNearest = {rectangleAt(view.near(), view, batchFromView), result.light};
@@ -247,9 +241,15 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         const Touched touched = capsTouching(view.fromNear, cluster, shadow);
         VolumeDraw draw;
         draw.clusters = {i, 1};
-        draw.counted =
+        const auto counted =
             countedOf(cluster, shadow, view,
                       oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow));
+        if (!counted) {
+            VolumePlan sealed;
+            sealed.sealed = i;
+            return sealed;
+        }
+        draw.counted = *counted;
         decideCaps(cluster, shadow, view, touched, draw);
         if (!draw.zFail()) draw.end = endFor(cluster.bounds, view);
         const bool inView =

@@ -12,10 +12,8 @@ namespace edgeshade {
 
 /// Which triangles of a cluster cast (method, section 6.4).
 enum class Counted {
-    all, ///< every triangle: always right
-    // Of a closed cluster, whose winding number is, at the eye,
-    lightFacing, ///< no smaller than at the light
-    facingAway,  ///< no larger than at the light
+    all,         ///< every triangle: always right
+    lightFacing, ///< of a closed cluster around which eye and light have the same winding numbers
 };
 
 /// Why volumes are drawn with caps and counted behind surfaces (z-fail).
@@ -49,6 +47,7 @@ struct LeftOut {
     enum class Why {
         outsideView, ///< their volumes miss it
         tooDeep,     ///< they begin behind everything that is visible
+        tooFar,      ///< out of the light's range
     };
     RecordRange clusters;
     Why why = Why::outsideView;
@@ -58,6 +57,9 @@ struct LeftOut {
 struct VolumePlan {
     std::vector<VolumeDraw> draws; ///< in the order of clusters; as are those left out
     std::vector<LeftOut> leftOut;
+    /// A closed cluster with the eye on one side of it and the light on the other: everything
+    /// visible is in its shadow, and nothing need be drawn.
+    std::optional<std::uint32_t> sealed;
 
     /// The stencil's count before any of it is drawn: volumes that the near rectangle is in.
     int start() const;
@@ -66,6 +68,7 @@ struct VolumePlan {
 /// Light and view in a batch's space: all that decides how its clusters are drawn.
 struct PlanView {
     glm::dvec4 light;
+    double range = std::numeric_limits<double>::infinity(); ///< of the light; see rangeInObject()
     glm::dvec3 eye;
     LightPyramid fromNear;      ///< from the slice's near plane to the light
     LightPyramid fromNearest;   ///< from the nearest near plane to the light
@@ -88,16 +91,17 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
 glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
 
 /// Decides how each cluster is drawn, if at all. A pure function:
-/// - not at all where its volume, the cluster's box away from the light, certainly misses the view
+/// - not at all where it is out of the light's range, or its volume, the cluster's box away from
+/// the light, certainly misses the view
 ///   or begins behind everything visible;
 /// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
 ///   same number of its volumes: none where the hull of rectangle and light is apart from all of
 ///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.
 ///   Casters with holes always get caps, since the eye sees volumes through them. Such volumes end
 ///   at a plane beyond everything visible, where there is one for all of the cluster;
-/// - triangles of one facing alone where the cluster is closed, no triangle of it is between the
-/// eye
-///   and the nearest near plane, and the winding numbers of eye and light are known to allow it.
+/// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
+///   and the nearest near plane, and eye and light have the same winding numbers (method, section
+///   6.4). Where these certainly differ, the cluster seals the eye off from the light.
 VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade

@@ -54,7 +54,8 @@ LightDrag::LightDrag(const LightHandles& handles, const Light& light, const Pict
 Light LightDrag::movedTo(const glm::dvec2& pixel, const Light& light, const PictureView& view) {
     const glm::dvec2 handle = pixel + hold_;
     if (light.position.w != 0.0)
-        return {glm::dvec4(view.pointAt(handle, view.depthOf(glm::dvec3(light.position))), 1.0)};
+        return {glm::dvec4(view.pointAt(handle, view.depthOf(glm::dvec3(light.position))), 1.0),
+                light.range};
 
     const Ray ray = view.rayThrough(handle);
     const glm::dvec3 toMiddle = handles_.middle() - ray.from;

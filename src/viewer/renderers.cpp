@@ -7,7 +7,7 @@ Renderers::Key Renderers::keyOf(const SideSettings& side) {
     const bool map = side.shadows == ShadowMethod::map;
     const bool volumes = side.shadows == ShadowMethod::volumes;
     return {side.shadows, map ? side.mapSize : 0,
-            volumes ? side.multiplicity : MultiplicityMethod::plane};
+            volumes ? side.multiplicity : MultiplicityMethod::plane, volumes ? side.maskScale : 1};
 }
 
 Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
@@ -17,6 +17,7 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
         settings.shadows = side.shadows;
         settings.multiplicity = side.multiplicity;
         settings.map.size = side.mapSize;
+        settings.maskScale = side.maskScale;
         renderer = std::make_unique<Renderer>(settings, capabilities_);
     }
     renderer->setAmbient(state.ambient);
@@ -24,12 +25,21 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
     return *renderer;
 }
 
-void Renderers::dropUnusedMaps(const ViewState& state) {
+void Renderers::dropUnusedTargets(const ViewState& state) {
     std::erase_if(renderers_, [&](const auto& entry) {
         const bool used =
             entry.first == keyOf(state.left) || (state.split && entry.first == keyOf(state.right));
-        return !used && std::get<ShadowMethod>(entry.first) == ShadowMethod::map;
+        const bool hasTargets =
+            entry.second && entry.second->mapBytes() + entry.second->maskBytes() > 0;
+        return !used && hasTargets;
     });
+}
+
+std::size_t Renderers::maskBytes() const {
+    std::size_t total = 0;
+    for (const auto& [key, renderer] : renderers_)
+        if (renderer) total += renderer->maskBytes();
+    return total;
 }
 
 std::size_t Renderers::mapBytes() const {

@@ -17,20 +17,23 @@ class Renderers {
     /// Throws Error(unavailable) if the GL can't, as for a map that is too large.
     Renderer& of(const SideSettings& side, const ViewState& state);
 
-    /// Gives back the shadow maps of renderers that the state doesn't use.
-    void dropUnusedMaps(const ViewState& state);
+    /// Gives back the shadow maps, and masks of lower resolution, of renderers that the state
+    /// doesn't use.
+    void dropUnusedTargets(const ViewState& state);
 
     /// How many are at hand.
     std::size_t size() const { return renderers_.size(); }
 
     /// Of all shadow maps that are kept.
     std::size_t mapBytes() const;
+    /// Of all masks of lower resolution.
+    std::size_t maskBytes() const;
 
     /// Of all records that are proposed for lights.
     std::size_t proposalBytes() const;
 
   private:
-    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod>;
+    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int>;
     static Key keyOf(const SideSettings& side);
 
     RenderSettings base_;

@@ -145,13 +145,35 @@ std::vector<Light> lightsFrom(const Field& field) {
         field.fail("an array of 1 to " + std::to_string(mostLights) + " lights");
     std::vector<Light> lights;
     field.forEachItem([&](const Field& item) {
-        const glm::dvec4 position = item.place<4>();
+        Light light;
+        const bool ranged = item.arraySize() == 5;
+        glm::length_t i = 0;
+        const auto read = [&](const Field& number) {
+            if (i == 4)
+                light.range = number.number(0.0, farthestPlace);
+            else
+                light.position[i] = number.number(-farthestPlace, farthestPlace);
+            ++i;
+        };
+        if (ranged)
+            item.forEachItem(read);
+        else
+            light.position = item.place<4>();
+        const glm::dvec4& position = light.position;
         if (position.w != 0.0 && position.w != 1.0)
             item.fail("a light [x, y, z, w] whose w is 0 (a sun) or 1 (a point)");
         if (position == glm::dvec4(0.0)) item.fail("a sun with a direction");
-        lights.push_back({position});
+        if (ranged && (position.w == 0.0 || light.range == 0.0))
+            item.fail("a point light [x, y, z, 1, range] whose range is above 0");
+        lights.push_back(light);
     });
     return lights;
+}
+
+int maskScaleFrom(const Field& field) {
+    const int scale = field.integer(1, 4);
+    if (scale == 3) field.fail("1, 2 or 4");
+    return scale;
 }
 
 SideSettings sideFrom(const Field& field, SideSettings side) {
@@ -162,6 +184,8 @@ SideSettings sideFrom(const Field& field, SideSettings side) {
             side.mapSize = value.integer(smallestMap, largestMap);
         else if (key == "multiplicity")
             side.multiplicity = value.oneOf(multiplicityWords);
+        else if (key == "mask_scale")
+            side.maskScale = maskScaleFrom(value);
         else
             return false;
         return true;
@@ -172,7 +196,8 @@ SideSettings sideFrom(const Field& field, SideSettings side) {
 Json toJson(const SideSettings& side) {
     return {{"shadows", wordOf(shadowWords, side.shadows)},
             {"map_size", side.mapSize},
-            {"multiplicity", wordOf(multiplicityWords, side.multiplicity)}};
+            {"multiplicity", wordOf(multiplicityWords, side.multiplicity)},
+            {"mask_scale", side.maskScale}};
 }
 
 /// The number as a person types it: 0.35, where the float nearest to it is 0.34999999.
@@ -192,8 +217,10 @@ Json toJson(const glm::vec3& color) {
 
 Json toJson(const ViewState& state) {
     Json lights = Json::array();
-    for (const Light& light : state.lights)
+    for (const Light& light : state.lights) {
         lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
+        if (light.hasRange()) lights.back().push_back(light.range);
+    }
     return {{"camera",
              {{"from", toJson(state.camera.from)},
               {"to", toJson(state.camera.to)},

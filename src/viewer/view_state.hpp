@@ -12,6 +12,7 @@ struct SideSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     int mapSize = 2048;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
+    int maskScale = 1; ///< see RenderSettings: 1, 2 or 4
 };
 
 enum class DebugView {
@@ -44,9 +45,10 @@ struct ViewState {
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [[x,y,z,w], …],
 ///  "chosen_light": 0, "ambient": 0.35, "background": [r,g,b], "left": {"shadows":
-///  "volumes|map|none", "map_size": 2048, "multiplicity": "reference-edge"}, "right": {…},
-///  "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,
+///  "volumes|map|none", "map_size": 2048, "multiplicity": "plane", "mask_scale": 1|2|4},
+///  "right": {…}, "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,
 ///  "playing": false, "speed": 1, "time": 0}
+/// A point light with a range has it as a fifth number.
 nlohmann::ordered_json toJson(const ViewState& state);
 
 /// `base` with the keys that `changes` has. Throws Error(usage) that names the key and the value if

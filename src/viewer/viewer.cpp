@@ -110,7 +110,7 @@ void Viewer::Parts::adopt(const ViewState& next) {
         gpu->renderers.of(next.left, next);
         if (next.split) gpu->renderers.of(next.right, next);
         unchecked = unchecked || gpu->renderers.size() != before;
-        gpu->renderers.dropUnusedMaps(next);
+        gpu->renderers.dropUnusedTargets(next);
         addVolumesFor(next, *gpu);
     }
     const bool posed = next.time != state.time;
@@ -324,7 +324,8 @@ FrameStats Viewer::stats() const {
     stats.records = counts.records;
     stats.silhouettes = counts.silhouettes;
     if (parts.gpu && parts.gpu->scene)
-        stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.proposalBytes();
+        stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.proposalBytes() +
+                            parts.gpu->renderers.maskBytes();
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
     return stats;
 }

@@ -77,7 +77,7 @@ nlohmann::ordered_json toJson(const FrameStats& stats);
 
 /// What a viewer draws with beyond what its state can change.
 struct ViewerSettings {
-    RenderSettings render; ///< without shadows, multiplicity, map.size, ambient and layout
+    RenderSettings render;             ///< without what SideSettings has, ambient and layout
     std::optional<SidesLayout> layout; ///< nothing: the best that the context has
     DepthChoice depth;
 };

@@ -111,6 +111,14 @@ TEST(Rendering, WithoutInstancedDrawingAskingForItIsNotPossibleHere) {
     }
 }
 
+TEST(Rendering, ComparingDoesNotFallBackEither) {
+    const ProcessResult result = runEdgeshade(
+        {"compare", pavilion, "--views", "1", "--size", "32x18", "--instancing", "on"}, strictEs2);
+    EXPECT_EQ(result.status, 3);
+    if (result.err.find("Embree") != std::string::npos) GTEST_SKIP() << result.err;
+    EXPECT_NE(result.err.find("--instancing"), std::string::npos) << result.err;
+}
+
 TEST(Rendering, OtherCasterSettingsThanThoseOfThePackedFileAreSaid) {
     const TempFolder folder;
     const std::string file = folder / "packed.glb";

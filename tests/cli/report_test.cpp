@@ -138,6 +138,8 @@ TEST_F(Report, RenderingWithAMapHasNoRecordsOfVolumes) {
     EXPECT_GE(map, 64 * 64 * 4);
     EXPECT_LE(map, 64 * 64 * 8);
     EXPECT_GT(bytes({}), 0);
+    // Two colours, depth and stencil: at least 11 bytes for each of 8 x 8 texels.
+    EXPECT_GE(bytes({"--mask-scale", "1/2"}), bytes({}) + 8 * 8 * 11);
 }
 
 TEST_F(Report, WarningsAreInItAndOnStandardError) {

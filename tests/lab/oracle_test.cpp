@@ -67,6 +67,21 @@ TEST(Oracle, EveryLightHasItsBit) {
     EXPECT_EQ(oracle.at(65.0, 50.0).lit, 2u); // x = 1.5: in the first light's shadow alone
 }
 
+TEST(Oracle, KnowsHowFarALightReaches) {
+    // From height 4 a range of 5 gets 3 far on the floor.
+    const Scene scene = SceneBuilder().floor(6).scene();
+    Light light = pointLight({0, 4, 0});
+    light.range = 5.0;
+    const Oracle oracle(above(scene, 5.0, 100, light), solid);
+    for (const double x : {-3.01, -2.99, 0.0, 2.99, 3.01, 4.5}) {
+        const Answer expected{true, std::abs(x) < 3.0 ? 1u : 0u};
+        EXPECT_EQ(oracle.at(50.0 + 10.0 * x, 50.0), expected) << x;
+        EXPECT_EQ(lab::judgeExactly(oracle, 50.0 + 10.0 * x, 50.0).answer, expected) << x;
+    }
+    light.position.w = 0.0;
+    EXPECT_EQ(Oracle(above(scene, 5.0, 100, light), solid).at(95.0, 50.0).lit, 1u);
+}
+
 TEST(Oracle, AgreesWithBruteForceAndWithItsExactJudge) {
     const Scene scene = SceneBuilder()
                             .floor(5)

@@ -173,18 +173,21 @@ TEST(VolumePlan, TheEyeBetweenLightAndObjectTakesNone) {
     EXPECT_FALSE(onlyDraw(clusterAt({0, 0, -10}, 1), {0, 0, 20, 1}).zFail());
 }
 
-TEST(VolumePlan, WithTheLightWithinTrianglesThatFaceAwayCount) {
-    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1});
-    EXPECT_EQ(draw.counted, Counted::facingAway);
-    EXPECT_FALSE(draw.zFail());
-    EXPECT_EQ(draw.start, 1);
-}
-
-TEST(VolumePlan, WithTheEyeWithinTrianglesThatFaceTheLightCount) {
-    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1});
-    EXPECT_EQ(draw.counted, Counted::lightFacing);
-    EXPECT_FALSE(draw.zFail());
-    EXPECT_EQ(draw.start, 1);
+TEST(VolumePlan, BetweenTheInsideAndTheOutsideItSealsTheLightOff) {
+    const FrameView view = viewAlongZ();
+    const auto planWith = [&](const ShadowCluster& cluster, const glm::dvec4& light) {
+        const std::vector<ShadowCluster> clusters = {cluster, clusterAt({0, 0, -30}, 1)};
+        return planOf(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
+    };
+    // The light is in it, or the eye; or both are.
+    EXPECT_EQ(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).sealed, 0u);
+    EXPECT_TRUE(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).draws.empty());
+    EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1}).sealed, 0u);
+    EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0.3, 1, 0.2, 0}).sealed, 0u);
+    EXPECT_FALSE(planWith(clusterAt({0, 0, 0}, 3), {0, 1, -1, 1}).sealed);
+    // An open one, or one that the near plane cuts, says nothing of that.
+    EXPECT_FALSE(planWith(clusterAt({0, 0, -10}, 1, false), {0, 0, -10.5, 1}).sealed);
+    EXPECT_FALSE(planWith(clusterAt({0, 0, -0.1}, 0.05), {0, 0, -0.12, 1}).sealed);
 }
 
 TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
@@ -301,15 +304,16 @@ TEST(VolumePlan, NeighboursThatAreDrawnAlikeShareADraw) {
 TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
     Random random(8);
     const FrameView view = viewAlongZ();
-    std::size_t leftOut = 0, withoutCaps = 0, inShadow = 0;
+    std::size_t leftOut = 0, withoutCaps = 0, inShadow = 0, sealed = 0;
     for (int i = 0; i < 30'000; ++i) {
         const bool sun = random.below(3) == 0;
         const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-1, 2)), !sun);
         const ShadowCluster cluster =
             clusterAt(random.inCube() * random.magnitude(-1, 2), random.magnitude(-2, 1));
         const std::vector<ShadowCluster> clusters = {cluster};
-        const auto draws =
-            planFor(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
+        const VolumePlan plan =
+            planOf(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
+        const auto& draws = plan.draws;
         // A point of its volume.
         const glm::dvec3 of = cluster.bounds.center() +
                               random.inCube() * (0.5 * (cluster.bounds.high - cluster.bounds.low));
@@ -318,8 +322,8 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         const double depth = -point.z, reach = depth * std::tan(glm::radians(30.0));
         const bool inView =
             depth > 0.1 && depth < 100.0 && std::abs(point.x) < reach && std::abs(point.y) < reach;
-        leftOut += draws.empty();
-        EXPECT_FALSE(draws.empty() && inView);
+        leftOut += !plan.leftOut.empty();
+        EXPECT_FALSE(!plan.leftOut.empty() && inView);
         // Whether the middle of the near plane sees the light through the box.
         const glm::dvec3 near(0, 0, -0.1);
         const glm::dvec3 towards = sun ? glm::dvec3(light) : glm::dvec3(light) - near;
@@ -330,6 +334,10 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
+        if (plan.sealed) {
+            ++sealed;
+            EXPECT_TRUE((enter == 0.0) != (leave == (sun ? 1e30 : 1.0)));
+        }
         if (draws.empty()) continue;
         withoutCaps += !draws[0].zFail();
         // What it crosses of the shell, from outside and from inside.
@@ -337,14 +345,12 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         const int out = enter <= leave && leave < (sun ? 1e30 : 1.0);
         inShadow += in + out > 0 && !draws[0].zFail();
         if (draws[0].zFail()) continue;
-        const Counted counted = draws[0].counted;
-        EXPECT_EQ(draws[0].start, counted == Counted::all           ? in + out
-                                  : counted == Counted::lightFacing ? out
-                                                                    : in);
+        EXPECT_EQ(draws[0].start, draws[0].counted == Counted::all ? in + out : out);
     }
     EXPECT_GT(leftOut, 1'000u);
     EXPECT_GT(withoutCaps, 1'000u);
     EXPECT_GT(inShadow, 300u);
+    EXPECT_GT(sealed, 100u);
 }
 
 TEST(VolumePlan, IsTheSameInTheSpaceOfAMovedNode) {
@@ -357,6 +363,31 @@ TEST(VolumePlan, IsTheSameInTheSpaceOfAMovedNode) {
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].counted, Counted::lightFacing);
     EXPECT_TRUE(planFor(clusterAt({0, 0, 20}, 0.5), light, worldFromBatch).empty());
+}
+
+TEST(VolumePlan, ClustersOutOfALightsRangeAreLeftOut) {
+    const FrameView view = viewAlongZ();
+    const auto draws = [&](double range, const glm::dmat4& worldFromBatch = glm::dmat4(1.0)) {
+        const Light light{{0, 0, -10, 1}, range};
+        // 1, 4 and 9 away from the light, on the far side of it and to both sides.
+        const std::vector<ShadowCluster> clusters = {clusterAt({0, 0, -11.5}, 0.5),
+                                                     clusterAt({4.5, 0, -10}, 0.5),
+                                                     clusterAt({-9.5, 0, -20}, 0.5)};
+        std::uint32_t count = 0;
+        for (const VolumeDraw& draw :
+             planFor(clusters, planView(view, view.slices[0], light, worldFromBatch)))
+            count += draw.clusters.count;
+        return count;
+    };
+    EXPECT_EQ(draws(0.9), 0u);
+    EXPECT_EQ(draws(1.1), 1u);
+    EXPECT_EQ(draws(3.9), 1u);
+    EXPECT_EQ(draws(4.1), 2u);
+    EXPECT_EQ(draws(20.0), 3u);
+    EXPECT_EQ(draws(std::numeric_limits<double>::infinity()), 3u);
+    // Seen from a batch of twice the scale all is half as far from the light, which is at z = -5.
+    EXPECT_GT(draws(20.0, glm::dmat4(glm::dmat3(2.0))), 0u);
+    EXPECT_EQ(draws(5.0, glm::dmat4(glm::dmat3(2.0))), 0u);
 }
 
 } // namespace edgeshade

@@ -93,7 +93,9 @@ std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Lig
                 continue;
             }
             const glm::dvec3 point = camera.from + nearest * direction;
-            answers.push_back(isLit(triangles, own, point, camera.from, light.position)
+            const bool reached =
+                !light.hasRange() || glm::distance(point, glm::dvec3(light.position)) < light.range;
+            answers.push_back(reached && isLit(triangles, own, point, camera.from, light.position)
                                   ? Answer::lit
                                   : Answer::shadow);
         }

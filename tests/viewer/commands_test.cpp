@@ -27,6 +27,16 @@ TEST(Commands, EveryOneChangesTheStateOrIsAtItsEnd) {
         EXPECT_NE(toJson(after(static_cast<Command>(c), state, stage)), toJson(state)) << c;
 }
 
+TEST(Commands, AMovedLightKeepsItsRange) {
+    ViewState state = start();
+    state.lights = {{{1, 3, 1, 1}, 7.5}};
+    for (const Command command : {Command::lightLeft, Command::lightUp, Command::lightNearer}) {
+        const ViewState moved = after(command, state, stage);
+        EXPECT_NE(moved.lights[0].position, state.lights[0].position);
+        EXPECT_EQ(moved.lights[0].range, 7.5);
+    }
+}
+
 TEST(Commands, OppositesCancel) {
     using enum Command;
     const ViewState state = start();

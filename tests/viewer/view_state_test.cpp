@@ -14,12 +14,12 @@ using Json = nlohmann::ordered_json;
 ViewState someState() {
     ViewState state;
     state.camera = {{1.25, -2, 1e6 + 0.001}, {0.1, 0.2, 0.3}, 60.5};
-    state.lights = {{{1, 2, 3, 1}}, {{0.1, 0.7, -0.3, 0}}};
+    state.lights = {{{1, 2, 3, 1}, 4.5}, {{0.1, 0.7, -0.3, 0}}};
     state.chosenLight = 1;
     state.ambient = 0.25f;
     state.background = {0.1f, 0.2f, 0.3f};
     state.left = {ShadowMethod::map, 512, MultiplicityMethod::threeEdge};
-    state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge};
+    state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge, 4};
     state.split = true;
     state.splitAt = 0.3;
     state.debug = DebugView::volumes;
@@ -81,6 +81,11 @@ TEST(ViewState, AValueOutOfRangeIsRefused) {
     expectRefused(R"({"lights": []})", "lights", "[]");
     expectRefused(R"({"lights": [[1, 2, 3, 0.5]]})", "lights[0]", "0.5");
     expectRefused(R"({"lights": [[0, 0, 0, 0]]})", "lights[0]", "[0,0,0,0]");
+    expectRefused(R"({"lights": [[0, 1, 0, 1, 0]]})", "lights[0]", "[0,1,0,1,0]");
+    expectRefused(R"({"lights": [[0, 1, 0, 1, -2]]})", "lights[0][4]", "-2");
+    expectRefused(R"({"lights": [[0, 1, 0, 0, 3]]})", "lights[0]", "[0,1,0,0,3]");
+    expectRefused(R"({"left": {"mask_scale": 3}})", "left.mask_scale", "3");
+    expectRefused(R"({"left": {"mask_scale": 8}})", "left.mask_scale", "8");
     expectRefused(R"({"chosen_light": 2})", "chosen_light", "2");
     expectRefused(R"({"chosen_light": 0.5})", "chosen_light", "0.5");
     expectRefused(R"({"left": {"map_size": 15}})", "left.map_size", "15");

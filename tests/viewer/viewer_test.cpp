@@ -46,6 +46,7 @@ class ViewerTest : public testing::Test {
         settings.shadows = side.shadows;
         settings.multiplicity = side.multiplicity;
         settings.map.size = side.mapSize;
+        settings.maskScale = side.maskScale;
         const ViewState& state = viewer.state();
         settings.ambient = state.ambient;
         return test::drawScene(test::yard().scene(), {state.camera, state.lights, width, height},
@@ -166,6 +167,25 @@ TEST_F(ViewerTest, ALightDraggedByItsHandleShadesFromThere) {
     EXPECT_LT(viewer.state().lights[0].position.x, 0.0);
     EXPECT_NEAR(viewer.state().lights[0].position.y, 4.0, 1e-9);
     EXPECT_GT(differing(picture(), before), 200u);
+}
+
+TEST_F(ViewerTest, MasksOfLowerResolutionAreCountedAndGivenBack) {
+    const auto exact = picture();
+    const std::size_t bytes = viewer.stats().shadowBytes;
+    viewer.change(Json::parse(R"({"left": {"mask_scale": 4}})"));
+    const auto coarse = picture();
+    EXPECT_GT(viewer.stats().shadowBytes, bytes);
+    EXPECT_GT(differing(coarse, exact), 0u);
+    const SideSettings coarseSide = viewer.state().left;
+    viewer.change(
+        Json::parse(R"({"split": true, "split_at": 0.5, "right": {"shadows": "volumes"}})"));
+    const auto both = picture();
+    EXPECT_EQ(differing(columns(both, 0, 75), columns(coarse, 0, 75)), 0u);
+    EXPECT_EQ(differing(columns(both, 85, width), columns(exact, 85, width)), 0u);
+    viewer.change(Json::parse(R"({"split": false, "left": {"mask_scale": 1}})"));
+    EXPECT_EQ(differing(picture(), exact), 0u);
+    EXPECT_EQ(viewer.stats().shadowBytes, bytes);
+    EXPECT_EQ(differing(coarse, plainPicture(coarseSide)), 0u);
 }
 
 TEST_F(ViewerTest, StatisticsTellOfTheScene) {

@@ -1,12 +1,14 @@
 // The element's attributes as changes of the viewer's state.
 
-const sideKeys = { shadows: 'shadows', 'map-size': 'map_size', multiplicity: 'multiplicity' };
-const whole = new Set(['map-size']);
+const sideKeys = {
+  shadows: 'shadows', 'map-size': 'map_size', multiplicity: 'multiplicity', 'mask-scale': 'mask_scale',
+};
+const whole = new Set(['map-size', 'mask-scale']);
 
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'ambient', 'shadows', 'map-size', 'multiplicity', 'split',
-  'split-shadows', 'split-map-size', 'split-at', 'debug', 'lights', 'playing', 'speed', 'time',
+  'camera', 'light', 'sun', 'ambient', 'shadows', 'map-size', 'multiplicity', 'mask-scale', 'split',
+  'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'playing', 'speed', 'time',
 ];
 
 function numbers(text, counts, name) {
@@ -22,10 +24,12 @@ function cameraOf(text) {
 }
 
 function lightsOf(light, sun) {
-  const points = (text, w, name) =>
-    (text ?? '').split(';').filter((part) => part.trim())
-      .map((part) => [...numbers(part, [3], name), w]);
-  return [...points(sun, 0, 'sun'), ...points(light, 1, 'light')];
+  const all = (text, w, name, counts) =>
+    (text ?? '').split(';').filter((part) => part.trim()).map((part) => {
+      const [x, y, z, ...range] = numbers(part, counts, name);
+      return [x, y, z, w, ...range];
+    });
+  return [...all(sun, 0, 'sun', [3]), ...all(light, 1, 'light', [3, 4])];
 }
 
 /**

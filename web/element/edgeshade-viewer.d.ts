@@ -1,8 +1,11 @@
 /** A vector in the scene's units, +Y up. */
 export type Vector = [number, number, number];
 
-/** x, y, z and w: 1 for a point light at xyz, 0 for a sun with xyz pointing towards it. */
-export type Light = [number, number, number, number];
+/**
+ * x, y, z and w: 1 for a point light at xyz, 0 for a sun with xyz pointing towards it. A point light
+ * may have a range, in the scene's units, beyond which it lights nothing.
+ */
+export type Light = [number, number, number, number, number?];
 
 export type Shadows = 'volumes' | 'map' | 'none';
 
@@ -11,6 +14,8 @@ export interface SideSettings {
   shadows: Shadows;
   map_size: number;
   multiplicity: string;
+  /** Volumes are counted once for so many by so many pixels: 1, 2 or 4. */
+  mask_scale: number;
 }
 
 export interface ViewState {
@@ -101,12 +106,13 @@ export interface EdgeshadeViewerEventMap {
  *
  *   src         address of a .glb or .gltf
  *   camera      "fromX,fromY,fromZ toX,toY,toZ", with the field of view in degrees as a 7th number
- *   light       "x,y,z", point lights separated by ";"
+ *   light       "x,y,z" or "x,y,z,range", point lights separated by ";"
  *   sun         "x,y,z" towards the sun, separated likewise
  *   ambient     0..1
- *   shadows     volumes, map or none; map-size: of a map, in texels; multiplicity
- *   split       present: two settings side by side; split-shadows, split-map-size: the right one's;
- *               split-at: 0..1
+ *   shadows     volumes, map or none; map-size: of a map, in texels; multiplicity; mask-scale: 1, 2
+ *               or 4, pixels along the edge of those that volumes are counted once for
+ *   split       present: two settings side by side; split-shadows, split-map-size,
+ *               split-mask-scale: the right one's; split-at: 0..1
  *   debug       volumes: shows them
  *   lights      off: no handles
  *   playing, speed, time: the animation's

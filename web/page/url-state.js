@@ -15,10 +15,12 @@ export function hashOf(model, state) {
   put('ambient', short(state.ambient));
   put('shadows', state.left.shadows);
   if (state.left.shadows === 'map') put('map-size', state.left.map_size);
+  if (state.left.mask_scale > 1) put('mask-scale', state.left.mask_scale);
   if (state.split) {
     put('split', short(state.split_at));
     put('right', state.right.shadows);
     if (state.right.shadows === 'map') put('right-map-size', state.right.map_size);
+    if (state.right.mask_scale > 1) put('right-mask-scale', state.right.mask_scale);
   }
   if (state.debug !== 'none') put('debug', state.debug);
   if (!state.show_lights) put('lights', 'off');
@@ -28,18 +30,21 @@ export function hashOf(model, state) {
   return `#${parts.join('&')}`;
 }
 
-function numbers(text, key, count) {
+function numbers(text, key, ...counts) {
   const values = text.split(',').map(Number);
-  if (!values.every(Number.isFinite) || text.trim() === '' || (count && values.length !== count))
+  if (!values.every(Number.isFinite) || text.trim() === '' || !counts.includes(values.length))
     throw new Error(`The address's '${key}' is '${text.slice(0, 60)}', which is no list of ` +
-      `${count ?? 'some'} numbers; the view starts without it.`);
+      `${counts.join(' or ')} numbers; the view starts without it.`);
   return values;
 }
 
-function sideOf(words, shadows, size) {
+function sideOf(words, prefix, shadows) {
   const side = {};
+  const size = `${prefix}map-size`;
+  const scale = `${prefix}mask-scale`;
   if (words.has(shadows)) side.shadows = words.get(shadows);
   if (words.has(size)) [side.map_size] = numbers(words.get(size), size, 1);
+  if (words.has(scale)) [side.mask_scale] = numbers(words.get(scale), scale, 1);
   return side;
 }
 
@@ -65,12 +70,12 @@ export function readHash(hash) {
     changes.camera = { from: [fx, fy, fz], to: [tx, ty, tz], fov };
   });
   take('light', (text) => {
-    changes.lights = text.split(';').map((light) => numbers(light, 'light', 4));
+    changes.lights = text.split(';').map((light) => numbers(light, 'light', 4, 5));
   });
   take('chosen', (text) => { changes.chosen_light = one('chosen')(text); });
   take('ambient', (text) => { changes.ambient = one('ambient')(text); });
-  take('shadows', () => { changes.left = sideOf(words, 'shadows', 'map-size'); });
-  take('right', () => { changes.right = sideOf(words, 'right', 'right-map-size'); });
+  take('shadows', () => { changes.left = sideOf(words, '', 'shadows'); });
+  take('right', () => { changes.right = sideOf(words, 'right-', 'right'); });
   take('split', (text) => {
     changes.split_at = one('split')(text);
     changes.split = true;

@@ -35,6 +35,18 @@ test('other eyes and lights see what the native program draws', async () => {
   await shared.check(page);
 });
 
+test('a light with a range, and volumes counted at lower resolutions, are the native ones too', async () => {
+  const page = await shared.open('/tests/plain.html');
+  const lights = [[1.5, 2.2, 2, 1, 4.5]];
+  for (const scale of [1, 2, 4]) {
+    await page.evaluate((changes) => document.querySelector('edgeshade-viewer').change(changes),
+      { lights, left: { mask_scale: scale } });
+    // A texel that the rasterisers see otherwise is several pixels.
+    await requireAlike(page, `mask scale ${scale}`, 25 * scale * scale);
+  }
+  await shared.check(page);
+});
+
 /** A context with the least that WebGL 1 promises; what goes beyond it throws. */
 function leastWebGl() {
   const type = WebGLRenderingContext.prototype;

@@ -18,10 +18,10 @@ function requireClose(actual, expected, path = '') {
 
 const view = {
   camera: { from: [3, 4.25, 8], to: [0.5, 1, -0.125], fov: 38 },
-  lights: [[1.5, 2.25, 2, 1], [0.48, 0.64, 0.6, 0]],
+  lights: [[1.5, 2.25, 2, 1, 6.5], [0.48, 0.64, 0.6, 0]],
   chosen_light: 1,
   ambient: 0.25,
-  left: { shadows: 'volumes' },
+  left: { shadows: 'volumes', mask_scale: 2 },
   right: { shadows: 'map', map_size: 512 },
   split: true,
   split_at: 0.375,

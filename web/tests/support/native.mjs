@@ -8,13 +8,16 @@ import { repository } from './server.mjs';
 
 const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
 
-/** PNG bytes, from the state's eye and lights, drawn with further `options`. `filtersExactly`: without
+/** PNG bytes, from the state's eye, lights (of one range) and mask scale, drawn with further `options`. `filtersExactly`: without
  * Mesa's short cut that filters textures in 8 bits. */
-export function rendered({ camera: { from, to, fov }, lights }, options = [], { filtersExactly = true } = {}) {
+export function rendered({ camera: { from, to, fov }, lights, left }, options = [], { filtersExactly = true } = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
   try {
     const png = join(folder, 'native.png');
     const light = lights.flatMap(([x, y, z, w]) => [w ? '--light' : '--sun', `${x},${y},${z}`]);
+    const range = lights.find((one) => one[4])?.[4];
+    if (range) light.push('--light-range', `${range}`);
+    if (left?.mask_scale > 1) light.push('--mask-scale', `1/${left.mask_scale}`);
     execFileSync(program, ['render', join(repository, 'assets/pavilion.glb'), png,
       '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
       '--ambient', '0.4', ...light, ...options],

@@ -1,0 +1,54 @@
+// The plane of the triangle at a fragment, and how coarse_surface.frag stores it for each texel of a
+// coarse mask: three bytes of inverse depth, one of the direction. Along a plane the inverse of the
+// depth changes linearly over the picture, so two derivatives tell all of it.
+//
+// Space: the camera's, x right, y up, z the depth along the viewing direction, in units of the near
+// plane's distance.
+uniform vec2 u_tangents; // of half the picture's angles, across and up
+uniform vec2 u_focal;    // fragments a unit of tangent
+uniform float u_near;    // scene units
+
+varying vec3 v_clip; // x, y and w
+
+struct Plane {
+    float inverseDepth; // 0..1
+    vec2 change;        // of it, from a fragment to the next
+    vec3 normal;        // points p of the plane: dot(normal, p) = 1
+};
+
+Plane planeHere() {
+    Plane plane;
+    plane.inverseDepth = u_near / v_clip.z;
+    plane.change = vec2(dFdx(plane.inverseDepth), dFdy(plane.inverseDepth));
+    vec2 slope = plane.change * u_focal;
+    vec2 tangent = v_clip.xy / v_clip.z * u_tangents;
+    plane.normal = vec3(slope, plane.inverseDepth - dot(slope, tangent));
+    return plane;
+}
+
+// The direction of a normal that points away from the eye, in a square of -1..1 (stereographic).
+vec2 direction(vec3 normal) {
+    return clamp(normal.xy / max(length(normal) + normal.z, 1e-30), -1.0, 1.0);
+}
+
+const float largestInverse = 16777215.0; // of three bytes
+
+vec4 packPlane(Plane plane) {
+    float rest = floor(clamp(plane.inverseDepth, 0.0, 1.0) * largestInverse + 0.5);
+    vec4 bytes;
+    bytes.r = floor(rest / 65536.0);
+    rest -= bytes.r * 65536.0;
+    bytes.g = floor(rest / 256.0);
+    bytes.b = rest - bytes.g * 256.0;
+    vec2 nibbles = floor(direction(plane.normal) * 7.5 + 8.0);
+    bytes.a = min(nibbles.x, 15.0) * 16.0 + min(nibbles.y, 15.0);
+    return bytes / 255.0;
+}
+
+// Inverse depth, direction. Where nothing is the texel is 0.
+vec3 unpackPlane(vec4 texel) {
+    vec4 bytes = floor(texel * 255.0 + 0.5);
+    float upper = floor(bytes.a / 16.0);
+    return vec3(dot(bytes.rgb, vec3(65536.0, 256.0, 1.0)) / largestInverse,
+                (vec2(upper, bytes.a - upper * 16.0) - 7.5) / 7.5);
+}

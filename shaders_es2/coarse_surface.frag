@@ -1,0 +1,32 @@
+// Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants ALPHA_TEST
+// and SLICED: see surface.frag.
+#extension GL_OES_standard_derivatives : enable
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+#include "coarse_plane.glsl"
+
+#ifdef ALPHA_TEST
+uniform sampler2D u_texture;
+uniform vec4 u_baseColor;
+uniform float u_alphaCutoff;
+varying vec2 v_texcoord;
+varying vec4 v_color;
+#endif
+#ifdef SLICED
+uniform float u_farthest;
+varying float v_depth;
+#endif
+
+void main() {
+    Plane plane = planeHere(); // before anything is discarded: derivatives need their neighbours
+#ifdef SLICED
+    if (v_depth > u_farthest) discard;
+#endif
+#ifdef ALPHA_TEST
+    if (u_baseColor.a * v_color.a * texture2D(u_texture, v_texcoord).a < u_alphaCutoff) discard;
+#endif
+    gl_FragColor = packPlane(plane);
+}

@@ -1,0 +1,43 @@
+#include "src/gl/scissor.hpp"
+
+#include <algorithm>
+#include <GLES2/gl2.h>
+
+namespace edgeshade::gl {
+
+PixelRectangle intersection(const PixelRectangle& a, const PixelRectangle& b) {
+    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+    return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
+            std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
+}
+
+PixelRectangle united(const PixelRectangle& a, const PixelRectangle& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x,
+            std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+PixelRectangle scissored(int width, int height) {
+    const PixelRectangle whole{0, 0, width, height};
+    if (glIsEnabled(GL_SCISSOR_TEST) != GL_TRUE) return whole;
+    GLint box[4] = {};
+    glGetIntegerv(GL_SCISSOR_BOX, box);
+    return intersection(whole, {box[0], box[1], box[2], box[3]});
+}
+
+ScissorScope::ScissorScope(const PixelRectangle& rectangle)
+    : enabled_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
+    glGetIntegerv(GL_SCISSOR_BOX, box_);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rectangle.x, rectangle.y, std::max(0, rectangle.width),
+              std::max(0, rectangle.height));
+}
+
+ScissorScope::~ScissorScope() {
+    glScissor(box_[0], box_[1], box_[2], box_[3]);
+    if (!enabled_) glDisable(GL_SCISSOR_TEST);
+}
+
+} // namespace edgeshade::gl
