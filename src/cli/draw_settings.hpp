@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/cli/options.hpp"
 #include "src/render/frame.hpp"
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,7 @@ struct DrawSettings {
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;      ///< nothing: as many as pay
     std::vector<std::string> mapOptions; ///< those typed that only shadow maps have
+    CasterChanges casters;               ///< of `--against`: on top of the call's own
 
     bool hasMapBias() const;
 };
@@ -32,7 +34,8 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 /// they don't go together, and for options that another one makes meaningless.
 void resolve(DrawSettings& settings);
 
-/// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512".
+/// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512",
+/// casters' too, e.g. "caster-error=0.01".
 /// Throws Error(usage).
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
 

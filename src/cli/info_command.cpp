@@ -19,7 +19,7 @@ void info(const InfoOptions& options) {
     const auto header = readShadowHeader(readGltf(options.input));
     const CasterSettings settings =
         options.casters.wanted().value_or(header ? header->settings : CasterSettings());
-    const PackInput input = readForPacking(options.input, settings);
+    const PackInput input = readForPacking(options.input, settings, true);
     printWarnings(input.report.warnings);
     std::string text = summaryOf(input.report);
     text += std::string("\npacked                    ") +
