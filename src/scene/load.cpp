@@ -37,7 +37,8 @@ LoadedScene loadScene(const std::filesystem::path& path,
     enter(LoadStage::shadows);
     if (usePacked) {
         readCasters(loaded.document, *header, loaded.scene);
-        loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
+        if (header->encoding != Encoding::none)
+            loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
     } else {
         simplifyCasters(loaded.scene, loaded.settings.casterError);
         if (header)

@@ -52,7 +52,7 @@ TEST(CoarserCasters, BenchMeasuresThemAsItMeasuresAFilePackedWithThem) {
         const Json& exact = all["results"][0];
         const Json& coarse = all["results"][i + 1];
         const Json alone = reportOf("bench", packedWith(folder, settings[i]), {"--frames", "2"});
-        EXPECT_LT(coarse["vertex_runs"], exact["vertex_runs"]);
+        EXPECT_NE(coarse["vertex_runs"], exact["vertex_runs"]);
         EXPECT_EQ(coarse["vertex_runs"], alone["vertex_runs"]);
         EXPECT_EQ(coarse["bytes_gpu"], alone["bytes_gpu"]);
         EXPECT_EQ(coarse["settings"], alone["settings"]);
@@ -70,10 +70,11 @@ TEST(CoarserCasters, CompareAsksTheOracleOfTheSurfaces) {
     if (all.is_null()) GTEST_SKIP();
     const Json exact = reportOf("compare", pavilion, {"--views", "2"});
     EXPECT_EQ(all["results"][0]["wrong_image_pixels"], exact["wrong_image_pixels"]);
+    EXPECT_GT(all["results"][1]["wrong_image_pixels"], exact["wrong_image_pixels"]);
     for (std::size_t i = 0; i < settings.size(); ++i) {
         SCOPED_TRACE(settings[i]);
         const Json& coarse = all["results"][i + 1];
-        EXPECT_GT(coarse["wrong_mask_pixels"], exact["wrong_mask_pixels"]);
+        EXPECT_GE(coarse["wrong_mask_pixels"], exact["wrong_mask_pixels"]);
         // A weld tolerance moves what the oracle of the packed file sees, the others don't.
         if (settings[i].starts_with("weld")) continue;
         const Json alone = reportOf("compare", packedWith(folder, settings[i]), {"--views", "2"});

@@ -114,10 +114,10 @@ TEST_F(Report, SimplifiedCastersAreCountedBeforeAndAfter) {
     const Json exact = packReport();
     EXPECT_EQ(exact["casting_surface_triangles"], 31);
     EXPECT_EQ(exact["casting_triangles"], 31);
-    const Json coarse = packReport({"--caster-error", "0.5"});
+    const Json coarse = packReport({"--caster-error", "5"});
     EXPECT_EQ(coarse["casting_surface_triangles"], 31);
     EXPECT_LT(coarse["casting_triangles"], 31);
-    EXPECT_EQ(coarse["settings"]["caster-error"], 0.5);
+    EXPECT_EQ(coarse["settings"]["caster-error"], 5.0);
     EXPECT_EQ(infoReport(output_)["casting_triangles"], coarse["casting_triangles"]);
     EXPECT_EQ(infoReport(output_)["settings"], coarse["settings"]);
 }
