@@ -76,6 +76,9 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
     const std::vector<glm::vec4> planes = trianglePlanes(mesh.welded, edges, flatTolerance);
     Emitter emitter(mesh, edges, planes);
     AdaptedShadow shadow;
+    shadow.pairs.reserve(edges.edges.size());
+    shadow.caps.reserve(mesh.welded.triangles.size());
+    shadow.capTriangles.reserve(mesh.welded.triangles.size());
     for (const TriangleCluster& cluster : clusterTrianglesOf(mesh, edges, materials)) {
         const std::size_t pairs = shadow.pairs.size(), singles = shadow.singles.size(),
                           caps = shadow.caps.size(), groups = shadow.groups.size(),

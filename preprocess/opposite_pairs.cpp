@@ -39,11 +39,26 @@ OppositePair takeMostAlike(Planes& forward, Planes& backward) {
 void pairUp(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge,
             const std::vector<glm::vec4>& planes, std::vector<OppositePair>& pairs) {
     pairs.clear();
-    Planes forward, backward; // by the way their triangles run through the edge
-    for (const Opposite& opposite : edges.oppositesOf(edge)) {
-        const int direction = directionIn(mesh.triangles[opposite.triangle], edge);
-        (direction > 0 ? forward : backward).push_back(planes[opposite.triangle]);
+    // Nearly all edges are of one triangle, or of two that run opposite ways.
+    const auto opposites = edges.oppositesOf(edge);
+    const auto runsForward = [&](const Opposite& opposite) {
+        return directionIn(mesh.triangles[opposite.triangle], edge) > 0;
+    };
+    if (opposites.size() <= 2) {
+        const glm::vec4 &p = planes[opposites.front().triangle],
+                        &q = planes[opposites.back().triangle];
+        const bool first = runsForward(opposites.front());
+        if (opposites.size() == 1)
+            pairs.push_back({first ? p : -p, std::nullopt});
+        else if (const bool second = runsForward(opposites.back()); first == second)
+            pairs.push_back(first ? OppositePair{q, -p} : OppositePair{-q, p});
+        else
+            pairs.push_back(first ? OppositePair{p, q} : OppositePair{q, p});
+        return;
     }
+    Planes forward, backward; // by the way their triangles run through the edge
+    for (const Opposite& opposite : opposites)
+        (runsForward(opposite) ? forward : backward).push_back(planes[opposite.triangle]);
     // Searching the whole of a large fan for each pair would take the cube of its size.
     constexpr std::size_t largestSearch = 64;
     if (forward.size() > largestSearch || backward.size() > largestSearch)
