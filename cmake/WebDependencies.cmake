@@ -52,7 +52,8 @@ if(NOT meshoptimizer_POPULATED)
   FetchContent_Populate(meshoptimizer)
   set(part ${meshoptimizer_SOURCE_DIR}/src)
   add_library(meshoptimizer_part STATIC EXCLUDE_FROM_ALL ${part}/allocator.cpp
-    ${part}/indexcodec.cpp ${part}/indexgenerator.cpp ${part}/vertexcodec.cpp ${part}/vertexfilter.cpp)
+    ${part}/indexcodec.cpp ${part}/indexgenerator.cpp ${part}/simplifier.cpp
+    ${part}/vertexcodec.cpp ${part}/vertexfilter.cpp)
   target_include_directories(meshoptimizer_part SYSTEM PUBLIC ${part})
   add_library(meshoptimizer::meshoptimizer ALIAS meshoptimizer_part)
 endif()

@@ -83,10 +83,13 @@ void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint
 } // namespace
 
 AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
-                           const std::vector<Material>& materials) {
-    const std::vector<glm::vec4> planes = trianglePlanes(mesh.welded, edges);
+                           const std::vector<Material>& materials, double flatTolerance) {
+    const std::vector<glm::vec4> planes = trianglePlanes(mesh.welded, edges, flatTolerance);
     Emitter emitter(mesh, edges, planes);
     AdaptedShadow shadow;
+    shadow.pairs.reserve(edges.edges.size());
+    shadow.caps.reserve(mesh.welded.triangles.size());
+    shadow.capTriangles.reserve(mesh.welded.triangles.size());
     for (const TriangleCluster& cluster : clusterTrianglesOf(mesh, edges, materials)) {
         const std::size_t pairs = shadow.pairs.size(), singles = shadow.singles.size(),
                           caps = shadow.caps.size(), groups = shadow.groups.size(),
@@ -131,13 +134,13 @@ AdaptedCosts costsOf(const AdaptedShadow& shadow) {
     return costs;
 }
 
-std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene,
-                                                               bool castMasked) {
+std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene, bool castMasked,
+                                                               double flatTolerance) {
     std::vector<std::shared_ptr<const AdaptedShadow>> shadows;
     for (const Batch& batch : scene.batches) {
         const CasterMesh mesh = weldCasters(batch, castersOf(batch, scene.materials, castMasked));
         shadows.push_back(std::make_shared<const AdaptedShadow>(
-            buildAdapted(mesh, buildEdges(mesh.welded), scene.materials)));
+            buildAdapted(mesh, buildEdges(mesh.welded), scene.materials, flatTolerance)));
     }
     return shadows;
 }

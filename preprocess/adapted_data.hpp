@@ -27,6 +27,13 @@ namespace edgeshade {
 // - Nothing: a pair whose planes are equal bit for bit, as they are across the edges within a flat
 //   patch. w0 - w1 is 0 for every light.
 //
+// With a flat tolerance such patches are nearly flat, and their plane is that of the one they grew
+// from. Edges and caps of every triangle still ask the same four floats, so the chain is as closed
+// as before: for that it is no matter which plane they ask. What gets wrong is s(T) of triangles
+// that the light grazes at less than the tolerance, or less than their distance from the patch's
+// plane: their prisms, whose cross-section is at most sin(tolerance) of the triangle's area, count
+// with the other sign, and the silhouette runs along the patch's border instead of through it.
+//
 // Components are sets of triangles connected through edges, so all records of an edge belong to
 // one, and each component's chain is closed by itself. In a *closed* component every edge has as
 // many triangles in one direction as in the other: there are nothing but pairs of opposite
@@ -117,11 +124,13 @@ inline constexpr std::uint32_t partTriangles = 32;
 /// Triangles at which a cluster is full: small components share one.
 inline constexpr std::size_t clusterTriangles = 512;
 
-/// Builds the records of one batch. `materials` tell which casters have holes.
+/// Builds the records of one batch. `materials` tell which casters have holes; `flatTolerance`:
+/// degrees, see trianglePlanes().
 AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
-                           const std::vector<Material>& materials);
+                           const std::vector<Material>& materials, double flatTolerance = 0.0);
 
 /// The whole pipeline for every batch of a scene: weld, edges, records.
-std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene, bool castMasked);
+std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene, bool castMasked,
+                                                               double flatTolerance = 0.0);
 
 } // namespace edgeshade

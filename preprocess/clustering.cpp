@@ -21,12 +21,13 @@ struct Part {
     int kind() const { return closed ? 0 : holes ? 2 : 1; }
 };
 
-/// Interleaves the lowest 21 bits with zeros.
+/// Two zeros after each of the lowest 21 bits; there are no others.
 std::uint64_t spread(std::uint64_t bits) {
-    std::uint64_t result = 0;
-    for (int i = 0; i < 21; ++i)
-        result |= (bits >> i & 1u) << (3 * i);
-    return result;
+    bits = (bits | bits << 32) & 0x001F00000000FFFFu;
+    bits = (bits | bits << 16) & 0x001F0000FF0000FFu;
+    bits = (bits | bits << 8) & 0x100F00F00F00F00Fu;
+    bits = (bits | bits << 4) & 0x10C30C30C30C30C3u;
+    return (bits | bits << 2) & 0x1249249249249249u;
 }
 
 std::uint64_t mortonCode(const glm::dvec3& point, const Box& all) {

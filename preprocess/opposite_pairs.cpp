@@ -51,11 +51,25 @@ void sortByPlane(const Planes& planes, Triangles& triangles) {
 void pairUp(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge, const Planes& planes,
             std::vector<OppositePair>& pairs) {
     pairs.clear();
-    Triangles forward, backward; // by the way they run through the edge
-    for (const Opposite& of : edges.oppositesOf(edge)) {
-        const int direction = directionIn(mesh.triangles[of.triangle], edge);
-        (direction > 0 ? forward : backward).push_back(of.triangle);
+    // Nearly all edges are of one triangle, or of two that run opposite ways.
+    const auto opposites = edges.oppositesOf(edge);
+    const auto runsForward = [&](const Opposite& of) {
+        return directionIn(mesh.triangles[of.triangle], edge) > 0;
+    };
+    if (opposites.size() <= 2) {
+        const std::uint32_t p = opposites.front().triangle, q = opposites.back().triangle;
+        const bool first = runsForward(opposites.front());
+        if (opposites.size() == 1)
+            pairs.push_back({{p, !first}, std::nullopt});
+        else if (runsForward(opposites.back()) != first)
+            pairs.push_back(first ? opposite(p, q) : opposite(q, p));
+        else
+            pairs.push_back({{q, !first}, PairedTriangle{p, first}});
+        return;
     }
+    Triangles forward, backward; // by the way they run through the edge
+    for (const Opposite& of : opposites)
+        (runsForward(of) ? forward : backward).push_back(of.triangle);
     // Searching the whole of a large fan for each pair would take the cube of its size.
     constexpr std::size_t largestSearch = 64;
     if (forward.size() > largestSearch || backward.size() > largestSearch)

@@ -1,5 +1,6 @@
 #include "preprocess/pack.hpp"
 
+#include "preprocess/caster_simplification.hpp"
 #include "preprocess/flatten.hpp"
 #include "preprocess/packed_file.hpp"
 #include "preprocess/stopwatch.hpp"
@@ -17,9 +18,11 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         byCount[std::to_string(n)] = count;
     const std::size_t publishedCapRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
     return {
+        {"diagonal", report.diagonal},
         {"triangles", report.triangles},
         {"degenerate_triangles", casters.degenerateTriangles},
-        {"casting_triangles", casters.triangles},
+        {"casting_surface_triangles", report.castingSurfaceTriangles},
+        {"casting_triangles", casters.triangles}, // of what casts, simplified or not, as all below
         {"edges", casters.edges},
         {"edges_by_opposite_count", byCount},
         {"largest_opposite_count", largest},
@@ -41,9 +44,15 @@ nlohmann::ordered_json toJson(const PackReport& report) {
           {"published", casters.edges * largest * VERTICES_PER_SIDE + publishedCapRuns}}},
         {"seconds",
          {{"read", report.readSeconds},
+          {"simplify", report.build.simplify},
           {"weld", report.build.weld},
           {"edges", report.build.edges},
           {"pack", report.build.pack}}},
+        {"settings",
+         {{"weld-tolerance", report.settings.weldTolerance},
+          {"cast-masked", report.settings.castMasked},
+          {"caster-error", report.settings.casterError},
+          {"flat-tolerance", report.settings.flatTolerance}}},
         {"warnings", report.warnings},
     };
 }
@@ -52,25 +61,37 @@ PackInput readForPacking(const std::filesystem::path& path, const CasterSettings
     Stopwatch watch;
     GltfDocument document = readGltf(path);
     const double readSeconds = watch.lap();
-    PackInput input = readForPacking(std::move(document), settings);
+    PackInput input = readForPacking(std::move(document), settings, false);
     input.report.readSeconds += readSeconds;
     return input;
 }
 
-PackInput readForPacking(GltfDocument document, const CasterSettings& settings) {
+PackInput readForPacking(GltfDocument document, const CasterSettings& settings, bool useStored) {
     Stopwatch watch;
     PackInput input;
     input.document = std::move(document);
     input.scene = flattenScene(input.document, settings.weldTolerance);
     PackReport& report = input.report;
     report.readSeconds = watch.lap();
+    const auto header = readShadowHeader(input.document);
+    if (useStored && settings.casterError > 0.0 && header && header->settings == settings)
+        readCasters(input.document, *header, input.scene);
+    else
+        simplifyCasters(input.scene, settings.casterError);
+    report.build.simplify = watch.lap();
     input.topology = buildTopology(input.scene, settings.castMasked, report.build);
 
+    report.settings = settings;
+    report.diagonal = worldBounds(input.scene).diagonal();
     report.triangles = input.scene.triangleCount();
+    for (const Batch& batch : input.scene.batches)
+        report.castingSurfaceTriangles +=
+            castingSurfacesOf(batch, input.scene.materials, settings.castMasked).indices.size() / 3;
     report.maxMultiplicity = sceneMultiplicity(input.topology);
     for (const BatchTopology& batch : input.topology) {
         report.casters += meshStatistics(batch.mesh.welded, batch.edges);
-        report.adapted += costsOf(buildAdapted(batch.mesh, batch.edges, input.scene.materials));
+        report.adapted += costsOf(
+            buildAdapted(batch.mesh, batch.edges, input.scene.materials, settings.flatTolerance));
     }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;

@@ -9,7 +9,10 @@ namespace edgeshade {
 
 /// Figures about a scene's shadow data: the contract's keys of `pack` and `info`.
 struct PackReport {
-    std::size_t triangles = 0; ///< of all surfaces, degenerate ones included
+    double diagonal = 0.0;                   ///< of the scene's bounds, scene units
+    std::size_t triangles = 0;               ///< of all surfaces, degenerate ones included
+    std::size_t castingSurfaceTriangles = 0; ///< before casters are simplified, likewise
+    CasterSettings settings;
     MeshStatistics casters;
     AdaptedCosts adapted;
     int maxMultiplicity = 1; ///< opposite vertices a published record, as `expanded` stores them
@@ -30,11 +33,12 @@ struct PackInput {
     PackReport report;
 };
 
-/// read -> flatten -> weld -> edges -> count. Throws InputError.
+/// read -> flatten -> simplify -> weld -> edges -> count. Throws InputError.
 PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings);
 
-/// The same of a file that was read already; reading is not in its times.
-PackInput readForPacking(GltfDocument document, const CasterSettings& settings);
+/// The same of a file that was read already; reading is not in its times. `useStored`: simplified
+/// casters of a file that was packed with these settings are taken as they are.
+PackInput readForPacking(GltfDocument document, const CasterSettings& settings, bool useStored);
 
 /// ... -> pack. The packed file's bytes; completes `input.report`.
 Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings);

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace edgeshade {
@@ -56,6 +57,9 @@ struct Batch {
     std::vector<glm::vec4> colors;      ///< linear
     std::vector<std::uint32_t> indices; ///< counter-clockwise is the outside
     std::vector<SurfaceGroup> groups;   ///< opaque first, then mask, then blend
+    /// Corners of what casts in place of the opaque triangles, three a triangle, as
+    /// simplifyCasters() found them; nothing: they cast themselves.
+    std::optional<std::vector<std::uint32_t>> simplifiedCasters;
 };
 
 /// A glTF scene at rest, ready for drawing and for finding its edges.

@@ -13,7 +13,7 @@ std::vector<BatchTopology> buildTopology(const Scene& scene, bool castMasked,
         Stopwatch watch;
         BatchTopology& built = topology.emplace_back();
         const Casters casters = castersOf(batch, scene.materials, castMasked);
-        built.hash = positionsHash(batch, casters);
+        built.hash = positionsHash(batch, castingSurfacesOf(batch, scene.materials, castMasked));
         built.mesh = weldCasters(batch, casters);
         seconds.weld += watch.lap();
         built.edges = buildEdges(built.mesh.welded);

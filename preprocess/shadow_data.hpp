@@ -10,10 +10,15 @@
 
 namespace edgeshade {
 
+/// Degrees that a flat tolerance stays below.
+inline constexpr double flatToleranceEnd = 45.0;
+
 /// What of a scene's triangles the shadow data hold, and how they were found.
 struct CasterSettings {
     double weldTolerance = 0.0; ///< scene units
     bool castMasked = false;    ///< MASK and BLEND surfaces cast too
+    double casterError = 0.0;   ///< scene units, see simplifyCasters()
+    double flatTolerance = 0.0; ///< degrees, see growPatches(); adapted records alone
 
     bool operator==(const CasterSettings&) const = default;
 };
@@ -27,6 +32,7 @@ struct BatchShadow {
 
 /// Seconds that the stages took.
 struct BuildSeconds {
+    double simplify = 0.0;
     double weld = 0.0;
     double edges = 0.0;
     double pack = 0.0;

@@ -11,15 +11,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* shadowAccessorKeys[] = {"sides", "caps", "edgeVertices", "oppositeCounts",
-                                              "oppositeVertices"};
+constexpr const char* shadowAccessorKeys[] = {
+    "simplifiedCasters", "sides", "caps", "edgeVertices", "oppositeCounts", "oppositeVertices"};
 
 /// Checks the kinds of a batch's fields; what they refer to is checked by what uses it.
 void checkBatch(const JsonField& batch) {
     batch.ifPresent("node", [](const JsonField& node) { node.index(); });
     batch.member("positionsHash").text();
+    batch.ifPresent("simplifiedTriangles", [](const JsonField& count) { count.index(); });
+    batch.ifPresent("edgeCount", [](const JsonField& count) { count.index(); });
     for (const char* key : shadowAccessorKeys)
         batch.ifPresent(key, [](const JsonField& accessor) { accessor.index(); });
+}
+
+double notNegative(const JsonField& field) {
+    const double value = field.number();
+    if (value < 0.0) field.fail(" is negative");
+    return value;
 }
 
 Encoding encodingOf(const JsonField& field) {
@@ -79,9 +87,12 @@ std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document) {
         multiplicity.fail(" is " + std::to_string(value) + ", not 1 to " +
                           std::to_string(LARGEST_RECORD_MULTIPLICITY));
     header.maxMultiplicity = static_cast<int>(value);
-    const JsonField tolerance = extension.member("weldTolerance");
-    header.settings.weldTolerance = tolerance.number();
-    if (header.settings.weldTolerance < 0.0) tolerance.fail(" is negative");
+    header.settings.weldTolerance = notNegative(extension.member("weldTolerance"));
+    header.settings.casterError = notNegative(extension.member("casterError"));
+    const JsonField flat = extension.member("flatTolerance");
+    header.settings.flatTolerance = notNegative(flat);
+    if (header.settings.flatTolerance >= flatToleranceEnd)
+        flat.fail(" is " + std::to_string(header.settings.flatTolerance) + ", not below 45");
     header.settings.castMasked = extension.member("castMasked").boolean();
     extension.member("batches").forEachItem(checkBatch);
     return header;

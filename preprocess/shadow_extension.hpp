@@ -12,24 +12,29 @@ namespace edgeshade {
 /// The glTF extension that carries shadow data, on the asset's root, used and not required.
 ///
 /// {
-///   "version": 1,
+///   "version": 2,
 ///   "encoding": "expanded" | "indexed" | "none",
 ///   "maxMultiplicity": 1..5,        opposite vertices a record
-///   "weldTolerance": number >= 0, "castMasked": boolean,
+///   "weldTolerance": number >= 0, "castMasked": boolean, "casterError": number >= 0,
+///   "flatTolerance": number >= 0, < 45; of adapted records, which are made at load
 ///   "batches": [{                   in the order of flattenScene()
 ///     "node": index,                absent: the static nodes
-///     "positionsHash": "16 hex digits",
+///     "positionsHash": "16 hex digits",     of the surfaces that cast, not simplified
+///     "simplifiedTriangles": number >= 0,                                    (casterError > 0)
+///     "simplifiedCasters": accessor of unsigned integers, three a triangle, which vertices of
+///         the batch the simplified casters join; absent where there are none (casterError > 0)
 ///     "sides", "caps": accessors of VEC4 floats, SidesData and CapsData      (expanded)
-///     "edgeVertices", "oppositeCounts", "oppositeVertices": accessors of
-///         unsigned integers, EdgeList over the sorted welded positions       (indexed)
+///     "edgeCount": number > 0,                                               (indexed)
+///     "edgeVertices", "oppositeCounts", "oppositeVertices": accessors of unsigned bytes, the
+///         streams of edge_codec.hpp: edges over the sorted welded positions  (indexed)
 ///   }]                              accessors are absent where a batch has no casters
 /// }
 inline constexpr const char* shadowExtensionName = "EDGESHADE_shadow_volume";
-inline constexpr int shadowExtensionVersion = 1;
+inline constexpr int shadowExtensionVersion = 2;
 
 enum class Encoding {
     expanded, ///< GPU-ready sides-data and caps-data
-    indexed,  ///< edges as indices into the welded positions
+    indexed,  ///< edges as indices into the welded positions, compressed
     none,     ///< nothing but the settings; topology is found at load
 };
 
@@ -55,9 +60,13 @@ struct ShadowHeader {
 };
 std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document);
 
-/// The shadow data that the document holds, made ready for drawing. `scene` must be the document's,
-/// flattened with the header's settings. Checks every offset, count and index. Throws InputError,
-/// also when a batch's hash doesn't match its positions.
+/// Gives `scene`, the document's flattened with the header's settings, the simplified casters that
+/// the document holds. Throws InputError where batches are not those of the document, by their
+/// hashes too, and for every count and index that can't be.
+void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene& scene);
+
+/// The shadow data that the document holds, made ready for drawing. `scene`: with its casters, by
+/// readCasters(). Checks every offset, count and index. Throws InputError.
 std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
                                      const Scene& scene);
 

@@ -1,4 +1,5 @@
 #include "preprocess/accessor.hpp"
+#include "preprocess/edge_codec.hpp"
 #include "preprocess/error.hpp"
 #include "preprocess/shadow_extension.hpp"
 #include "shaders_es2/record_layout.glsl"
@@ -10,6 +11,12 @@ namespace edgeshade {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+const char* keyOf(EdgeStream stream) {
+    return stream == EdgeStream::vertices ? "edgeVertices"
+           : stream == EdgeStream::counts ? "oppositeCounts"
+                                          : "oppositeVertices";
+}
 
 /// Reads one batch of a packed document.
 class BatchReader {
@@ -33,6 +40,21 @@ class BatchReader {
                  std::to_string(node) + ". Pack the file again");
     }
 
+    std::vector<std::uint32_t> readSimplified(std::size_t vertexCount) const {
+        if (!batch_.contains("simplifiedTriangles")) fail(".simplifiedTriangles is missing");
+        const auto triangles = batch_["simplifiedTriangles"].get<std::size_t>();
+        if (triangles == 0) return {};
+        std::vector<std::uint32_t> corners = integers("simplifiedCasters");
+        if (corners.size() % 3 != 0 || corners.size() / 3 != triangles)
+            fail(".simplifiedCasters holds " + std::to_string(corners.size()) +
+                 " corners, but .simplifiedTriangles is " + std::to_string(triangles));
+        for (const std::uint32_t corner : corners)
+            if (corner >= vertexCount)
+                fail(".simplifiedCasters holds " + std::to_string(corner) + ", but the batch has " +
+                     std::to_string(vertexCount) + " vertices");
+        return corners;
+    }
+
     BatchShadow readExpanded(const CasterMesh& mesh, std::size_t capCount,
                              int maxMultiplicity) const {
         BatchShadow shadow;
@@ -53,34 +75,21 @@ class BatchReader {
     }
 
     EdgeList readIndexed(const WeldedMesh& mesh) const {
-        EdgeList list;
-        if (mesh.triangles.empty()) return list;
-        const auto edgeVertices = integers("edgeVertices");
-        const auto oppositeCounts = integers("oppositeCounts");
-        const auto oppositeVertices = integers("oppositeVertices");
-        if (edgeVertices.size() != 2 * oppositeCounts.size())
-            fail(".edgeVertices and .oppositeCounts do not match");
-        for (std::size_t e = 0; e < oppositeCounts.size(); ++e) {
-            const Edge edge{edgeVertices[2 * e], edgeVertices[2 * e + 1],
-                            static_cast<std::uint32_t>(list.opposites.size()), oppositeCounts[e]};
-            const bool valid =
-                edge.a < edge.b && edge.b < mesh.positions.size() && edge.oppositeCount >= 1 &&
-                edge.oppositeCount <= oppositeVertices.size() - list.opposites.size();
-            if (!valid) fail(".edgeVertices has an invalid edge " + std::to_string(e));
-            for (std::uint32_t i = 0; i < edge.oppositeCount; ++i) {
-                const std::uint32_t vertex = oppositeVertices[list.opposites.size()];
-                if (vertex >= mesh.positions.size() || vertex == edge.a || vertex == edge.b)
-                    fail(".oppositeVertices holds " + std::to_string(vertex) + " for edge " +
-                         std::to_string(e) + ", which can't be");
-                list.opposites.push_back({vertex, 0});
-            }
-            list.edges.push_back(edge);
-        }
-        if (list.opposites.size() != 3 * mesh.triangles.size())
-            fail(".oppositeVertices has " + std::to_string(list.opposites.size()) +
-                 " entries, but there are " + std::to_string(mesh.triangles.size()) +
-                 " casting triangles");
-        return list;
+        if (mesh.triangles.empty()) return {};
+        const std::size_t opposites = 3 * mesh.triangles.size();
+        if (!batch_.contains("edgeCount")) fail(".edgeCount is missing");
+        const auto edgeCount = batch_["edgeCount"].get<std::size_t>();
+        if (edgeCount < 1 || edgeCount > opposites)
+            fail(".edgeCount is " + std::to_string(edgeCount) + ", but there are " +
+                 std::to_string(mesh.triangles.size()) + " casting triangles");
+        DecodedEdges decoded =
+            decodeEdges({bytes("edgeVertices"), bytes("oppositeCounts"), bytes("oppositeVertices")},
+                        edgeCount, opposites, mesh.positions.size());
+        if (decoded.fault)
+            fail("." + std::string(keyOf(*decoded.fault)) +
+                 (decoded.edge ? " holds what can't be at edge " + std::to_string(*decoded.edge)
+                               : " does not decode"));
+        return std::move(decoded.edges);
     }
 
   private:
@@ -106,6 +115,13 @@ class BatchReader {
 
     std::vector<std::uint32_t> integers(const char* key) const {
         return readIndices(document_, accessorOf(key), field_ + "." + key);
+    }
+
+    Bytes bytes(const char* key) const {
+        const std::vector<std::uint32_t> values = integers(key);
+        for (const std::uint32_t value : values)
+            if (value > 0xFF) fail("." + std::string(key) + " holds more than bytes");
+        return {values.begin(), values.end()};
     }
 
     void requireOrders(const SidesData& sides) const {
@@ -138,22 +154,32 @@ class BatchReader {
 
 } // namespace
 
-std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
-                                     const Scene& scene) {
+void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene& scene) {
     const Json& batches = (*shadowExtensionOf(document.json))["batches"];
     if (batches.size() != scene.batches.size())
         throw InputError(document.where(shadowExtensionName) + ".batches has " +
                          std::to_string(batches.size()) + " entries, but the scene has " +
                          std::to_string(scene.batches.size()) + " batches. Pack the file again.");
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        Batch& batch = scene.batches[i];
+        const BatchReader reader(document, i);
+        reader.requireNode(batch.node);
+        reader.requireHash(positionsHash(
+            batch, castingSurfacesOf(batch, scene.materials, header.settings.castMasked)));
+        if (header.settings.casterError > 0.0)
+            batch.simplifiedCasters = reader.readSimplified(batch.positions.size());
+    }
+}
+
+std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
+                                     const Scene& scene) {
     std::vector<BatchShadow> shadows;
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const Batch& batch = scene.batches[i];
-        const Casters casters = castersOf(batch, scene.materials, header.settings.castMasked);
         const BatchReader reader(document, i);
-        reader.requireNode(batch.node);
-        reader.requireHash(positionsHash(batch, casters));
         BatchTopology topology;
-        topology.mesh = weldCasters(batch, casters);
+        topology.mesh =
+            weldCasters(batch, castersOf(batch, scene.materials, header.settings.castMasked));
         if (header.encoding == Encoding::expanded) {
             shadows.push_back(reader.readExpanded(
                 topology.mesh, topology.mesh.welded.triangles.size(), header.maxMultiplicity));

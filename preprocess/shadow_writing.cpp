@@ -1,3 +1,4 @@
+#include "preprocess/edge_codec.hpp"
 #include "preprocess/shadow_extension.hpp"
 
 #include <algorithm>
@@ -15,6 +16,11 @@ class AccessorWriter {
     int add(std::span<const glm::vec4> vectors) {
         return add(vectors.data(), vectors.size_bytes(), vectors.size(),
                    TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC4");
+    }
+
+    int add(const Bytes& bytes) {
+        return add(bytes.data(), bytes.size(), bytes.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                   "SCALAR");
     }
 
     /// Unsigned integers in the smallest type that holds them.
@@ -55,16 +61,11 @@ class AccessorWriter {
 };
 
 void appendIndexed(const EdgeList& edges, AccessorWriter& writer, Json& batch) {
-    std::vector<std::uint32_t> edgeVertices, oppositeCounts, oppositeVertices;
-    for (const Edge& edge : edges.edges) {
-        edgeVertices.insert(edgeVertices.end(), {edge.a, edge.b});
-        oppositeCounts.push_back(edge.oppositeCount);
-    }
-    for (const Opposite& opposite : edges.opposites)
-        oppositeVertices.push_back(opposite.vertex);
-    batch["edgeVertices"] = writer.add(edgeVertices);
-    batch["oppositeCounts"] = writer.add(oppositeCounts);
-    batch["oppositeVertices"] = writer.add(oppositeVertices);
+    const EncodedEdges encoded = encodeEdges(edges);
+    batch["edgeCount"] = edges.edges.size();
+    batch["edgeVertices"] = writer.add(encoded.vertices);
+    batch["oppositeCounts"] = writer.add(encoded.counts);
+    batch["oppositeVertices"] = writer.add(encoded.opposites);
 }
 
 } // namespace
@@ -79,6 +80,10 @@ void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
         Json batch = Json::object();
         if (scene.batches[i].node >= 0) batch["node"] = scene.batches[i].node;
         batch["positionsHash"] = hashText(topology[i].hash);
+        if (const auto& casters = scene.batches[i].simplifiedCasters) {
+            batch["simplifiedTriangles"] = casters->size() / 3;
+            if (!casters->empty()) batch["simplifiedCasters"] = writer.add(*casters);
+        }
         if (!topology[i].edges.edges.empty() && encoding == Encoding::indexed)
             appendIndexed(topology[i].edges, writer, batch);
         if (!topology[i].edges.edges.empty() && encoding == Encoding::expanded) {
@@ -89,9 +94,10 @@ void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
         batches.push_back(std::move(batch));
     }
     json["extensions"][shadowExtensionName] = {
-        {"version", shadowExtensionVersion},  {"encoding", nameOf(encoding)},
-        {"maxMultiplicity", maxMultiplicity}, {"weldTolerance", settings.weldTolerance},
-        {"castMasked", settings.castMasked},  {"batches", std::move(batches)}};
+        {"version", shadowExtensionVersion},       {"encoding", nameOf(encoding)},
+        {"maxMultiplicity", maxMultiplicity},      {"weldTolerance", settings.weldTolerance},
+        {"castMasked", settings.castMasked},       {"casterError", settings.casterError},
+        {"flatTolerance", settings.flatTolerance}, {"batches", std::move(batches)}};
     Json& used = json["extensionsUsed"];
     if (std::find(used.begin(), used.end(), shadowExtensionName) == used.end())
         used.push_back(shadowExtensionName);

@@ -19,8 +19,12 @@ struct Casters {
     std::vector<SurfaceGroup> groups;   ///< ranges of `indices`
 };
 
-/// Picks the casters of a batch: opaque triangles, with `castMasked` MASK and BLEND ones too
+/// The surfaces of a batch that cast: opaque triangles, with `castMasked` MASK and BLEND ones too
 /// (method, section 5).
+Casters castingSurfacesOf(const Batch& batch, const std::vector<Material>& materials,
+                          bool castMasked);
+
+/// The same with the simplified casters, where there are some, in place of the opaque triangles.
 Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bool castMasked);
 
 /// Casters, welded.
@@ -33,7 +37,7 @@ struct CasterMesh {
 CasterMesh weldCasters(const Batch& batch, const Casters& casters);
 
 /// FNV-1a, 64 bit, over the bytes of every corner's position in order, little-endian. Tells
-/// whether shadow data belong to these casters; no defence against forgery.
-std::uint64_t positionsHash(const Batch& batch, const Casters& casters);
+/// whether shadow data belong to these surfaces; no defence against forgery.
+std::uint64_t positionsHash(const Batch& batch, const Casters& surfaces);
 
 } // namespace edgeshade

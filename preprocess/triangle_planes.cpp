@@ -3,6 +3,7 @@
 #include "preprocess/components.hpp"
 #include "preprocess/coplanar.hpp"
 #include "preprocess/disjoint_sets.hpp"
+#include "preprocess/patch_growth.hpp"
 
 #include <cmath>
 
@@ -42,7 +43,8 @@ glm::vec4 planeOf(const Facet& facet, const glm::vec3& point) {
 
 } // namespace
 
-std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& edges) {
+std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& edges,
+                                      double flatTolerance) {
     std::vector<Facet> facets;
     facets.reserve(mesh.triangles.size());
     for (const Triangle& triangle : mesh.triangles)
@@ -75,12 +77,20 @@ std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& ed
         std::uint32_t& best = largest[patches.find(t)];
         if (area(t) > area(best)) best = t;
     }
+    std::vector<std::uint32_t> models(mesh.triangles.size());
+    for (std::uint32_t t = 0; t < facets.size(); ++t)
+        models[t] = largest[patches.find(t)];
+    if (flatTolerance > 0.0) {
+        std::vector<glm::dvec3> normals;
+        normals.reserve(facets.size());
+        for (const Facet& facet : facets)
+            normals.push_back(facet.normal);
+        growPatches(mesh, edges, normals, flatTolerance, models);
+    }
     std::vector<glm::vec4> planes;
     planes.reserve(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < facets.size(); ++t) {
-        const std::uint32_t model = largest[patches.find(t)];
+    for (const std::uint32_t model : models)
         planes.push_back(planeOf(facets[model], mesh.positions[mesh.triangles[model][0]]));
-    }
     return planes;
 }
 

@@ -12,8 +12,10 @@ namespace edgeshade {
 /// everything that asks for a triangle's side asks the same four floats (method, section 6.2).
 ///
 /// Triangles of a flat patch, oriented alike, coplanar by an exact predicate and connected through
-/// edges, share the plane of the largest of them bit for bit. (0, 0, 0, 0) for a triangle whose
-/// normal can't be told: it has no side, and casts nothing.
-std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& edges);
+/// edges, share the plane of the largest of them bit for bit. With a `flatTolerance` (degrees, 0 to
+/// below 45) the patches are joined to nearly flat ones by growPatches(). (0, 0, 0, 0) for a
+/// triangle whose normal can't be told: it has no side, and casts nothing.
+std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& edges,
+                                      double flatTolerance = 0.0);
 
 } // namespace edgeshade

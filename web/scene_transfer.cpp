@@ -41,6 +41,11 @@ class Writer {
             for (const T& value : values)
                 transfer(*this, value);
     }
+    template <class T>
+    void put(const std::optional<std::vector<T>>& values) {
+        put(values.has_value());
+        if (values) put(*values);
+    }
     void append(const void* data, std::size_t size) {
         const auto* first = static_cast<const std::uint8_t*>(data);
         bytes_.insert(bytes_.end(), first, first + size);
@@ -76,6 +81,12 @@ class Reader {
             for (T& value : values)
                 transfer(*this, value);
     }
+    template <class T>
+    void take(std::optional<std::vector<T>>& values) {
+        bool present = false;
+        take(present);
+        if (present) take(values.emplace());
+    }
     void cut(void* data, std::size_t size) {
         const auto part = bytes_.first(size);
         if (size > 0) std::memcpy(data, part.data(), size);
@@ -88,7 +99,7 @@ class Reader {
 template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
     archive(batch.node, batch.worldFromBatch, batch.origin, batch.positions, batch.normals,
-            batch.texcoords, batch.colors, batch.indices, batch.groups);
+            batch.texcoords, batch.colors, batch.indices, batch.groups, batch.simplifiedCasters);
 }
 
 template <class Archive>

@@ -15,13 +15,81 @@ constexpr int framesPerStageFrame = 4; // stages cost further frames, so not all
 constexpr int repeatedFrames = 3;      // drawn again at the end
 constexpr int mostTries = 5;           // where the GPU was disturbed
 
+/// A scene that some of the contenders draw, with what they share of it.
+class Stage {
+  public:
+    Stage(const LoadedScene& loaded, const gl::Capabilities& capabilities)
+        : loaded_(loaded), capabilities_(capabilities), bounds_(worldBounds(loaded.scene)) {}
+
+    bool isOf(const LoadedScene& loaded) const { return &loaded == &loaded_; }
+
+    /// Works out what the frame shows. Groups of casters are kept while the lights rest;
+    /// `volumes`: somebody draws them.
+    void look(const FrameRequest& request, bool volumes) {
+        Stopwatch watch;
+        view_ = makeFrameView(loaded_, request, bounds_);
+        planMs_ = 1e3 * watch.lap();
+        layersMs_ = 0.0;
+        if (layersAreOf(request.lights) || !volumes) return;
+        lights_ = request.lights;
+        layers_.clear();
+        groups_.clear();
+        for (const Light& light : lights_)
+            layers_.push_back(
+                boundLayers(loaded_.scene, loaded_.settings.castMasked, light, stencilLimit));
+        layersMs_ = 1e3 * watch.lap();
+    }
+
+    const FrameView& view() const { return view_; }
+    double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
+
+    const GpuScene& sceneFor(const std::optional<VolumeRecords>& volumes) {
+        auto found = scenes_.find(volumes);
+        if (found == scenes_.end())
+            found = scenes_.emplace(volumes, uploadScene(loaded_, volumes, capabilities_)).first;
+        return found->second;
+    }
+
+    const std::vector<GroupedShadow>& groupsFor(const std::optional<VolumeRecords>& volumes) {
+        if (!volumes) return noGroups_;
+        auto found = groups_.find(*volumes);
+        if (found == groups_.end()) {
+            FrameView withLayers = view_;
+            withLayers.layers = layers_;
+            found =
+                groups_.emplace(*volumes, uploadNeededGroups(loaded_, withLayers, *volumes)).first;
+        }
+        return found->second;
+    }
+
+  private:
+    bool layersAreOf(const std::vector<Light>& lights) const {
+        return std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(),
+                          [](const Light& a, const Light& b) { return a.position == b.position; });
+    }
+
+    const LoadedScene& loaded_;
+    const gl::Capabilities& capabilities_;
+    Box bounds_;
+    std::map<std::optional<VolumeRecords>, GpuScene> scenes_;
+    FrameView view_;
+    std::vector<Light> lights_; ///< whose layers_ these are
+    std::vector<LayerBound> layers_;
+    std::map<VolumeRecords, std::vector<GroupedShadow>> groups_; ///< for lights_
+    const std::vector<GroupedShadow> noGroups_;
+    double planMs_ = 0.0;
+    double layersMs_ = 0.0;
+};
+
 /// One setting, ready to draw.
 struct Contender {
-    Contender(const Setting& setting_, const RenderSettings& render,
+    Contender(const Setting& setting_, const RenderSettings& render, Stage& stage_,
               const gl::Capabilities& capabilities)
-        : setting(setting_), renderer(render, capabilities), volumes(render.records()) {}
+        : setting(setting_), stage(stage_), renderer(render, capabilities),
+          volumes(render.records()) {}
 
     const Setting& setting;
+    Stage& stage;
     Renderer renderer;
     std::optional<VolumeRecords> volumes; ///< nothing: draws none
     std::vector<double> frameMs, planMs, vertexRuns, repeatMs;
@@ -32,15 +100,16 @@ struct Contender {
 class Course {
   public:
     Course(const LoadedScene& loaded, const Task& task)
-        : loaded_(loaded), task_(task), context_({task.width, task.height, task.samples}),
+        : task_(task), context_({task.width, task.height, task.samples}),
           bounds_(worldBounds(loaded.scene)),
           timer_(task.timing.value_or(gl::bestTiming(context_.capabilities())),
                  context_.capabilities()) {
         for (const Setting& setting : task.settings) {
             RenderSettings render = setting.render;
             render.layout = setting.layout.value_or(bestLayout(context_.capabilities()));
-            contenders_.push_back(
-                std::make_unique<Contender>(setting, render, context_.capabilities()));
+            contenders_.push_back(std::make_unique<Contender>(
+                setting, render, stageOf(setting.scene ? *setting.scene : loaded),
+                context_.capabilities()));
         }
     }
 
@@ -56,7 +125,7 @@ class Course {
         look(shareOf(index));
         inTurn(index, [&](Contender& contender) {
             contender.frameMs.push_back(frameMs(contender));
-            contender.planMs.push_back(planMs_ + (contender.volumes ? layersMs_ : 0.0));
+            contender.planMs.push_back(contender.stage.planMs(contender.volumes.has_value()));
             contender.vertexRuns.push_back(static_cast<double>(contender.renderer.vertexRuns()));
         });
         if (index % framesPerStageFrame != 0) return;
@@ -85,9 +154,13 @@ class Course {
   private:
     double shareOf(double index) const { return index / task_.frames; }
 
-    /// Works out what the frame shows. Groups of casters are kept while the lights rest.
+    Stage& stageOf(const LoadedScene& loaded) {
+        for (const auto& stage : stages_)
+            if (stage->isOf(loaded)) return *stage;
+        return *stages_.emplace_back(std::make_unique<Stage>(loaded, context_.capabilities()));
+    }
+
     void look(double share) {
-        Stopwatch watch;
         FrameRequest request;
         request.camera = task_.cameraAt(share);
         request.width = task_.width;
@@ -95,27 +168,14 @@ class Course {
         request.depth.near = task_.near;
         request.lights =
             task_.lightMoves ? movedLights(task_.lights, bounds_, share) : task_.lights;
-        view_ = makeFrameView(loaded_, request, bounds_);
-        planMs_ = 1e3 * watch.lap();
-        layersMs_ = 0.0;
-        if (layersAreOf(request.lights) || !anyVolumes()) return;
-        lights_ = request.lights;
-        layers_.clear();
-        groups_.clear();
-        for (const Light& light : lights_)
-            layers_.push_back(
-                boundLayers(loaded_.scene, loaded_.settings.castMasked, light, stencilLimit));
-        layersMs_ = 1e3 * watch.lap();
+        for (const auto& stage : stages_)
+            stage->look(request, anyVolumes(*stage));
     }
 
-    bool layersAreOf(const std::vector<Light>& lights) const {
-        return std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(),
-                          [](const Light& a, const Light& b) { return a.position == b.position; });
-    }
-
-    bool anyVolumes() const {
-        return std::any_of(contenders_.begin(), contenders_.end(),
-                           [](const auto& contender) { return contender->volumes.has_value(); });
+    bool anyVolumes(const Stage& stage) const {
+        return std::any_of(contenders_.begin(), contenders_.end(), [&](const auto& contender) {
+            return &contender->stage == &stage && contender->volumes.has_value();
+        });
     }
 
     /// Calls `use` for every contender, each time with another one first.
@@ -125,31 +185,12 @@ class Course {
             use(*contenders_[(static_cast<std::size_t>(index) + i) % contenders_.size()]);
     }
 
-    const GpuScene& sceneFor(const std::optional<VolumeRecords>& volumes) {
-        auto found = scenes_.find(volumes);
-        if (found == scenes_.end())
-            found = scenes_.emplace(volumes, uploadScene(loaded_, volumes, context_.capabilities()))
-                        .first;
-        return found->second;
-    }
-
-    const std::vector<GroupedShadow>& groupsFor(const std::optional<VolumeRecords>& volumes) {
-        if (!volumes) return noGroups_;
-        auto found = groups_.find(*volumes);
-        if (found == groups_.end()) {
-            FrameView withLayers = view_;
-            withLayers.layers = layers_;
-            found =
-                groups_.emplace(*volumes, uploadNeededGroups(loaded_, withLayers, *volumes)).first;
-        }
-        return found->second;
-    }
-
     void draw(Contender& contender, StageClock* clock) {
-        FrameView view = view_;
+        Stage& stage = contender.stage;
+        FrameView view = stage.view();
         view.slices = divideDepth(view.near(), view.farthestDepth, contender.setting.depthSlices);
-        contender.renderer.draw(sceneFor(contender.volumes), view, groupsFor(contender.volumes),
-                                clock);
+        contender.renderer.draw(stage.sceneFor(contender.volumes), view,
+                                stage.groupsFor(contender.volumes), clock);
         gl::requireNoError("drawing for measuring");
     }
 
@@ -169,8 +210,8 @@ class Course {
 
     double frameMs(Contender& contender) {
         // What is made on first use is no part of a frame.
-        sceneFor(contender.volumes);
-        groupsFor(contender.volumes);
+        contender.stage.sceneFor(contender.volumes);
+        contender.stage.groupsFor(contender.volumes);
         return timed([&] {
                    timer_.begin(0);
                    draw(contender, nullptr);
@@ -200,9 +241,9 @@ class Course {
             result.sideBytes += shadow.sideBytes();
             result.capBytes += shadow.capBytes();
         };
-        for (const GpuBatch& batch : sceneFor(contender.volumes).batches)
+        for (const GpuBatch& batch : contender.stage.sceneFor(contender.volumes).batches)
             count(batch.volumes);
-        for (const GroupedShadow& light : groupsFor(contender.volumes))
+        for (const GroupedShadow& light : contender.stage.groupsFor(contender.volumes))
             for (const auto& group : light)
                 std::for_each(group.begin(), group.end(), count);
         result.sideBytes += contender.renderer.proposalBytes();
@@ -215,20 +256,12 @@ class Course {
         return result;
     }
 
-    const LoadedScene& loaded_;
     const Task& task_;
     gl::HeadlessContext context_;
     Box bounds_;
     gl::SpanTimer timer_;
+    std::vector<std::unique_ptr<Stage>> stages_;
     std::vector<std::unique_ptr<Contender>> contenders_;
-    std::map<std::optional<VolumeRecords>, GpuScene> scenes_;
-    FrameView view_;
-    std::vector<Light> lights_; ///< whose layers_ these are
-    std::vector<LayerBound> layers_;
-    std::map<VolumeRecords, std::vector<GroupedShadow>> groups_; ///< for lights_
-    const std::vector<GroupedShadow> noGroups_;
-    double planMs_ = 0.0;
-    double layersMs_ = 0.0;
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "src/render/stage_timer.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -15,8 +16,9 @@ namespace edgeshade::bench {
 struct Setting {
     std::string name;
     RenderSettings render;
-    std::optional<SidesLayout> layout; ///< nothing: the best that the GL has
-    std::optional<int> depthSlices;    ///< nothing: as many as pay
+    std::optional<SidesLayout> layout;        ///< nothing: the best that the GL has
+    std::optional<int> depthSlices;           ///< nothing: as many as pay
+    std::shared_ptr<const LoadedScene> scene; ///< with other casters; null: measure()'s own
 };
 
 /// What is drawn, and how often.
@@ -59,8 +61,8 @@ struct Report {
 
 /// Draws every frame of the flight by every setting in turn, whoever is first changing from frame
 /// to frame, in one context. Each frame is timed as a whole; the stages are timed in further
-/// frames, half way between two, since timing them holds up the GL. `progress` gets the share done.
-/// Throws Error.
+/// frames, half way between two, since timing them holds up the GL. The flight is that of `loaded`,
+/// whatever scenes settings have. `progress` gets the share done. Throws Error.
 Report measure(const LoadedScene& loaded, const Task& task,
                const std::function<void(double)>& progress);
 

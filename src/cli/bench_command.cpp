@@ -1,6 +1,7 @@
 #include "preprocess/error.hpp"
 #include "src/bench/bench.hpp"
 #include "src/cli/bench_report.hpp"
+#include "src/cli/caster_variants.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
@@ -46,11 +47,15 @@ std::vector<std::pair<int, int>> sizesFrom(const std::string& text) {
 }
 
 void benchScene(const BenchOptions& options) {
-    std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings}};
+    std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
-        settings.push_back({text, settingsFrom(options.settings, text)});
+        settings.push_back({text, settingsFrom(options.settings, text), nullptr});
     const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    CasterVariants variants(options.input, loaded);
+    for (BenchSetting& setting : settings)
+        setting.scene = variants.with(setting.settings.casters);
     BenchReport report;
+    report.casters = loaded.settings;
     report.warnings = loaded.scene.warnings.sentences();
     printWarnings(report.warnings);
 
@@ -148,9 +153,10 @@ void addBenchCommand(CLI::App& program) {
                 "--sizes", [options](const std::string& text) { options->sizes = sizesFrom(text); },
                 "Several picture sizes, WxH,WxH,...; all: 800x600, 1920x1080, 2560x1600, 3840x2160")
             ->type_name("all|WxH,...");
-    verb->add_option("--against", options->against,
-                     "Another setting, drawn frame by frame in turn with this one, e.g. "
-                     "shadows=map,map-size=2048; may be repeated. Reports ratios")
+    verb->add_option(
+            "--against", options->against,
+            "Another setting, drawn frame by frame in turn with this one, e.g. "
+            "shadows=map,map-size=2048 or caster-error=0.01; may be repeated. Reports ratios")
         ->type_name("SETTING")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

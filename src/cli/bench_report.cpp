@@ -1,6 +1,7 @@
 #include "src/cli/bench_report.hpp"
 
 #include "src/bench/flythrough.hpp"
+#include "src/cli/caster_variants.hpp"
 #include "src/cli/report.hpp"
 
 #include <algorithm>
@@ -38,10 +39,11 @@ std::string fixed(double value, int digits) {
 }
 
 Json resultJson(const bench::Task& task, const BenchSetting& setting, const bench::Result& result,
-                const bench::Report& measured) {
+                const bench::Report& measured, const CasterSettings& casters) {
     DrawSettings settings = setting.settings;
     settings.render = result.settings;
     Json settingsOf = settingsJson(settings);
+    settingsOf.update(casterJson(setting.settings.casters.on(casters)));
     settingsOf["samples"] = measured.device.samples;
     const bench::Spread spread = bench::spreadOf(result.frameMs);
     const StageMs& stages = result.stageMs;
@@ -90,7 +92,8 @@ std::string softwareWarning(const gl::Capabilities& device) {
 }
 
 bench::Setting toTask(const BenchSetting& setting) {
-    bench::Setting task{setting.name, setting.settings.render, {}, setting.settings.depthSlices};
+    bench::Setting task{
+        setting.name, setting.settings.render, {}, setting.settings.depthSlices, setting.scene};
     if (setting.settings.instancing != InstancingChoice::automatic)
         task.layout = layoutFor(setting.settings.instancing, {});
     return task;
@@ -139,7 +142,7 @@ void BenchReport::add(const bench::Task& task, const std::vector<BenchSetting>& 
         const bench::Result& result = measured.results[i];
         const bench::Ratios ratios = bench::ratiosOf(own.frameMs, result.frameMs);
         rows_.push_back({sizeName(task), result, ratios, i == 0});
-        results_.push_back(resultJson(task, settings[i], result, measured));
+        results_.push_back(resultJson(task, settings[i], result, measured, casters));
         if (i > 0)
             ratios_.push_back({{"name", result.name},
                                {"size", {task.width, task.height}},

@@ -12,6 +12,7 @@ namespace edgeshade::cli {
 struct BenchSetting {
     std::string name;
     DrawSettings settings;
+    std::shared_ptr<const LoadedScene> scene; ///< with their casters; null: the call's own
 };
 
 /// How the setting is measured.
@@ -42,6 +43,7 @@ class Countdown {
 class BenchReport {
   public:
     std::vector<std::string> warnings; ///< of loading
+    CasterSettings casters;            ///< of the call
 
     /// Adds what was measured at one size; `settings` in the order of the task's.
     void add(const bench::Task& task, const std::vector<BenchSetting>& settings,

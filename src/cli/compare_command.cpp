@@ -7,6 +7,7 @@
 #include <memory>
 
 #ifdef EDGESHADE_HAS_LAB
+#include "src/cli/caster_variants.hpp"
 #include "src/cli/contender.hpp"
 #include "src/image/png.hpp"
 #include "src/lab/compare.hpp"
@@ -45,12 +46,13 @@ Json countsJson(const lab::WrongCounts& counts) {
 }
 
 Json resultJson(const lab::CompareResult& result, DrawSettings settings,
-                const std::vector<lab::LabView>& views) {
+                const CasterSettings& casters, const std::vector<lab::LabView>& views) {
     settings.render = result.settings;
     Json json = {{"name", result.name}, {"views", result.views}};
     json.update(countsJson(result.counts));
     json["worst_view"] = views.empty() ? Json(nullptr) : Json(views[result.worstView].name);
     json["settings"] = settingsJson(settings);
+    json["settings"].update(casterJson(casters));
     Json byView = Json::array();
     for (std::size_t v = 0; v < result.byView.size(); ++v) {
         Json one = {{"name", views[v].name}};
@@ -91,19 +93,25 @@ void compare(const CompareOptions& options, bool viewsTyped) {
 
     lab::CompareTask task;
     lookAt(task, options.view, loaded.scene, options.views, viewsTyped);
-    task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0]));
+    task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0], nullptr));
+    CasterVariants variants(options.input, loaded);
     for (std::size_t i = 0; i < options.against.size(); ++i)
-        task.contenders.push_back(contenderOf(options.against[i], settings[i + 1]));
+        task.contenders.push_back(contenderOf(options.against[i], settings[i + 1],
+                                              variants.with(settings[i + 1].casters)));
 
     const auto results = lab::compareAll(loaded, task, printBar);
     if (!options.heatmap.empty())
         writeFile(options.heatmap, encodePng(results[0].heatmap, task.width, task.height));
     printResult(tableOf(results), options.report);
-    Json json = resultJson(results[0], settings[0], task.views);
+    const auto jsonOf = [&](std::size_t i) {
+        return resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
+                          task.views);
+    };
+    Json json = jsonOf(0);
     if (results.size() > 1) {
         Json all = Json::array();
         for (std::size_t i = 0; i < results.size(); ++i)
-            all.push_back(resultJson(results[i], settings[i], task.views));
+            all.push_back(jsonOf(i));
         json = {{"results", std::move(all)}};
     }
     writeReport(json, options.report);
@@ -135,9 +143,10 @@ void addCompareCommand(CLI::App& program) {
                      "Draw the worst view's wrong pixels: red wrongly lit, blue wrongly dark, "
                      "green otherwise wrong, yellow ties")
         ->type_name("OUT.png");
-    verb->add_option("--against", options->against,
-                     "Another setting to compare in the same run, e.g. shadows=map,map-size=2048; "
-                     "may be repeated. A map's bias is tuned unless map-bias is given")
+    verb->add_option(
+            "--against", options->against,
+            "Another setting to compare in the same run, e.g. shadows=map,map-size=2048 or "
+            "caster-error=0.01; may be repeated. A map's bias is tuned unless map-bias is given")
         ->type_name("SETTING")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

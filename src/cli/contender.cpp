@@ -4,9 +4,11 @@
 
 namespace edgeshade::cli {
 
-lab::Contender contenderOf(const std::string& name, const DrawSettings& settings) {
+lab::Contender contenderOf(const std::string& name, const DrawSettings& settings,
+                           std::shared_ptr<const LoadedScene> scene) {
     lab::Contender contender;
     contender.name = name;
+    contender.scene = std::move(scene);
     contender.settings = settings.render;
     contender.depthSlices = settings.depthSlices;
     contender.tuneMapBias = settings.render.shadows == ShadowMethod::map && !settings.hasMapBias();

@@ -6,8 +6,10 @@
 
 namespace edgeshade::cli {
 
-/// How settings are compared with the oracle: a map's bias is tuned unless it was typed.
-lab::Contender contenderOf(const std::string& name, const DrawSettings& settings);
+/// How settings are compared with the oracle: a map's bias is tuned unless it was typed. `scene`:
+/// with the settings' casters, null for the call's own.
+lab::Contender contenderOf(const std::string& name, const DrawSettings& settings,
+                           std::shared_ptr<const LoadedScene> scene);
 
 /// What the task looks at: `views` of the lab's views, or where a camera was typed and no number of
 /// views, that one alone. Throws Error(usage) for too many lights.

@@ -163,6 +163,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     CLI::App parser;
     parser.set_help_flag();
     addDrawOptions(parser, settings);
+    addCasterChanges(parser, settings.casters);
     std::vector<std::string> words;
     std::istringstream parts(text);
     for (std::string part; std::getline(parts, part, ',');) {

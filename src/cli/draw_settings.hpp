@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/cli/options.hpp"
 #include "src/render/frame.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,7 @@ struct DrawSettings {
     std::optional<int> depthSlices;         ///< nothing: as many as pay
     std::vector<std::string> mapOptions;    ///< those typed that only shadow maps have
     std::vector<std::string> volumeOptions; ///< those that only shadow volumes have
+    CasterChanges casters;                  ///< of `--against`: on top of the call's own
 
     bool hasMapBias() const;
 };
@@ -29,12 +31,14 @@ struct DrawSettings {
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Works out render.multiplicity and render.silhouette from what was typed: adapted records hold planes, published ones
-/// opposite vertices, so that layout or method follows from the other. Throws Error(usage) where
-/// they don't go together, and for options that another one makes meaningless.
+/// Works out render.multiplicity and render.silhouette from what was typed: adapted records hold
+/// planes, published ones opposite vertices, so that layout or method follows from the other.
+/// Throws Error(usage) where they don't go together, and for options that another one makes
+/// meaningless.
 void resolve(DrawSettings& settings);
 
-/// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512".
+/// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512",
+/// casters' too, e.g. "caster-error=0.01".
 /// Throws Error(usage).
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
 

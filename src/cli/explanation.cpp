@@ -15,7 +15,7 @@ std::string placeOf(const Light& light) {
 }
 
 /// All batches with their records, of the whole scene.
-std::vector<PlacedShadow> castersOf(const LoadedScene& loaded) {
+std::vector<PlacedShadow> placedShadows(const LoadedScene& loaded) {
     std::vector<PlacedShadow> casters;
     for (std::size_t i = 0; i < loaded.adapted.size(); ++i)
         casters.push_back({i, loaded.adapted[i].get(), loaded.scene.batches[i].worldFromBatch});
@@ -23,9 +23,9 @@ std::vector<PlacedShadow> castersOf(const LoadedScene& loaded) {
 }
 
 /// The same of one group.
-std::vector<PlacedShadow> castersOf(const LoadedScene& loaded,
-                                    const std::vector<BatchVolumes>& group) {
-    std::vector<PlacedShadow> casters = castersOf(loaded);
+std::vector<PlacedShadow> placedShadows(const LoadedScene& loaded,
+                                        const std::vector<BatchVolumes>& group) {
+    std::vector<PlacedShadow> casters = placedShadows(loaded);
     for (std::size_t i = 0; i < casters.size(); ++i)
         casters[i].shadow = group[i].adapted->shadow().get();
     return casters;
@@ -75,7 +75,8 @@ std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
             text << "casters in " << count
                  << " groups, since more volumes may overlap than a stencil counts\n";
         for (std::size_t g = 0; g < count; ++g) {
-            const auto casters = grouped ? castersOf(loaded, groups[i][g]) : castersOf(loaded);
+            const auto casters =
+                grouped ? placedShadows(loaded, groups[i][g]) : placedShadows(loaded);
             if (grouped) text << "group " << g << ": ";
             text << offered(casters, light, settings.silhouette, bits) << "\n";
             for (const DepthSlice& slice : view.slices) {

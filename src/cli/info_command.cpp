@@ -23,7 +23,7 @@ void info(const InfoOptions& options) {
     const double readSeconds = watch.lap();
     const CasterSettings settings =
         options.casters.wanted().value_or(header ? header->settings : CasterSettings());
-    PackInput input = readForPacking(std::move(document), settings);
+    PackInput input = readForPacking(std::move(document), settings, true);
     input.report.readSeconds += readSeconds;
     printWarnings(input.report.warnings);
     std::string text = summaryOf(input.report);

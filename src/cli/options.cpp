@@ -131,22 +131,38 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
         ->needs(verb.get_option("--light"));
 }
 
+CasterSettings CasterChanges::on(CasterSettings settings) const {
+    settings.weldTolerance = weldTolerance.value_or(settings.weldTolerance);
+    settings.flatTolerance = flatTolerance.value_or(settings.flatTolerance);
+    settings.casterError = casterError.value_or(settings.casterError);
+    return settings;
+}
+
+void addCasterChanges(CLI::App& verb, CasterChanges& changes) {
+    const auto add = [&](const std::string& name, const std::string& type,
+                         std::optional<double>& value, double end, const std::string& help) {
+        addTextOption(verb, name, type, help, [&value, name, end](const std::string& text) {
+            value = numberFrom(text, name);
+            if (*value < 0.0) throw CLI::ValidationError(name, "'" + text + "' is below 0");
+            if (*value >= end)
+                throw CLI::ValidationError(name, "'" + text + "' is not below " +
+                                                     std::to_string(static_cast<int>(end)));
+        });
+    };
+    add("--weld-tolerance", "D", changes.weldTolerance, INFINITY,
+        "Vertices closer than this, in scene units, become one (0: only equal ones)");
+    add("--flat-tolerance", "DEG", changes.flatTolerance, flatToleranceEnd,
+        "Edges that bend no more than this, in degrees, are taken for flat and cast nothing; of "
+        "adapted records (0: exactly flat ones)");
+    add("--caster-error", "D", changes.casterError, INFINITY,
+        "Shadow volumes are those of simplified casters, about this far off, in scene units; what "
+        "is drawn stays as it is (0: not simplified)");
+}
+
 void addCasterOptions(CLI::App& verb, CasterOptions& options) {
-    addTextOption(verb, "--weld-tolerance", "D",
-                  "Vertices closer than this, in scene units, become one (0: only equal ones)",
-                  [&](const std::string& text) {
-                      options.settings.weldTolerance = numberFrom(text, "--weld-tolerance");
-                      options.given = true;
-                      if (options.settings.weldTolerance < 0.0)
-                          throw CLI::ValidationError("--weld-tolerance",
-                                                     "'" + text + "' is below 0");
-                  });
+    addCasterChanges(verb, options.changes);
     verb.add_flag_callback(
-        "--cast-masked",
-        [&] {
-            options.settings.castMasked = true;
-            options.given = true;
-        },
+        "--cast-masked", [&] { options.castMasked = true; },
         "MASK and BLEND surfaces cast shadows too, of their whole triangles");
 }
 

@@ -22,13 +22,23 @@ struct ViewOptions {
     std::vector<Light> lights; ///< in the order in which they were typed
 };
 
-/// `--weld-tolerance` and `--cast-masked`; `given` if any was typed.
-struct CasterOptions {
-    CasterSettings settings;
-    bool given = false;
+/// `--weld-tolerance`, `--flat-tolerance` and `--caster-error`, where they were typed.
+struct CasterChanges {
+    std::optional<double> weldTolerance, flatTolerance, casterError;
 
+    bool any() const { return weldTolerance || flatTolerance || casterError; }
+    CasterSettings on(CasterSettings settings) const;
+};
+
+/// These and `--cast-masked`.
+struct CasterOptions {
+    CasterChanges changes;
+    bool castMasked = false;
+
+    CasterSettings settings() const { return changes.on({0.0, castMasked}); }
+    /// Nothing if none of them was typed.
     std::optional<CasterSettings> wanted() const {
-        return given ? std::optional(settings) : std::nullopt;
+        return changes.any() || castMasked ? std::optional(settings()) : std::nullopt;
     }
 };
 
@@ -70,6 +80,7 @@ CLI::Validator finite();
 /// Adds the options to a verb; `options` must outlive parsing.
 void addViewOptions(CLI::App& verb, ViewOptions& options);
 void addCasterOptions(CLI::App& verb, CasterOptions& options);
+void addCasterChanges(CLI::App& verb, CasterChanges& changes);
 void addReportOption(CLI::App& verb, std::string& path);
 void addSamplesOption(CLI::App& verb, int& samples);
 

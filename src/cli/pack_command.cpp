@@ -18,9 +18,9 @@ struct PackOptions {
 };
 
 void pack(const PackOptions& options) {
-    PackInput input = readForPacking(options.input, options.casters.settings);
+    PackInput input = readForPacking(options.input, options.casters.settings());
     printWarnings(input.report.warnings);
-    writeFile(options.output, packBytes(input, options.encoding, options.casters.settings));
+    writeFile(options.output, packBytes(input, options.encoding, options.casters.settings()));
     printResult(summaryOf(input.report), options.report);
     writeReport(toJson(input.report), options.report);
 }

@@ -23,8 +23,11 @@ std::string summaryOf(const PackReport& report) {
     const auto row = [&](const std::string& name) -> std::ostream& {
         return text << std::left << std::setw(26) << name;
     };
-    row("triangles") << grouped(report.triangles) << ", casting " << grouped(casters.triangles)
-                     << ", degenerate " << grouped(casters.degenerateTriangles) << "\n";
+    row("diagonal") << report.diagonal << " scene units\n";
+    row("triangles") << grouped(report.triangles) << ", casting " << grouped(casters.triangles);
+    if (report.settings.casterError > 0.0)
+        text << ", simplified from " << grouped(report.castingSurfaceTriangles);
+    text << ", degenerate " << grouped(casters.degenerateTriangles) << "\n";
     row("edges") << grouped(casters.edges) << "\n";
     for (const auto& [n, count] : casters.edgesByOppositeCount)
         row("  with " + std::to_string(n) + (n == 1 ? " triangle" : " triangles"))

@@ -8,6 +8,7 @@
 #include "src/bench/bench.hpp"
 #include "src/bench/pareto.hpp"
 #include "src/cli/bench_report.hpp"
+#include "src/cli/caster_variants.hpp"
 #include "src/cli/contender.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/tradeoff_settings.hpp"
@@ -48,10 +49,14 @@ using Json = nlohmann::ordered_json;
 struct Row {
     TradeSetting setting; ///< with the bias that was tuned
     DrawSettings settings;
+    std::shared_ptr<const LoadedScene> scene; ///< with their casters; null: the call's own
+    CasterSettings casters;
+    std::string callsOptions; ///< of the call's casters, as far as the setting leaves them
     bench::Result cost;
     lab::CompareResult accuracy;
     bool pareto = false;
 
+    std::string options() const { return asOptions(setting.text) + callsOptions; }
     double milliseconds() const { return bench::median(cost.frameMs); }
     double wrongPercent() const {
         return lab::percent(accuracy.counts.wrongImagePixels, accuracy.counts.visiblePixels);
@@ -75,10 +80,13 @@ void requirePlottable(const std::string& path) {
 }
 
 /// The settings that this GL can draw; what it can't is left out with a warning.
-std::vector<Row> possibleRows(const TradeoffOptions& options, std::vector<std::string>& warnings) {
-    std::vector<TradeSetting> all = tradeSettings(options.largestMap);
+std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene& loaded,
+                              std::vector<std::string>& warnings) {
+    std::vector<TradeSetting> all =
+        tradeSettings(options.largestMap, worldBounds(loaded.scene).diagonal());
     for (const std::string& text : options.against)
         all.push_back({text, text});
+    CasterVariants variants(options.input, loaded);
     const gl::HeadlessContext context({16, 16});
     std::vector<Row> rows;
     for (const TradeSetting& setting : all) {
@@ -89,6 +97,9 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, std::vector<std::s
         render.layout = layoutFor(row.settings.instancing, context.capabilities());
         try {
             Renderer(render, context.capabilities());
+            row.scene = variants.with(row.settings.casters);
+            row.casters = row.settings.casters.on(loaded.settings);
+            row.callsOptions = leftOptions(options.casters, row.settings.casters);
             rows.push_back(std::move(row));
         } catch (const Error& error) {
             if (error.status() != ExitStatus::unavailable) throw;
@@ -110,7 +121,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
     task.near = options.view.depth.near;
     task.timing = options.timing;
     for (const Row& row : rows)
-        task.settings.push_back(toTask({row.setting.name, row.settings}));
+        task.settings.push_back(toTask({row.setting.name, row.settings, row.scene}));
     const Countdown countdown;
     bench::Report report =
         bench::measure(loaded, task, [&](double share) { countdown.show(share, "times"); });
@@ -121,7 +132,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
 
 void measureErrors(const LoadedScene& loaded, lab::CompareTask task, std::vector<Row>& rows) {
     for (const Row& row : rows)
-        task.contenders.push_back(contenderOf(row.setting.name, row.settings));
+        task.contenders.push_back(contenderOf(row.setting.name, row.settings, row.scene));
     const Countdown countdown;
     const auto results = lab::compareAll(loaded, task, [&](double share, const std::string& doing) {
         countdown.show(share, doing);
@@ -157,14 +168,16 @@ std::string tableOf(const std::vector<Row>& rows) {
              << bench::percentile(row.cost.frameMs, 0.95) << std::setw(11)
              << static_cast<double>(row.cost.bytes()) / (1 << 20) << std::setprecision(5)
              << std::setw(15) << row.wrongPercent() << std::setw(13) << row.beyond1pxPercent()
-             << (row.pareto ? "    *    " : "         ") << asOptions(row.setting.text);
+             << (row.pareto ? "    *    " : "         ") << row.options();
     return text.str();
 }
 
 Json rowJson(const Row& row) {
+    Json settings = settingsJson(row.settings);
+    settings.update(casterJson(row.casters));
     return {{"name", row.setting.name},
-            {"settings", settingsJson(row.settings)},
-            {"options", asOptions(row.setting.text)},
+            {"settings", settings},
+            {"options", row.options()},
             {"frame_ms", row.milliseconds()},
             {"bytes_gpu", row.cost.bytes()},
             {"wrong_image_percent", row.wrongPercent()},
@@ -216,7 +229,7 @@ void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
     const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
-    std::vector<Row> rows = possibleRows(options, warnings);
+    std::vector<Row> rows = possibleRows(options, loaded, warnings);
     const bool demanding = options.budgetMs || options.maxWrongPercent;
     printWarnings(warnings);
 
@@ -237,7 +250,7 @@ void tradeoff(const TradeoffOptions& options) {
     if (const auto found = bench::bestWithin(trades, {options.budgetMs, options.maxWrongPercent}))
         best = demanding ? &rows[*found] : nullptr;
     std::string result = tableOf(rows);
-    if (best) result += "\nwithin " + limitsOf(options) + ": " + asOptions(best->setting.text);
+    if (best) result += "\nwithin " + limitsOf(options) + ": " + best->options();
     printResult(result, options.report);
     writePlot(options, rows, measured);
     Json json = {{"device", deviceJson(measured.device)},
@@ -302,8 +315,8 @@ void addTradeoffCommand(CLI::App& program) {
         ->check(CLI::Range(512, 8192))
         ->type_name("N");
     verb->add_option("--against", options->against,
-                     "Another setting to weigh too, e.g. shadows=map,map-size=3000; may be "
-                     "repeated")
+                     "Another setting to weigh too, e.g. shadows=map,map-size=3000 or "
+                     "caster-error=0.01; may be repeated")
         ->type_name("SETTING")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -1,10 +1,38 @@
 #include "src/cli/tradeoff_settings.hpp"
 
+#include <iomanip>
+#include <limits>
 #include <sstream>
 
 namespace edgeshade::cli {
 
-std::vector<TradeSetting> tradeSettings(int largestMap) {
+namespace {
+
+/// Three digits that count, as options take them.
+std::string shortNumber(double value) {
+    std::ostringstream text;
+    text << std::setprecision(3) << value;
+    return text.str();
+}
+
+/// Coarser casters: what they are, by shares of the scene's diagonal and by degrees.
+void addCasters(std::vector<TradeSetting>& settings, double diagonal) {
+    if (diagonal > 0.0) {
+        for (const double percent : {0.05, 0.2, 1.0})
+            settings.push_back(
+                {"casters " + shortNumber(percent) + " % off",
+                 "shadows=volumes,caster-error=" + shortNumber(0.01 * percent * diagonal)});
+        settings.push_back({"welded within 0.01 %",
+                            "shadows=volumes,weld-tolerance=" + shortNumber(1e-4 * diagonal)});
+    }
+    for (const double degrees : {0.1, 1.0, 5.0})
+        settings.push_back({"flat within " + shortNumber(degrees) + " deg",
+                            "shadows=volumes,flat-tolerance=" + shortNumber(degrees)});
+}
+
+} // namespace
+
+std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal) {
     std::vector<TradeSetting> settings = {
         {"volumes", "shadows=volumes"},
         {"published", "shadows=volumes,layout=published"},
@@ -18,6 +46,7 @@ std::vector<TradeSetting> tradeSettings(int largestMap) {
         {"mask 1/4", "shadows=volumes,mask-scale=1/4"},
         {"no shadows", "shadows=none"},
     };
+    addCasters(settings, diagonal);
     for (const int pcf : {1, 3})
         for (int size = 512; size <= std::min(largestMap, 8192); size *= 2) {
             std::string name = "map " + std::to_string(size);
@@ -39,6 +68,21 @@ std::string asOptions(const std::string& text) {
         options += (options.empty() ? "--" : " --") + part;
     }
     return options;
+}
+
+std::string leftOptions(const CasterOptions& call, const CasterChanges& setting) {
+    std::ostringstream text;
+    const auto add = [&](const char* name, std::optional<double> typed,
+                         std::optional<double> changed) {
+        if (typed && !changed)
+            text << " " << name << " " << std::setprecision(std::numeric_limits<double>::digits10)
+                 << *typed;
+    };
+    if (call.castMasked) text << " --cast-masked";
+    add("--weld-tolerance", call.changes.weldTolerance, setting.weldTolerance);
+    add("--flat-tolerance", call.changes.flatTolerance, setting.flatTolerance);
+    add("--caster-error", call.changes.casterError, setting.casterError);
+    return text.str();
 }
 
 } // namespace edgeshade::cli

@@ -11,10 +11,14 @@ struct TradeSetting {
 };
 
 /// The settings that there are to choose from: what users turn when they trade time for accuracy.
-/// One more setting is one more entry. `largestMap`: texels; larger maps are left out.
-std::vector<TradeSetting> tradeSettings(int largestMap);
+/// One more setting is one more entry. `largestMap`: texels; larger maps are left out. `diagonal`:
+/// of the scene, scene units.
+std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal);
 
 /// "shadows=map,map-size=512" as "--shadows map --map-size 512".
 std::string asOptions(const std::string& text);
+
+/// Caster options of the call that a setting doesn't change: " --cast-masked --caster-error 0.01".
+std::string leftOptions(const CasterOptions& call, const CasterChanges& setting);
 
 } // namespace edgeshade::cli

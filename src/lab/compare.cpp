@@ -13,20 +13,20 @@ namespace {
 constexpr std::array<float, 7> mapBiases = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f}; // texels
 constexpr std::size_t tuningViews = 3;
 
-/// The scene on the GPU, in one context, by its records.
+/// Scenes on the GPU, in one context, by their records.
 class Studio {
   public:
-    Studio(const LoadedScene& loaded, int width, int height)
-        : loaded_(loaded), context_({width, height}) {}
+    Studio(int width, int height) : context_({width, height}) {}
 
     /// A renderer for this studio's context.
     Renderer rendererFor(const RenderSettings& settings) const {
         return Renderer(settings, context_.capabilities());
     }
 
-    std::vector<std::uint8_t> draw(Renderer& renderer, const FrameView& view,
+    std::vector<std::uint8_t> draw(Renderer& renderer, const LoadedScene& loaded,
+                                   const FrameView& view,
                                    const std::vector<GroupedShadow>& groups) {
-        renderer.draw(sceneFor(renderer.settings().records()), view, groups);
+        renderer.draw(sceneFor(loaded, renderer.settings().records()), view, groups);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();
     }
@@ -34,25 +34,32 @@ class Studio {
     SidesLayout bestLayout() const { return edgeshade::bestLayout(context_.capabilities()); }
 
   private:
-    const GpuScene& sceneFor(std::optional<VolumeRecords> records) {
-        auto found = scenes_.find(records);
+    const GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
+        const auto key = std::pair(&loaded, records);
+        auto found = scenes_.find(key);
         if (found == scenes_.end())
-            found = scenes_.emplace(records, uploadScene(loaded_, records, context_.capabilities()))
-                        .first;
+            found =
+                scenes_.emplace(key, uploadScene(loaded, records, context_.capabilities())).first;
         return found->second;
     }
 
-    const LoadedScene& loaded_;
     gl::HeadlessContext context_;
-    std::map<std::optional<VolumeRecords>, GpuScene> scenes_;
+    std::map<std::pair<const LoadedScene*, std::optional<VolumeRecords>>, GpuScene> scenes_;
 };
 
 /// One view with its oracle, which all contenders share.
 struct JudgedView {
-    FrameView frame;
+    FrameRequest request;
+    FrameView frame; ///< of the oracle's scene
     std::unique_ptr<Oracle> oracle;
     std::vector<Answer> answers;
 };
+
+FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request) {
+    FrameView frame = makeFrameView(loaded, request);
+    frame.drawBlended = false;
+    return frame;
+}
 
 JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabView& view,
                  const AlphaAt& alphaAt) {
@@ -63,8 +70,8 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
     request.depth.near = task.near;
     request.lights = task.lights.empty() ? std::vector{view.light} : task.lights;
     JudgedView judged;
-    judged.frame = makeFrameView(loaded, request);
-    judged.frame.drawBlended = false;
+    judged.request = request;
+    judged.frame = frameOf(loaded, request);
     judged.oracle = std::make_unique<Oracle>(Question{&loaded.scene, loaded.settings.castMasked,
                                                       view.camera, judged.frame.near(),
                                                       judged.frame.lights, task.width, task.height},
@@ -77,7 +84,7 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
 class Jury {
   public:
     Jury(const LoadedScene& loaded, const CompareTask& task)
-        : loaded_(loaded), task_(task), studio_(loaded, task.width, task.height),
+        : loaded_(loaded), task_(task), studio_(task.width, task.height),
           alphaAt_(textureAlpha(loaded)) {}
 
     /// Moves on to another view.
@@ -85,15 +92,17 @@ class Jury {
         judged_ = judge(loaded_, task_, view, alphaAt_);
         pictures_ = {};
         unshadowed_.reset();
+        frames_ = {{&loaded_, judged_.frame}};
     }
 
-    Comparison compare(Renderer& renderer, std::optional<int> depthSlices) {
-        FrameView frame = frameWith(depthSlices);
-        drawUnshadowed(renderer.settings(), frame);
-        const auto groups = uploadNeededGroups(loaded_, frame, renderer.settings().records());
-        pictures_.image = studio_.draw(renderer, frame, groups);
+    Comparison compare(Renderer& renderer, const Contender& contender) {
+        drawUnshadowed(renderer.settings(), frameWith(loaded_, contender.depthSlices));
+        const LoadedScene& drawn = contender.scene ? *contender.scene : loaded_;
+        FrameView frame = frameWith(drawn, contender.depthSlices);
+        const auto groups = uploadNeededGroups(drawn, frame, renderer.settings().records());
+        pictures_.image = studio_.draw(renderer, drawn, frame, groups);
         frame.mask = true;
-        pictures_.mask = studio_.draw(renderer, frame, groups);
+        pictures_.mask = studio_.draw(renderer, drawn, frame, groups);
         return compareWithOracle(*judged_.oracle, judged_.answers, pictures_);
     }
 
@@ -101,8 +110,11 @@ class Jury {
     const Studio& studio() const { return studio_; }
 
   private:
-    FrameView frameWith(std::optional<int> depthSlices) const {
-        FrameView frame = judged_.frame;
+    FrameView frameWith(const LoadedScene& drawn, std::optional<int> depthSlices) {
+        auto found = frames_.find(&drawn);
+        if (found == frames_.end())
+            found = frames_.emplace(&drawn, frameOf(drawn, judged_.request)).first;
+        FrameView frame = found->second;
         frame.slices = divideDepth(frame.near(), frame.farthestDepth, depthSlices);
         return frame;
     }
@@ -116,11 +128,11 @@ class Jury {
         plain.shadows = ShadowMethod::none;
         Renderer renderer = studio_.rendererFor(plain);
         frame.drawnLights = 0;
-        pictures_.ambient = studio_.draw(renderer, frame, {});
+        pictures_.ambient = studio_.draw(renderer, loaded_, frame, {});
         pictures_.unshadowed.clear();
         for (std::size_t i = 0; i < frame.lights.size(); ++i) {
             frame.drawnLights = 1u << i;
-            pictures_.unshadowed.push_back(studio_.draw(renderer, frame, {}));
+            pictures_.unshadowed.push_back(studio_.draw(renderer, loaded_, frame, {}));
         }
     }
 
@@ -129,19 +141,20 @@ class Jury {
     Studio studio_;
     AlphaAt alphaAt_;
     JudgedView judged_;
+    std::map<const LoadedScene*, FrameView> frames_; ///< of judged_
     Pictures pictures_;
     std::optional<std::pair<std::size_t, float>> unshadowed_; ///< slices, ambient of the pictures
 };
 
 /// The bias with the fewest wrong pixels over the first views.
 float tunedBias(Jury& jury, const CompareTask& task, Renderer& renderer,
-                std::optional<int> depthSlices) {
+                const Contender& contender) {
     std::array<std::size_t, mapBiases.size()> wrong{};
     for (std::size_t v = 0; v < std::min(tuningViews, task.views.size()); ++v) {
         jury.see(task.views[v]);
         for (std::size_t b = 0; b < mapBiases.size(); ++b) {
             renderer.setMapBias(mapBiases[b]);
-            wrong[b] += jury.compare(renderer, depthSlices).counts.wrongImagePixels;
+            wrong[b] += jury.compare(renderer, contender).counts.wrongImagePixels;
         }
     }
     return mapBiases[std::min_element(wrong.begin(), wrong.end()) - wrong.begin()];
@@ -167,8 +180,7 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
         renderers.push_back(jury.studio().rendererFor(result.settings));
         if (contender.tuneMapBias) {
             progress(0.0, "tuning the bias of " + contender.name);
-            result.settings.map.biasTexels =
-                tunedBias(jury, task, renderers.back(), contender.depthSlices);
+            result.settings.map.biasTexels = tunedBias(jury, task, renderers.back(), contender);
             renderers.back().setMapBias(result.settings.map.biasTexels);
         }
     }
@@ -181,8 +193,7 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
             CompareResult& result = results[c];
             progress(static_cast<double>(done++) / steps,
                      "view " + task.views[v].name + ", " + result.name);
-            const Comparison comparison =
-                jury.compare(renderers[c], task.contenders[c].depthSlices);
+            const Comparison comparison = jury.compare(renderers[c], task.contenders[c]);
             const bool worst =
                 result.views == 0 || comparison.counts.wrongImagePixels >
                                          result.byView[result.worstView].wrongImagePixels;

@@ -6,6 +6,7 @@
 #include "src/scene/load.hpp"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace edgeshade::lab {
@@ -17,6 +18,7 @@ struct Contender {
     std::optional<SidesLayout> layout; ///< nothing: the best that the GL has
     std::optional<int> depthSlices;    ///< nothing: as many as pay
     bool tuneMapBias = false; ///< maps: try several biases on the first views, keep the best
+    std::shared_ptr<const LoadedScene> scene; ///< with other casters; null: compareAll()'s own
 };
 
 /// What is compared.
@@ -44,7 +46,9 @@ struct CompareResult {
 double percent(std::size_t part, std::size_t whole);
 
 /// Draws every view by every contender and counts what is wrong. BLEND surfaces are left out: they
-/// take no part in shadows. `progress` gets the share done and what is being done. Throws Error.
+/// take no part in shadows. The oracle sees the surfaces of `loaded`, whatever scenes contenders
+/// have, and its picture is put together from theirs. `progress` gets the share done and what is
+/// being done. Throws Error.
 std::vector<CompareResult>
 compareAll(const LoadedScene& loaded, const CompareTask& task,
            const std::function<void(double, const std::string&)>& progress);

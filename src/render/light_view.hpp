@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/scene.hpp"
+#include "preprocess/topology.hpp"
 #include "src/render/face_outline.hpp"
 #include "src/scene/light.hpp"
 
@@ -38,13 +38,10 @@ void forEachCaster(const Scene& scene, bool castMasked, const LightView& from, V
         rays.clear();
         for (const glm::vec3& position : batch.positions)
             rays.push_back(from.rayTo(batch.worldFromBatch * glm::dvec4(position, 1.0)));
-        for (const SurfaceGroup& group : batch.groups) {
-            const bool opaque = scene.materials[group.material].alphaMode == AlphaMode::opaque;
-            if (!opaque && !castMasked) continue;
-            const std::uint32_t* corner = batch.indices.data() + group.firstIndex;
-            for (std::uint32_t i = 0; i + 2 < group.indexCount; i += 3)
-                visit(std::array{rays[corner[i]], rays[corner[i + 1]], rays[corner[i + 2]]});
-        }
+        const Casters casters = castersOf(batch, scene.materials, castMasked);
+        for (std::size_t i = 0; i + 2 < casters.indices.size(); i += 3)
+            visit(std::array{rays[casters.indices[i]], rays[casters.indices[i + 1]],
+                             rays[casters.indices[i + 2]]});
     }
 }
 

@@ -33,8 +33,8 @@ std::vector<BatchVolumes> uploadGroup(const LoadedScene& loaded,
         const bool holes = loaded.settings.castMasked;
         BatchVolumes& volumes = group.emplace_back();
         if (records.volumes == VolumeLayout::adapted) {
-            auto shadow =
-                std::make_shared<const AdaptedShadow>(buildAdapted(mesh, edges, scene.materials));
+            auto shadow = std::make_shared<const AdaptedShadow>(
+                buildAdapted(mesh, edges, scene.materials, loaded.settings.flatTolerance));
             volumes.adapted.emplace(
                 shadow, holes ? capHoles(batch, casters, mesh, *shadow) : std::vector<glm::vec4>(),
                 records.layout);

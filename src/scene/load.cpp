@@ -1,5 +1,6 @@
 #include "src/scene/load.hpp"
 
+#include "preprocess/caster_simplification.hpp"
 #include "preprocess/flatten.hpp"
 
 #include <algorithm>
@@ -35,12 +36,17 @@ LoadedScene loadScene(const std::filesystem::path& path,
     loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance);
     enter(LoadStage::shadows);
     if (usePacked) {
-        loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
-    } else if (header) {
-        loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
-                                  "data are made anew.");
+        readCasters(loaded.document, *header, loaded.scene);
+        if (header->encoding != Encoding::none)
+            loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
+    } else {
+        simplifyCasters(loaded.scene, loaded.settings.casterError);
+        if (header)
+            loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
+                                      "data are made anew.");
     }
-    loaded.adapted = buildAdapted(loaded.scene, loaded.settings.castMasked);
+    loaded.adapted =
+        buildAdapted(loaded.scene, loaded.settings.castMasked, loaded.settings.flatTolerance);
     return loaded;
 }
 

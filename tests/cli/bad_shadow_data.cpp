@@ -37,7 +37,10 @@ std::vector<BadInput> badShadowData() {
                  [](GlbParts& parts, Json& extension) {
                      firstByte(parts, extension["batches"][0]["edgeVertices"]) = 0xFF;
                  },
-                 {"batches[0].edgeVertices"}),
+                 {"batches[0].edgeVertices", "does not decode"}),
+        tampered("SimplifiedCastersMissing", Encoding::none,
+                 [](GlbParts&, Json& extension) { extension["casterError"] = 0.5; },
+                 {"batches[0].simplifiedTriangles", "missing"}),
         tampered("ShadowRecordOfUnknownOrder", Encoding::expanded,
                  [](GlbParts& parts, Json& extension) {
                      const float order = 7.0f;
@@ -49,7 +52,7 @@ std::vector<BadInput> badShadowData() {
                  [](GlbParts&, Json& extension) { extension["batches"][0]["caps"] = 999; },
                  {"batches[0].caps", "999"}),
         tampered("ShadowsOfAnotherVersion", Encoding::none,
-                 [](GlbParts&, Json& extension) { extension["version"] = 2; }, {".version is 2"}),
+                 [](GlbParts&, Json& extension) { extension["version"] = 3; }, {".version is 3"}),
         tampered("ShadowBatchMissing", Encoding::indexed,
                  [](GlbParts&, Json& extension) { extension["batches"].clear(); },
                  {".batches has 0"}),

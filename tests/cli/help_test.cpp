@@ -21,7 +21,8 @@ TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
 }
 
 TEST(Help, EveryVerbNamesItsOptions) {
-    for (const char* word : {"OUT", "--encoding", "--weld-tolerance", "--cast-masked", "--report"})
+    for (const char* word : {"OUT", "--encoding", "--weld-tolerance", "--flat-tolerance",
+                             "--caster-error", "--cast-masked", "--report"})
         expectHelp({"pack", "--help"}, word);
     for (const char* word : {"FILE", "--weld-tolerance", "--report"})
         expectHelp({"info", "--help"}, word);

@@ -130,6 +130,23 @@ TEST(Rendering, OtherCasterSettingsThanThoseOfThePackedFileAreSaid) {
     EXPECT_TRUE(pictureOf(file, {"--cast-masked"}) == pictureOf(pavilion, {"--cast-masked"}));
 }
 
+TEST(Rendering, SimplifiedCastersOfAPackedFileCastWhatThoseMadeAtLoadCast) {
+    const TempFolder folder;
+    const std::string file = folder / "packed.glb";
+    ASSERT_EQ(runEdgeshade({"pack", pavilion, file, "--caster-error", "0.05"}).status, 0);
+    const Bytes coarse = pictureOf(pavilion, {"--caster-error", "0.05"});
+    EXPECT_TRUE(pictureOf(file, {}) == coarse);
+    EXPECT_TRUE(pictureOf(file, {"--layout", "published"}) ==
+                pictureOf(pavilion, {"--caster-error", "0.05", "--layout", "published"}));
+    EXPECT_FALSE(pictureOf(pavilion, {}) == coarse);
+    // The tolerance of flat edges goes with the file too.
+    ASSERT_EQ(runEdgeshade({"pack", pavilion, file, "--flat-tolerance", "20"}).status, 0);
+    EXPECT_TRUE(pictureOf(file, {}) == pictureOf(pavilion, {"--flat-tolerance", "20"}));
+    // What is drawn stays as it is.
+    EXPECT_TRUE(pictureOf(file, {"--shadows", "none"}) ==
+                pictureOf(pavilion, {"--shadows", "none"}));
+}
+
 TEST(Rendering, ASceneWithoutTrianglesIsAnEmptyPicture) {
     const TempFolder folder;
     GltfBuilder gltf;

@@ -110,6 +110,26 @@ TEST_F(Report, InfoOfAPackedFileUsesItsSettings) {
     EXPECT_EQ(infoReport(output_)["degenerate_triangles"], 1);
 }
 
+TEST_F(Report, SimplifiedCastersAreCountedBeforeAndAfter) {
+    const Json exact = packReport();
+    EXPECT_EQ(exact["casting_surface_triangles"], 31);
+    EXPECT_EQ(exact["casting_triangles"], 31);
+    const Json coarse = packReport({"--caster-error", "5"});
+    EXPECT_EQ(coarse["casting_surface_triangles"], 31);
+    EXPECT_LT(coarse["casting_triangles"], 31);
+    EXPECT_EQ(coarse["settings"]["caster-error"], 5.0);
+    EXPECT_EQ(infoReport(output_)["casting_triangles"], coarse["casting_triangles"]);
+    EXPECT_EQ(infoReport(output_)["settings"], coarse["settings"]);
+}
+
+TEST_F(Report, AFlatToleranceDropsEdges) {
+    const Json exact = packReport(), flat = packReport({"--flat-tolerance", "44"});
+    EXPECT_EQ(flat["settings"]["flat-tolerance"], 44.0);
+    EXPECT_GE(flat["flat_edges_dropped"], exact["flat_edges_dropped"]);
+    EXPECT_EQ(infoReport(output_)["settings"], flat["settings"]);
+    EXPECT_EQ(infoReport(output_)["records"], flat["records"]);
+}
+
 TEST_F(Report, OnStandardOutputItIsAlone) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"info", input_},

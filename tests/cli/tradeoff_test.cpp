@@ -67,6 +67,36 @@ TEST_F(Tradeoff, SaysTheSettingToTakeAsOptionsThatRenderTakes) {
     EXPECT_EQ(rendered.status, 0) << rendered.err;
 }
 
+TEST_F(Tradeoff, CoarserCastersAreRowsAndTheirOptionsWorkInRender) {
+    const ProcessResult result = run({"--caster-error", "0.5", "--cast-masked"});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    std::size_t simplified = 0, flat = 0, welded = 0;
+    const Json report = Json::parse(result.out);
+    for (const Json& row : report["rows"]) {
+        const std::string options = row["options"];
+        const Json& settings = row["settings"];
+        const bool own = options.find("--caster-error 0.5") != std::string::npos;
+        EXPECT_EQ(own, settings["caster-error"] == 0.5) << options;
+        EXPECT_NE(options.find("--cast-masked"), std::string::npos);
+        EXPECT_EQ(settings["cast-masked"], true);
+        simplified += !own && settings["caster-error"] > 0.0;
+        flat += settings["flat-tolerance"] > 0.0;
+        welded += settings["weld-tolerance"] > 0.0;
+        if (own && settings["flat-tolerance"] == 0.0) continue;
+        std::vector<std::string> arguments = {"render", input_, folder_ / "out.png", "--size",
+                                              "16x16"};
+        std::istringstream words(options);
+        for (std::string word; words >> word;)
+            arguments.push_back(word);
+        const ProcessResult rendered = runEdgeshade(arguments);
+        EXPECT_EQ(rendered.status, 0) << rendered.err;
+    }
+    EXPECT_EQ(simplified, 3u);
+    EXPECT_EQ(flat, 3u);
+    EXPECT_EQ(welded, 1u);
+}
+
 TEST_F(Tradeoff, WhereNoSettingWillDoItSaysSoAfterTheReport) {
     const ProcessResult result = run({"--budget-ms", "0.000001"});
     if (!hasLab(result)) GTEST_SKIP();

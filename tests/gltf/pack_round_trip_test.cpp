@@ -41,6 +41,20 @@ TEST(PackRoundTrip, AVariedSceneWithAWeldTolerance) {
     expectRoundTrip(variedScene().glb(), {0.4, false});
 }
 
+TEST(PackRoundTrip, AVariedSceneWithSimplifiedCasters) {
+    for (const double error : {0.001, 0.5, 100.0})
+        expectRoundTrip(variedScene().glb(), {0.0, true, error});
+}
+
+TEST(PackRoundTrip, TheDuckWithSimplifiedCasters) {
+    const std::filesystem::path path = std::filesystem::path(EDGESHADE_SHARED_SCENES) / "duck.glb";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "duck.glb is not here";
+    const Bytes duck = readFile(path);
+    expectRoundTrip(duck, {0.0, false, 0.01});
+    EXPECT_LT(built(duck, {0.0, false, 0.01}).front().caps.recordCount(),
+              built(duck).front().caps.recordCount() / 2);
+}
+
 TEST(PackRoundTrip, ASceneWithoutTriangles) {
     GltfBuilder gltf;
     gltf.addNode({{"name", "nothing"}});

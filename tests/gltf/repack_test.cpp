@@ -53,6 +53,17 @@ TEST(Repack, SettingsOfTheFirstPackingDoNotMatter) {
     EXPECT_EQ(packed(masked, Encoding::indexed), packed(asset, Encoding::indexed));
 }
 
+TEST(Repack, SimplifiedCastersAreTakenOutAgain) {
+    const Bytes asset = variedScene().glb();
+    for (const Encoding first : everyEncoding)
+        for (const Encoding second : everyEncoding) {
+            const Bytes simplified = packed(asset, first, {0.0, false, 0.2});
+            EXPECT_EQ(packed(simplified, second), packed(asset, second));
+            EXPECT_EQ(packed(packed(asset, first), second, {0.0, false, 0.2}),
+                      packed(asset, second, {0.0, false, 0.2}));
+        }
+}
+
 TEST(Repack, CompressedVerticesPackAgain) {
     expectRepackable(meshoptScene(box(glm::vec3(1.0f))).glb());
 }

@@ -1,3 +1,5 @@
+#include "preprocess/edge_codec.hpp"
+#include "preprocess/error.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/packing.hpp"
 
@@ -28,13 +30,54 @@ void storeFloat(GlbParts& parts, const char* key, std::size_t element, float val
 
 /// Expects that the packed scene is refused with a sentence that names the file and `words`.
 void expectRefused(Encoding encoding, const Tamper& tamper,
-                   std::initializer_list<const char*> words) {
-    GlbParts parts(packed(variedScene().glb(), encoding));
+                   std::initializer_list<const char*> words, const CasterSettings& settings = {}) {
+    GlbParts parts(packed(variedScene().glb(), encoding, settings));
     EXPECT_NO_THROW(readBack(parts.glb()));
     tamper(parts);
     const Bytes glb = parts.glb();
     expectInputError([&] { readBack(glb); }, {"packed.glb", shadowExtensionName});
     expectInputError([&] { readBack(glb); }, words);
+}
+
+/// Points the batch's `key` to other bytes, at the end of the buffer.
+void replaceBytes(GlbParts& parts, const char* key, const Bytes& bytes) {
+    Json& accessor = parts.json["accessors"][batchOf(parts)[key].get<int>()];
+    Json& view = parts.json["bufferViews"][accessor["bufferView"].get<int>()];
+    accessor["count"] = view["byteLength"] = bytes.size();
+    view["byteOffset"] = parts.binary.size();
+    parts.binary.insert(parts.binary.end(), bytes.begin(), bytes.end());
+    parts.json["buffers"][0]["byteLength"] = parts.binary.size();
+}
+
+Bytes bytesOf(GlbParts& parts, const char* key) {
+    const std::uint8_t* first = bytesAt(parts, key);
+    const Json& accessor = parts.json["accessors"][batchOf(parts)[key].get<int>()];
+    return {first, first + accessor["count"].get<std::size_t>()};
+}
+
+/// The first batch's edges: two boxes and a book.
+EdgeList edgesOf(GlbParts& parts) {
+    const EncodedEdges streams = {bytesOf(parts, "edgeVertices"), bytesOf(parts, "oppositeCounts"),
+                                  bytesOf(parts, "oppositeVertices")};
+    return decodeEdges(streams, batchOf(parts)["edgeCount"].get<std::size_t>(), 3 * (12 + 7), 17)
+        .edges;
+}
+
+/// Expects that the packed scene is refused with other edges.
+void expectRefusedEdges(const std::function<void(EdgeList&)>& change,
+                        std::initializer_list<const char*> words) {
+    expectRefused(
+        Encoding::indexed,
+        [&](GlbParts& parts) {
+            EdgeList list = edgesOf(parts);
+            ASSERT_FALSE(list.edges.empty());
+            change(list);
+            const EncodedEdges encoded = encodeEdges(list);
+            replaceBytes(parts, "edgeVertices", encoded.vertices);
+            replaceBytes(parts, "oppositeCounts", encoded.counts);
+            replaceBytes(parts, "oppositeVertices", encoded.opposites);
+        },
+        words);
 }
 
 void expectRefusedHeader(const char* key, const Json& value,
@@ -89,9 +132,9 @@ TEST(TamperedFile, AHashThatIsNoTextIsRefused) {
 }
 
 TEST(TamperedFile, AnotherVersionIsRefused) {
-    expectRefusedHeader("version", 2, {".version is 2", "reads version 1"});
+    expectRefusedHeader("version", 1, {".version is 1", "reads version 2"});
     expectRefusedHeader("version", 0, {".version is 0"});
-    expectRefusedHeader("version", "1", {});
+    expectRefusedHeader("version", "2", {});
 }
 
 TEST(TamperedFile, AnUnknownEncodingIsRefused) {
@@ -114,13 +157,17 @@ TEST(TamperedFile, AnotherMultiplicityDoesNotFitTheRecords) {
 TEST(TamperedFile, SettingsOfTheWrongKindAreRefused) {
     expectRefusedHeader("weldTolerance", -1.0, {".weldTolerance"});
     expectRefusedHeader("weldTolerance", "none", {});
+    expectRefusedHeader("casterError", -1.0, {".casterError"});
+    expectRefusedHeader("casterError", "none", {});
+    expectRefusedHeader("flatTolerance", -1.0, {".flatTolerance"});
+    expectRefusedHeader("flatTolerance", 45.0, {".flatTolerance is 45", "below 45"});
     expectRefusedHeader("castMasked", 7, {});
     expectRefusedHeader("batches", 7, {".batches"});
 }
 
 TEST(TamperedFile, AMissingKeyIsRefused) {
-    for (const char* key :
-         {"version", "encoding", "maxMultiplicity", "weldTolerance", "castMasked", "batches"}) {
+    for (const char* key : {"version", "encoding", "maxMultiplicity", "weldTolerance", "castMasked",
+                            "casterError", "flatTolerance", "batches"}) {
         SCOPED_TRACE(key);
         expectRefused(Encoding::indexed, [&](GlbParts& parts) { extensionOf(parts).erase(key); },
                       {key});
@@ -217,44 +264,124 @@ TEST(TamperedFile, TooFewRecordsAreRefused) {
 }
 
 TEST(TamperedFile, AnEdgeOutOfRangeIsRefused) {
-    expectRefused(Encoding::indexed,
-                  [](GlbParts& parts) { bytesAt(parts, "edgeVertices")[1] = 0xFF; },
-                  {"batches[0].edgeVertices", "edge 0"});
+    expectRefusedEdges([](EdgeList& list) { list.edges[0].b = 0xFFFF; },
+                       {".edgeVertices", "edge 0"});
+    expectRefusedEdges([](EdgeList& list) { list.edges[3].a = list.edges[3].b; },
+                       {".edgeVertices", "edge 3"});
 }
 
 TEST(TamperedFile, AnEdgeWhoseVerticesAreNotInOrderIsRefused) {
-    expectRefused(Encoding::indexed,
-                  [](GlbParts& parts) {
-                      std::uint8_t* edge = bytesAt(parts, "edgeVertices");
-                      std::swap(edge[0], edge[1]);
-                  },
-                  {"batches[0].edgeVertices", "edge 0"});
+    expectRefusedEdges([](EdgeList& list) { std::swap(list.edges[0].a, list.edges[0].b); },
+                       {".edgeVertices", "edge 0"});
 }
 
 TEST(TamperedFile, AnOppositeVertexOutOfRangeIsRefused) {
-    expectRefused(Encoding::indexed,
-                  [](GlbParts& parts) { bytesAt(parts, "oppositeVertices")[0] = 0xFF; },
-                  {"batches[0].oppositeVertices", "255"});
+    expectRefusedEdges([](EdgeList& list) { list.opposites[0].vertex = 255; },
+                       {".oppositeVertices", "edge 0"});
+    expectRefusedEdges([](EdgeList& list) { list.opposites[0].vertex = 0xFFFFFFFF; },
+                       {".oppositeVertices", "edge 0"});
 }
 
 TEST(TamperedFile, AnOppositeVertexOnItsOwnEdgeIsRefused) {
-    expectRefused(Encoding::indexed,
-                  [](GlbParts& parts) {
-                      bytesAt(parts, "oppositeVertices")[0] = bytesAt(parts, "edgeVertices")[0];
-                  },
-                  {"batches[0].oppositeVertices"});
+    expectRefusedEdges([](EdgeList& list) { list.opposites[0].vertex = list.edges[0].a; },
+                       {".oppositeVertices", "edge 0"});
+    expectRefusedEdges([](EdgeList& list) { list.opposites[0].vertex = list.edges[0].b; },
+                       {".oppositeVertices", "edge 0"});
 }
 
-TEST(TamperedFile, AnEdgeWithoutOppositeVerticesIsRefused) {
-    expectRefused(Encoding::indexed,
-                  [](GlbParts& parts) { bytesAt(parts, "oppositeCounts")[0] = 0; },
+TEST(TamperedFile, EdgesOfFewerOrMoreOppositeVerticesThanThereAreAreRefused) {
+    const auto replaceCounts = [](GlbParts& parts, std::uint32_t first) {
+        EdgeList list = edgesOf(parts);
+        std::vector<Opposite> all = list.opposites;
+        list.opposites.resize(std::max<std::size_t>(all.size(), first + 100));
+        list.edges[0].oppositeCount = first;
+        const EncodedEdges encoded = encodeEdges(list);
+        replaceBytes(parts, "oppositeCounts", encoded.counts);
+    };
+    for (const std::uint32_t first : {0u, 200u})
+        expectRefused(Encoding::indexed, [&](GlbParts& parts) { replaceCounts(parts, first); },
+                      {"batches[0].oppositeCounts"});
+    // What the others have then is shifted by one.
+    expectRefused(Encoding::indexed, [&](GlbParts& parts) { replaceCounts(parts, 1); },
                   {"batches[0]."});
 }
 
-TEST(TamperedFile, MoreOppositeVerticesThanThereAreIsRefused) {
-    expectRefused(Encoding::indexed,
-                  [](GlbParts& parts) { bytesAt(parts, "oppositeCounts")[0] = 200; },
-                  {"batches[0]."});
+TEST(TamperedFile, AnotherNumberOfEdgesIsRefused) {
+    for (const Json& count : {Json(0), Json(-1), Json(1), Json(1000000000), Json("all")})
+        expectRefused(Encoding::indexed,
+                      [&](GlbParts& parts) { batchOf(parts)["edgeCount"] = count; },
+                      {"batches[0]."});
+    expectRefused(Encoding::indexed, [](GlbParts& parts) { batchOf(parts).erase("edgeCount"); },
+                  {"batches[0].edgeCount", "missing"});
+}
+
+TEST(TamperedFile, BytesThatDoNotDecodeAreRefused) {
+    for (const char* key : {"edgeVertices", "oppositeCounts", "oppositeVertices"}) {
+        expectRefused(Encoding::indexed, [&](GlbParts& parts) { bytesAt(parts, key)[0] ^= 0x80; },
+                      {"batches[0].", key, "does not decode"});
+        for (const std::size_t size : {1, 7, 1000})
+            expectRefused(Encoding::indexed,
+                          [&](GlbParts& parts) { replaceBytes(parts, key, Bytes(size, 0xA0)); },
+                          {"batches[0].", key});
+        expectRefused(Encoding::indexed,
+                      [&](GlbParts& parts) {
+                          parts.json["accessors"][batchOf(parts)[key].get<int>()]["componentType"] =
+                              5123;
+                      },
+                      {"batches[0]."});
+    }
+}
+
+TEST(TamperedFile, AnyByteOfTheStreamsMayBeAnything) {
+    // What still decodes to edges is taken; nothing else happens than a refusal.
+    const GlbParts sound(packed(variedScene().glb(), Encoding::indexed));
+    std::size_t refused = 0, all = 0;
+    for (const char* key : {"edgeVertices", "oppositeCounts", "oppositeVertices"}) {
+        GlbParts parts = sound;
+        const Json& accessor = parts.json["accessors"][batchOf(parts)[key].get<int>()];
+        for (std::size_t i = 0; i < accessor["count"].get<std::size_t>(); ++i)
+            for (const int change : {0x01, 0x10, 0x80, 0xFF}) {
+                parts = sound;
+                bytesAt(parts, key)[i] ^= static_cast<std::uint8_t>(change);
+                ++all;
+                try {
+                    readBack(parts.glb());
+                } catch (const InputError&) {
+                    ++refused;
+                }
+            }
+    }
+    EXPECT_GT(refused, all / 4);
+}
+
+TEST(TamperedFile, SimplifiedCastersThatCanNotBeAreRefused) {
+    const auto expect = [](const Tamper& tamper, std::initializer_list<const char*> words) {
+        for (const Encoding encoding : everyEncoding)
+            expectRefused(encoding, tamper, words, {0.0, false, 0.01});
+    };
+    expect([](GlbParts& parts) { bytesAt(parts, "simplifiedCasters")[0] = 0xFF; },
+           {"batches[0].simplifiedCasters", "255", "vertices"});
+    expect([](GlbParts& parts) { batchOf(parts).erase("simplifiedCasters"); },
+           {"batches[0].simplifiedCasters", "missing"});
+    expect([](GlbParts& parts) { batchOf(parts).erase("simplifiedTriangles"); },
+           {"batches[0].simplifiedTriangles", "missing"});
+    expect([](GlbParts& parts) { batchOf(parts)["simplifiedTriangles"] = -1; },
+           {"batches[0].simplifiedTriangles"});
+    expect(
+        [](GlbParts& parts) {
+            Json& triangles = batchOf(parts)["simplifiedTriangles"];
+            triangles = triangles.get<int>() + 1;
+        },
+        {"batches[0].simplifiedCasters", "corners"});
+    expect(
+        [](GlbParts& parts) {
+            Json& count =
+                parts.json["accessors"][batchOf(parts)["simplifiedCasters"].get<int>()]["count"];
+            count = count.get<int>() - 1;
+        },
+        {"batches[0].simplifiedCasters", "corners"});
+    expect([](GlbParts& parts) { batchOf(parts)["simplifiedCasters"] = 999; },
+           {"batches[0].simplifiedCasters"});
 }
 
 TEST(TamperedFile, ACutOffFileIsRefused) {

@@ -19,12 +19,12 @@ struct AdaptedMesh {
     EdgeList edges;
     AdaptedShadow shadow;
 
-    explicit AdaptedMesh(const Soup& soup) {
+    explicit AdaptedMesh(const Soup& soup, double flatTolerance = 0.0) {
         mesh.welded = weld(soup.positions, soup.indices);
         const auto count = static_cast<std::uint32_t>(mesh.welded.triangles.size());
         if (count > 0) mesh.groups = {{0, 0, count}};
         edges = buildEdges(mesh.welded);
-        shadow = buildAdapted(mesh, edges, {Material()});
+        shadow = buildAdapted(mesh, edges, {Material()}, flatTolerance);
     }
 
     std::size_t open(const glm::vec4& light) const {
@@ -35,6 +35,24 @@ struct AdaptedMesh {
     }
 };
 
+constexpr double tolerances[] = {0.0, 0.1, 1.0, 10.0, 44.0}; // degrees
+
+/// A sheet of 8 x 8 cells of one unit, its inner points lifted at random by up to `height`.
+Soup bumpySheet(test::Random& random, double height) {
+    constexpr std::uint32_t points = 9;
+    Soup soup;
+    for (std::uint32_t y = 0; y < points; ++y)
+        for (std::uint32_t x = 0; x < points; ++x)
+            soup.positions.emplace_back(x, y, height * random.inCube().z);
+    for (std::uint32_t y = 0; y + 1 < points; ++y)
+        for (std::uint32_t x = 0; x + 1 < points; ++x) {
+            const std::uint32_t i = points * y + x;
+            soup.indices.insert(soup.indices.end(),
+                                {i, i + 1, i + points + 1, i, i + points + 1, i + points});
+        }
+    return soup;
+}
+
 const std::vector<glm::vec4> someLights = {{0.5f, 0.5f, 3, 1},   {3, 0.5f, 1, 1},     {0, 0, 1, 0},
                                            {2, 3, 0.5f, 1},      {1, 31.5f, 0.5f, 1}, {1, 1, 1, 1},
                                            {0.5f, 0.5f, 0.5f, 1}};
@@ -44,8 +62,28 @@ const std::vector<glm::vec4> someLights = {{0.5f, 0.5f, 3, 1},   {3, 0.5f, 1, 1}
 TEST(AdaptedChain, OfTinyMeshes) {
     for (const Soup& soup : {test::cube(), test::openBox(), test::fin(), test::fan(128),
                              test::moebiusStrip(), test::tJunction()})
-        for (const glm::vec4& light : someLights)
-            EXPECT_EQ(AdaptedMesh(soup).open(light), 0u);
+        for (const double tolerance : tolerances)
+            for (const glm::vec4& light : someLights)
+                EXPECT_EQ(AdaptedMesh(soup, tolerance).open(light), 0u);
+}
+
+TEST(AdaptedChain, OfSheetsWhoseBumpsAreTakenForFlat) {
+    test::Random random(23);
+    std::size_t dropped = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Soup sheet = bumpySheet(random, std::exp2(-random.below(12)));
+        const glm::vec4 light(glm::dvec3(4.0) + 8.0 * random.inCube(), i % 2);
+        std::size_t last = 0;
+        for (const double tolerance : tolerances) {
+            const AdaptedMesh mesh(sheet, tolerance);
+            ASSERT_EQ(mesh.open(light), 0u) << i << ", " << tolerance;
+            ASSERT_EQ(mesh.openEdges(light), 0u) << i << ", " << tolerance;
+            EXPECT_GE(mesh.shadow.flatEdges, last) << i << ", " << tolerance;
+            last = mesh.shadow.flatEdges;
+        }
+        dropped += last;
+    }
+    EXPECT_GT(dropped, 5000u);
 }
 
 TEST(AdaptedChain, WithoutARecordItIsOpen) {
@@ -67,7 +105,7 @@ TEST(AdaptedChain, OfRandomSoupsForEveryKindOfLight) {
     std::size_t chains = 0, closed = 0;
     for (std::size_t i = 0; i < 20'000; ++i) {
         const Soup soup = test::randomSoup(random, 1 + random.below(24));
-        const AdaptedMesh mesh(soup);
+        const AdaptedMesh mesh(soup, tolerances[i % std::size(tolerances)]);
         if (mesh.shadow.caps.empty()) continue;
         const CapRecord& cap = mesh.shadow.caps.front();
         test::Corners corners = {cap.a, cap.b, cap.c};
@@ -85,10 +123,13 @@ TEST(AdaptedChain, OfRandomSoupsForEveryKindOfLight) {
 }
 
 RC_GTEST_PROP(AdaptedChain, OfLatticeSoups, ()) {
-    const AdaptedMesh mesh(test::latticeSoup());
+    const Soup soup = test::latticeSoup();
     const glm::vec4 light = test::latticeLight();
-    RC_ASSERT(mesh.open(light) == 0u);
-    RC_ASSERT(mesh.openEdges(light) == 0u);
+    for (const double tolerance : tolerances) {
+        const AdaptedMesh mesh(soup, tolerance);
+        RC_ASSERT(mesh.open(light) == 0u);
+        RC_ASSERT(mesh.openEdges(light) == 0u);
+    }
 }
 
 RC_GTEST_PROP(AdaptedChain, MultiplicitiesAreThePublishedOnes, ()) {

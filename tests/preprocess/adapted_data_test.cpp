@@ -250,4 +250,79 @@ TEST(OppositePairs, FlatOnesCancelFirst) {
     EXPECT_EQ(shadow.pairs.size(), 0u);
 }
 
+namespace {
+
+/// A sheet of triangles along x that bends by `degrees` at every line between two cells.
+Soup bentSheet(int cells, double degrees) {
+    Soup soup;
+    glm::dvec3 at(0.0);
+    for (int i = 0; i <= cells; ++i) {
+        soup.positions.push_back(at);
+        soup.positions.push_back(at + glm::dvec3(0, 1, 0));
+        const double slope = glm::radians(i * degrees);
+        at += glm::dvec3(std::cos(slope), 0.0, std::sin(slope));
+    }
+    for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(2 * cells); i += 2)
+        soup.indices.insert(soup.indices.end(), {i, i + 2, i + 3, i, i + 3, i + 1});
+    return soup;
+}
+
+std::vector<glm::vec4> planesOf(const Soup& soup, double flatTolerance) {
+    const WeldedMesh mesh = weld(soup.positions, soup.indices);
+    return trianglePlanes(mesh, buildEdges(mesh), flatTolerance);
+}
+
+std::size_t differentPlanes(const std::vector<glm::vec4>& planes) {
+    std::set<std::array<float, 4>> different;
+    for (const glm::vec4& plane : planes)
+        different.insert({plane.x, plane.y, plane.z, plane.w});
+    return different.size();
+}
+
+} // namespace
+
+TEST(FlatTolerance, NormalsDoNotDriftFromWherePatchesBegin) {
+    const Soup sheet = bentSheet(20, 2.0);
+    const auto exact = planesOf(sheet, 0.0);
+    EXPECT_EQ(differentPlanes(exact), 20u);
+    EXPECT_EQ(differentPlanes(planesOf(sheet, 1.9)), 20u);
+    for (const double tolerance : {2.1, 5.0, 10.0}) {
+        const auto planes = planesOf(sheet, tolerance);
+        const auto reach = static_cast<std::size_t>(tolerance / 2.0);
+        EXPECT_GE(differentPlanes(planes), 20 / (2 * reach + 1));
+        EXPECT_LE(differentPlanes(planes), 20 / (reach + 1) + 1);
+        for (std::size_t t = 0; t < planes.size(); ++t)
+            EXPECT_GT(glm::dot(glm::dvec3(planes[t]), glm::dvec3(exact[t])),
+                      std::cos(glm::radians(tolerance + 1e-3)));
+    }
+}
+
+TEST(FlatTolerance, APatchTakesThePlaneOfItsLargestExactlyFlatPart) {
+    Soup sheet = bentSheet(3, 1.0);
+    for (std::size_t i = 6; i < 8; ++i) // the last cell, twice as long
+        sheet.positions[i] += sheet.positions[i] - sheet.positions[i - 2];
+    const auto exact = planesOf(sheet, 0.0);
+    for (const glm::vec4& plane : planesOf(sheet, 3.0))
+        EXPECT_EQ(plane, exact.back());
+}
+
+TEST(FlatTolerance, EdgesOfOtherThanTwoOppositeTrianglesAreNotCrossed) {
+    // The second page of the fin's three bends by nothing from the first.
+    const Soup fin = test::fin();
+    EXPECT_EQ(differentPlanes(planesOf(fin, 44.0)), differentPlanes(planesOf(fin, 0.0)));
+    // Two triangles of a flat sheet that run the same way through their edge.
+    const Soup turned{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0.01f}}, {0, 1, 2, 1, 2, 3}};
+    EXPECT_EQ(differentPlanes(planesOf(turned, 44.0)), 2u);
+    const Soup right{turned.positions, {0, 1, 2, 2, 1, 3}};
+    EXPECT_EQ(differentPlanes(planesOf(right, 44.0)), 1u);
+    EXPECT_EQ(differentPlanes(planesOf(right, 0.0)), 2u);
+}
+
+TEST(FlatTolerance, RightAnglesStay) {
+    const CasterMesh mesh = casterMesh(test::cube());
+    const EdgeList edges = buildEdges(mesh.welded);
+    EXPECT_EQ(buildAdapted(mesh, edges, {Material()}, 44.9).flatEdges,
+              buildAdapted(mesh, edges, {Material()}).flatEdges);
+}
+
 } // namespace edgeshade

@@ -1,5 +1,6 @@
 #include "tests/support/packing.hpp"
 
+#include "preprocess/caster_simplification.hpp"
 #include "preprocess/error.hpp"
 #include "preprocess/flatten.hpp"
 #include "preprocess/packed_file.hpp"
@@ -19,7 +20,8 @@ bool sameBits(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) 
 Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settings,
              const std::filesystem::path& path) {
     const GltfDocument document = parseGltf(asset, path);
-    const Scene scene = flattenScene(document, settings.weldTolerance);
+    Scene scene = flattenScene(document, settings.weldTolerance);
+    simplifyCasters(scene, settings.casterError);
     BuildSeconds seconds;
     return packedGlb(document, scene, buildTopology(scene, settings.castMasked, seconds), encoding,
                      settings);
@@ -29,12 +31,15 @@ std::vector<BatchShadow> readBack(const Bytes& packedAsset) {
     const GltfDocument document = parseGltf(packedAsset, "packed.glb");
     const auto header = readShadowHeader(document);
     if (!header) throw InputError("'packed.glb' is not packed.");
-    return readShadows(document, *header, flattenScene(document, header->settings.weldTolerance));
+    Scene scene = flattenScene(document, header->settings.weldTolerance);
+    readCasters(document, *header, scene);
+    return readShadows(document, *header, scene);
 }
 
 std::vector<BatchShadow> built(const Bytes& asset, const CasterSettings& settings) {
-    return buildShadows(flattenScene(parseGltf(asset, "test.glb"), settings.weldTolerance),
-                        settings.castMasked);
+    Scene scene = flattenScene(parseGltf(asset, "test.glb"), settings.weldTolerance);
+    simplifyCasters(scene, settings.casterError);
+    return buildShadows(scene, settings.castMasked);
 }
 
 void expectSameShadows(const std::vector<BatchShadow>& actual,

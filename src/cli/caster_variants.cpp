@@ -1,0 +1,23 @@
+#include "src/cli/caster_variants.hpp"
+
+#include <algorithm>
+
+namespace edgeshade::cli {
+
+std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& changes) {
+    const CasterSettings wanted = changes.on(own_.settings);
+    if (wanted == own_.settings) return nullptr;
+    const auto found = std::find_if(others_.begin(), others_.end(),
+                                    [&](const auto& other) { return other->settings == wanted; });
+    if (found != others_.end()) return *found;
+    return others_.emplace_back(std::make_shared<const LoadedScene>(loadScene(path_, wanted)));
+}
+
+nlohmann::ordered_json casterJson(const CasterSettings& settings) {
+    return {{"weld-tolerance", settings.weldTolerance},
+            {"flat-tolerance", settings.flatTolerance},
+            {"caster-error", settings.casterError},
+            {"cast-masked", settings.castMasked}};
+}
+
+} // namespace edgeshade::cli

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""What each encoding takes in the file and at load, on every model in ../shared/scenes: a table of
+docs/adapted.md.
+
+    tests/bench/encodings.py           measures, then the table
+    tests/bench/encodings.py --table   the table from the results that are there
+
+EDGESHADE names the program.
+"""
+
+import json
+import pathlib
+import resource
+import sys
+import tempfile
+
+from accuracy import NAMES
+from edgeshade_runs import RESULTS, SCENES, machine, replace_between, report, write_results
+from records import mean
+
+ENCODINGS = ("expanded", "indexed", "none")
+REPEATS = 3
+
+
+def call_seconds(path, layout):
+    """Processor time of a call that reads, flattens, finds shadow data, uploads and draws next to
+    nothing: the least of several."""
+    def one():
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        report("render", path, path.with_suffix(".png"), "--size", "8x8", "--layout", layout)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return min(one() for _ in range(REPEATS))
+
+
+def measured(scene, folder):
+    results = {}
+    for encoding in ENCODINGS:
+        path = pathlib.Path(folder) / f"{scene}.{encoding}.glb"
+        packed = report("pack", SCENES / f"{scene}.glb", path, "--encoding", encoding)
+        results[encoding] = {
+            "bytes": {key: packed["bytes"][key] for key in ("stored", "file", "published_equation")},
+            "load_seconds": {layout: call_seconds(path, layout)
+                             for layout in ("adapted", "published")}}
+        path.unlink()
+    return results
+
+
+def table(results):
+    lines = ["| scene | encoding | shadow data, bytes | of the published sum | file, bytes | load, adapted "
+             "records, s | load, published ones, s |",
+             "|" + " --- |" * 7]
+    shares = {encoding: [] for encoding in ENCODINGS}
+    loads = {encoding: [] for encoding in ENCODINGS}
+    for scene, of in results["scenes"].items():
+        for encoding in ENCODINGS:
+            sizes, load = of[encoding]["bytes"], of[encoding]["load_seconds"]
+            share = sizes["stored"] / sizes["published_equation"]
+            shares[encoding].append(share)
+            loads[encoding].append((load["adapted"], load["published"]))
+            lines.append(f"| {NAMES[scene]} | `{encoding}` | {sizes['stored']:,} | {share:.3f} | "
+                         f"{sizes['file']:,} | {load['adapted']:.2f} | {load['published']:.2f} |")
+    for encoding in ENCODINGS:
+        adapted, published = (mean(column) for column in zip(*loads[encoding]))
+        lines.append(f"| geometric mean, largest share | `{encoding}` | | "
+                     f"at most {max(shares[encoding]):.3f} | | {adapted:.2f} | {published:.2f} |")
+    of = results["machine"]
+    return (f"{of['cores']} cores of {of['processor']}, {of['date']}, software renderer; load and one picture "
+            f"of 8x8, processor time on all cores, the least of {REPEATS}.\n\n" + "\n".join(lines))
+
+
+def main(words):
+    stored = RESULTS / "encodings.json"
+    if words[:1] == ["--table"]:
+        results = json.loads(stored.read_text())
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            results = {"machine": machine(),
+                       "scenes": {scene: measured(scene, folder) for scene in NAMES}}
+        write_results("encodings", results)
+    replace_between("docs/adapted.md", "encodings", table(results))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
