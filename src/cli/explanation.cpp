@@ -59,11 +59,11 @@ std::string offered(const std::vector<PlacedShadow>& casters, const Light& light
 std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
                           const RenderSettings& settings, const std::vector<GroupedShadow>& groups,
                           const gl::Capabilities& capabilities) {
-    if (settings.shadows == ShadowMethod::none) return "no shadows are drawn\n";
+    if (settings.shadows == ShadowMethod::none) return "no shadows are drawn";
     if (settings.shadows == ShadowMethod::map)
-        return "shadow maps: every light draws all casters, a point light up to six times\n";
+        return "shadow maps: every light draws all casters, a point light up to six times";
     if (volumeLayoutOf(settings.multiplicity) == VolumeLayout::published)
-        return "published records: every edge and all caps of every light, z-fail\n";
+        return "published records: every edge and all caps of every light, z-fail";
     const int bits = capabilities.vertexHighpMantissaBits;
     std::ostringstream text;
     for (std::size_t i = 0; i < (view.mask ? 1 : view.lights.size()); ++i) {
@@ -86,7 +86,9 @@ std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
             }
         }
     }
-    return text.str();
+    std::string lines = text.str();
+    lines.pop_back(); // the last line's end
+    return lines;
 }
 
 } // namespace edgeshade::cli

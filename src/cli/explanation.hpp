@@ -6,7 +6,8 @@
 
 namespace edgeshade::cli {
 
-/// What a frame draws for its shadows, how, and why, in lines of text. `groups`: as the renderer
+/// What a frame draws for its shadows, how, and why, in lines of text, the last one without
+/// its end. `groups`: as the renderer
 /// gets them.
 std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
                           const RenderSettings& settings, const std::vector<GroupedShadow>& groups,

@@ -78,6 +78,7 @@ std::string explain(const LightPlan& plan, const std::vector<PlacedShadow>& cast
             text << "  drawn: " << clustersOf(draw.clusters) << ", "
                  << counted(trianglesOf(shadow, draw.clusters), "triangle") << "; "
                  << wordsFor(draw.caps);
+            if (draw.end >= 0) text << ", ending beyond what is visible";
             if (draw.start != 0)
                 text << ", the near rectangle within " << counted(draw.start, "volume");
             if (draw.zFail())

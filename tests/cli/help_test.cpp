@@ -30,7 +30,8 @@ TEST(Help, EveryVerbNamesItsOptions) {
                              "--camera-to",  "--fov",          "--near",       "--light",
                              "--sun",        "--light-range",  "--shadows",    "--map-size",
                              "--map-bias",   "--pcf",          "--mask-scale", "--multiplicity",
-                             "--instancing", "--depth-slices", "--samples",    "--report"})
+                             "--instancing", "--depth-slices", "--samples",    "--report",
+                             "--silhouette", "--explain"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

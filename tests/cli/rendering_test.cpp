@@ -44,6 +44,39 @@ TEST(Rendering, APictureHasTheSizeThatWasAskedFor) {
     }
 }
 
+TEST(Rendering, ProposedSilhouettesDrawWhatAllDo) {
+    for (const char* kind : {"picture", "mask"}) {
+        std::vector<std::string> all = {"--silhouette", "all"},
+                                 proposed = {"--silhouette", "proposed"};
+        if (kind == std::string("mask")) {
+            all.push_back("--mask");
+            proposed.push_back("--mask");
+        }
+        EXPECT_EQ(pictureOf(pavilion, all), pictureOf(pavilion, proposed));
+    }
+}
+
+TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
+    const TempFolder folder;
+    const auto explained = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", pavilion, folder / "out.png", "--size", "64x48",
+                                   "--explain", "--camera-from", "4,2,9"});
+        const ProcessResult result = runEdgeshade(more);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.out;
+    };
+    const std::string words = explained({"--light", "2,3,2"});
+    for (const char* part : {"light 0, at 2,3,2: ", "those that can be silhouettes", "z-pass",
+                             "the count starts at ", "batch 0: "})
+        EXPECT_NE(words.find(part), std::string::npos) << part << " is not in\n" << words;
+    EXPECT_NE(explained({"--silhouette", "all"}).find("all "), std::string::npos);
+    EXPECT_NE(
+        explained({"--light", "2,3,2", "--light-range", "0.5"}).find("out of the light's range"),
+        std::string::npos);
+    EXPECT_NE(explained({"--shadows", "map"}).find("shadow maps"), std::string::npos);
+    EXPECT_NE(explained({"--layout", "published"}).find("published records"), std::string::npos);
+}
+
 TEST(Rendering, DrawingTwiceGivesTheSameFile) {
     EXPECT_EQ(pictureOf(pavilion), pavilionPicture());
 }

@@ -349,7 +349,7 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
     }
     EXPECT_GT(leftOut, 1'000u);
     EXPECT_GT(withoutCaps, 1'000u);
-    EXPECT_GT(inShadow, 300u);
+    EXPECT_GT(inShadow, 150u);
     EXPECT_GT(sealed, 100u);
 }
 

@@ -1,0 +1,115 @@
+// Proposed silhouettes draw what all records draw, pixel for pixel, from frame to frame: with
+// lights that move, rest and jump, so that lists serve for several frames and are made anew.
+#include "src/gl/headless_context.hpp"
+#include "tests/support/hard_lights.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::pointLight;
+using test::Random;
+using test::sun;
+
+constexpr int width = 160, height = 120;
+
+/// The yard, and a box that a mirrored, stretched node carries.
+Scene twoBatches() {
+    Scene scene = test::yard().scene();
+    glm::dmat4 placed(1.0);
+    placed[0] = {-0.6, 0, 0.3, 0};
+    placed[1] = {0, 1.7, 0, 0};
+    placed[3] = {1.2, 0.4, 1.5, 1};
+    Scene second = test::SceneBuilder().box({-1, 0, -1}, {1, 1, 1}).placedBy(placed).scene();
+    scene.batches.push_back(second.batches.front());
+    return scene;
+}
+
+/// One scene on the GPU, drawn with all records and with proposed ones.
+class Pair {
+  public:
+    explicit Pair(SidesLayout layout)
+        : loaded_{{}, twoBatches(), {}, {}, {}}, context_({width, height}),
+          all_(settingsFor(SilhouetteChoice::all, layout), context_.capabilities()),
+          proposed_(settingsFor(SilhouetteChoice::proposed, layout), context_.capabilities()) {
+        loaded_.adapted = buildAdapted(loaded_.scene, false);
+        scene_.emplace(uploadScene(loaded_, all_.settings().records(), context_.capabilities()));
+    }
+
+    void expectSame(const Camera& camera, const std::vector<Light>& lights) {
+        const FrameView view = makeFrameView(loaded_, {camera, width, height, lights, {}});
+        EXPECT_EQ(draw(proposed_, view), draw(all_, view));
+        EXPECT_LE(proposed_.vertexRuns(), all_.vertexRuns());
+        FrameView mask = view;
+        mask.mask = true;
+        EXPECT_EQ(draw(proposed_, mask), draw(all_, mask));
+    }
+
+    const Renderer& proposed() const { return proposed_; }
+
+  private:
+    static RenderSettings settingsFor(SilhouetteChoice choice, SidesLayout layout) {
+        RenderSettings settings;
+        settings.silhouette = choice;
+        settings.layout = layout;
+        return settings;
+    }
+
+    std::vector<std::uint8_t> draw(Renderer& renderer, const FrameView& view) {
+        renderer.draw(*scene_, view, {});
+        gl::requireNoError("drawing a test scene");
+        return context_.readPixels();
+    }
+
+    LoadedScene loaded_;
+    gl::HeadlessContext context_;
+    Renderer all_, proposed_;
+    std::optional<GpuScene> scene_;
+};
+
+Camera around(double angle) {
+    return {{7 * std::cos(angle), 3.5, 7 * std::sin(angle)}, {0, 0.5, 0}, 50.0};
+}
+
+} // namespace
+
+class ProposedMasks : public testing::TestWithParam<SidesLayout> {};
+
+TEST_P(ProposedMasks, AreThoseOfAllRecordsWhileALightMoves) {
+    Pair pair(GetParam());
+    for (int i = 0; i < 40; ++i) {
+        const double angle = 0.05 * i;
+        pair.expectSame(around(0.1 * i), {pointLight({3 * std::cos(angle), 4, 3 * std::sin(angle)}),
+                                          sun({std::sin(angle), 1, 0.3})});
+    }
+    EXPECT_LT(pair.proposed().proposalsMade(), 4u * 80 / 2) << "lists serve for several frames";
+}
+
+TEST_P(ProposedMasks, AreMadeOnceForALightAtRest) {
+    Pair pair(GetParam());
+    pair.expectSame(around(0), {pointLight({2, 4, 1})});
+    const std::size_t made = pair.proposed().proposalsMade();
+    for (int i = 1; i < 10; ++i)
+        pair.expectSame(around(0.3 * i), {pointLight({2, 4, 1})});
+    EXPECT_EQ(pair.proposed().proposalsMade(), made);
+}
+
+TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereverALightJumps) {
+    Pair pair(GetParam());
+    Random random(3);
+    for (int i = 0; i < 60; ++i) {
+        const glm::dvec3 at = 5.0 * random.inCube() + glm::dvec3(0, 3, 0);
+        // On coordinates of faces as often as not, where signs are hardest to tell.
+        const glm::dvec3 light = random.below(2) ? at : glm::round(at);
+        pair.expectSame(around(random.uniform(0, 6)),
+                        {random.below(3) ? pointLight(light) : sun(at)});
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, ProposedMasks,
+                         testing::Values(SidesLayout::instanced, SidesLayout::notInstanced));
+
+} // namespace edgeshade
