@@ -6,8 +6,8 @@
 namespace edgeshade {
 namespace {
 
-/// Steps of the light that a ball is large enough for. Larger balls propose more records, smaller
-/// ones must be proposed anew more often; tests/bench/proposals.py measures both.
+/// Steps of the light that a ball reaches ahead. Larger balls propose more records, smaller ones
+/// must be proposed anew more often; tests/bench/proposals.py measures what larger ones list.
 constexpr float stepsAhead = 6.0f;
 
 /// Frames after which a light counts as at rest.

@@ -1,0 +1,83 @@
+// What proposing silhouettes takes on one thread, and how many records are left, for a light at
+// rest and for balls around it. `proposal_times SCENE...` prints JSON.
+#include "src/render/proposal.hpp"
+#include "src/scene/light.hpp"
+#include "src/scene/load.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int repeats = 20;
+constexpr int runsARepeat = 10;                             // the clock ticks in microseconds
+constexpr double radii[] = {0.0, 0.001, 0.003, 0.01, 0.03}; // shares of the scene's diagonal
+
+/// One light and all batches.
+struct Found {
+    double milliseconds = 0.0;
+    std::size_t pairs = 0;
+};
+
+Found find(const LoadedScene& loaded, const Light& light, double radius) {
+    Found found;
+    for (std::size_t i = 0; i < loaded.adapted.size(); ++i) {
+        const AdaptedShadow& shadow = *loaded.adapted[i];
+        const LightFacings facings(shadow);
+        const LightBall ball{lightInObject(light, loaded.scene.batches[i].worldFromBatch),
+                             static_cast<float>(radius)};
+        Proposal proposal;
+        std::vector<PairRecord> gathered;
+        std::clock_t least = std::numeric_limits<std::clock_t>::max();
+        for (int repeat = 0; repeat < repeats; ++repeat) {
+            const std::clock_t start = std::clock();
+            for (int run = 0; run < runsARepeat; ++run) {
+                propose(shadow, facings, ball, 23, proposal);
+                gathered.clear();
+                for (const std::uint32_t pair : proposal.pairs)
+                    gathered.push_back(shadow.pairs[pair]);
+            }
+            least = std::min(least, std::clock() - start);
+        }
+        found.milliseconds += 1e3 * static_cast<double>(least) / CLOCKS_PER_SEC / runsARepeat;
+        found.pairs += proposal.pairs.size();
+    }
+    return found;
+}
+
+Json measured(const std::string& path) {
+    const LoadedScene loaded = loadScene(path, std::nullopt);
+    const Box bounds = worldBounds(loaded.scene);
+    // Over the scene and to the side, as bench has its light.
+    const glm::dvec3 at = bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
+    std::size_t pairs = 0, triangles = 0;
+    for (const auto& shadow : loaded.adapted) {
+        pairs += shadow->pairs.size();
+        triangles += shadow->caps.size();
+    }
+    Json balls = Json::array();
+    for (const double share : radii) {
+        const Found found = find(loaded, {glm::dvec4(at, 1.0)}, share * bounds.diagonal());
+        balls.push_back({{"radius", share}, {"ms", found.milliseconds}, {"pairs", found.pairs}});
+    }
+    return {{"scene", std::filesystem::path(path).stem().string()},
+            {"triangles", triangles},
+            {"pairs", pairs},
+            {"balls", balls}};
+}
+
+} // namespace
+} // namespace edgeshade
+
+int main(int count, char** words) {
+    auto scenes = nlohmann::ordered_json::array();
+    for (int i = 1; i < count; ++i)
+        scenes.push_back(edgeshade::measured(words[i]));
+    std::cout << scenes.dump(1) << "\n";
+}
