@@ -9,7 +9,7 @@ namespace edgeshade {
 struct TriangleCluster {
     Box bounds;
     bool closed = false;
-    bool holes = false;                   ///< some triangle is not opaque; never closed then
+    bool holes = false; ///< some triangle is not opaque; never closed then
     std::uint32_t components = 0;
     std::vector<std::uint32_t> triangles; ///< with holes ascending, else along a Morton curve
     std::vector<std::uint32_t> edges;     ///< each where its first opposite vertex's triangle is
