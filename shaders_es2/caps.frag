@@ -1,11 +1,14 @@
-// Caps write the stencil alone. Fragments go where the caster itself has none. TINT: the
-// vec4 that debug views colour them with.
+// Caps write the stencil alone. Fragments go where the caster itself has none. TINT and
+// UNIFORM_TINT: as in sides.frag.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
 precision mediump float;
 #endif
 
+#ifdef UNIFORM_TINT
+uniform vec4 u_tint;
+#endif
 #ifdef NEAR_DISCARD
 varying vec2 v_clipZW;
 #endif

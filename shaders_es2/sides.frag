@@ -1,6 +1,9 @@
 // Sides write the stencil alone; the colour is there for the probe, and for TINT,
-// the vec4 that debug views colour them with.
+// what debug views colour them with: a vec4, or u_tint with UNIFORM_TINT.
 precision mediump float;
+#ifdef UNIFORM_TINT
+uniform vec4 u_tint;
+#endif
 #ifdef PROBE
 varying vec4 v_color;
 #endif

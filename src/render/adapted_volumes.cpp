@@ -111,10 +111,11 @@ gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
 }
 
 AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
-                               std::vector<std::string> sidesDefines,
-                               std::vector<std::string> capsDefines)
-    : instancing_(instancing), sidesDefines_(std::move(sidesDefines)),
-      capsDefines_(std::move(capsDefines)) {
+                               std::vector<std::string> defines, std::optional<VolumeTints> tints)
+    : instancing_(instancing), tints_(tints), sidesDefines_(std::move(defines)) {
+    if (tints_)
+        for (auto* shaders : {&sidesDefines_, &capsDefines_})
+            shaders->insert(shaders->end(), {"UNIFORM_TINT", "TINT u_tint"});
     const std::uint32_t quads = layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
     // The published order: rasterisers round a triangle's depths by which corner comes first.
     quadIndices_ = indexBuffer(std::array<std::uint16_t, 6>{2, 1, 0, 1, 2, 3}, quads);
@@ -150,6 +151,10 @@ void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedPair
                                                : buffers.pairs();
         for (int quad = 0; quad < quads; ++quad) {
             program->second.set("u_side", static_cast<float>(quad));
+            if (tints_)
+                program->second.set("u_tint", quad == 1      ? tints_->twice
+                                              : draw.zFail() ? tints_->behind
+                                                             : tints_->before);
             drawQuads(records, pair ? pairComponents : singleComponents, buffers.copied(), range,
                       sun);
         }
@@ -210,6 +215,7 @@ void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& d
             program.use();
             program.set("u_light", light);
             program.set("u_counted", rangeOf(draw.counted));
+            if (tints_) program.set("u_tint", tints_->caps);
             program.set("u_clipFromObject", clipFromObject);
             const RecordRange range{group.firstCap - cluster.caps.first, group.capCount};
             if (!alphaTest) {

@@ -31,14 +31,20 @@ gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
                                    const std::vector<std::string>& extraDefines = {},
                                    const std::vector<std::string>& extraAttributes = {});
 
+/// What debug views colour volumes with.
+struct VolumeTints {
+    glm::vec4 before; ///< sides counted before surfaces (z-pass)
+    glm::vec4 behind; ///< sides counted behind them (z-fail)
+    glm::vec4 twice;  ///< the second quad of sides whose multiplicity is 2
+    glm::vec4 caps;
+};
+
 /// Draws shadow volumes from adapted records; what they do to the stencil is the caller's state.
 class AdaptedVolumes {
   public:
-    /// `instancing` must be there unless the layout is notInstanced. `sidesDefines`,
-    /// `capsDefines`: of the fragment shaders.
+    /// `instancing` must be there unless the layout is notInstanced. `defines`: of sides' shaders.
     AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
-                   std::vector<std::string> sidesDefines = {},
-                   std::vector<std::string> capsDefines = {});
+                   std::vector<std::string> defines = {}, std::optional<VolumeTints> tints = {});
 
     /// `proposed`: the pairs to draw, null for all of them. `end`: the plane at which volumes end,
     /// (0, 0, 0, 1) for infinity. All is in the batch's space.
@@ -59,6 +65,7 @@ class AdaptedVolumes {
     gl::Program& capsProgram(bool nearDiscard, bool alphaTest);
 
     std::optional<gl::Instancing> instancing_;
+    std::optional<VolumeTints> tints_;
     std::vector<std::string> sidesDefines_, capsDefines_;
     gl::Buffer quadCorners_; ///< instanced: 0..3
     gl::Buffer capCorners_;  ///< instanced: 0..5

@@ -10,7 +10,7 @@
 #include "src/viewer/renderers.hpp"
 #include "src/viewer/silhouettes.hpp"
 #include "src/viewer/stage_watch.hpp"
-#include "src/viewer/volume_tint_pass.hpp"
+#include "src/render/volume_tint_pass.hpp"
 
 #include "preprocess/animation_reading.hpp"
 #include "preprocess/stopwatch.hpp"

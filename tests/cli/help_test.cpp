@@ -31,7 +31,7 @@ TEST(Help, EveryVerbNamesItsOptions) {
                              "--sun",        "--light-range",  "--shadows",    "--map-size",
                              "--map-bias",   "--pcf",          "--mask-scale", "--multiplicity",
                              "--instancing", "--depth-slices", "--samples",    "--report",
-                             "--silhouette", "--explain"})
+                             "--silhouette", "--explain",      "--debug"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

@@ -56,6 +56,13 @@ TEST(Rendering, ProposedSilhouettesDrawWhatAllDo) {
     }
 }
 
+TEST(Rendering, DebugTintsThePictureByItsVolumes) {
+    EXPECT_NE(pictureOf(pavilion, {"--debug", "volumes"}), pavilionPicture());
+    EXPECT_EQ(pictureOf(pavilion, {"--debug", "none"}), pavilionPicture());
+    EXPECT_NE(pictureOf(pavilion, {"--debug", "volumes", "--layout", "published"}),
+              pictureOf(pavilion, {"--debug", "volumes"}));
+}
+
 TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
     const TempFolder folder;
     const auto explained = [&](std::vector<std::string> more) {

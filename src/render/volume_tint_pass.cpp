@@ -1,20 +1,24 @@
-#include "src/viewer/volume_tint_pass.hpp"
+#include "src/render/volume_tint_pass.hpp"
 
 #include "src/render/frame.hpp"
 
 #include <GLES2/gl2.h>
 
-namespace edgeshade::viewer {
+namespace edgeshade {
 
 VolumeTintPass::VolumeTintPass(MultiplicityMethod method, SidesLayout layout,
                                std::optional<gl::Instancing> instancing) {
-    const std::vector<std::string> orange = {"TINT vec4(1.0, 0.5, 0.1, 0.10)"};
-    const std::vector<std::string> blue = {"TINT vec4(0.15, 0.4, 1.0, 0.10)"};
     if (method == MultiplicityMethod::plane) {
-        adapted_.emplace(layout, instancing, orange, blue);
+        adapted_.emplace(layout, instancing, std::vector<std::string>(),
+                         VolumeTints{{1.0f, 0.5f, 0.1f, 0.10f},
+                                     {1.0f, 0.1f, 0.2f, 0.14f},
+                                     {0.1f, 0.8f, 0.2f, 0.12f},
+                                     {0.15f, 0.4f, 1.0f, 0.10f}});
     } else {
-        sides_.emplace(method, layout, instancing, orange);
-        caps_.emplace(method, layout, instancing, blue);
+        sides_.emplace(method, layout, instancing,
+                       std::vector<std::string>{"TINT vec4(1.0, 0.5, 0.1, 0.10)"});
+        caps_.emplace(method, layout, instancing,
+                      std::vector<std::string>{"TINT vec4(0.15, 0.4, 1.0, 0.10)"});
     }
 }
 
@@ -77,4 +81,4 @@ void VolumeTintPass::draw(const GpuScene& scene, const FrameView& view, const Li
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-} // namespace edgeshade::viewer
+} // namespace edgeshade

@@ -6,11 +6,12 @@
 #include "src/render/sides_pass.hpp"
 #include "src/render/surface_pass.hpp"
 
-namespace edgeshade::viewer {
+namespace edgeshade {
 
-/// A debug view: tints the picture by one light's shadow volumes, sides orange where they stand in
-/// front of what is visible, caps blue wherever they are drawn (all of them lie at infinity;
-/// volumes that are counted without caps have none).
+/// A debug view: tints the picture by what is drawn of one light's shadow volumes. Sides where they
+/// stand in front of what is visible: orange, of volumes that are counted behind surfaces and so
+/// have caps red, and green over these the second quad where the multiplicity is 2. Caps blue
+/// wherever they are drawn (all of them lie at infinity). Published volumes are orange and blue.
 class VolumeTintPass {
   public:
     /// `instancing` must be there unless the layout is notInstanced.
@@ -31,4 +32,4 @@ class VolumeTintPass {
     std::optional<CapsPass> caps_;          ///< likewise
 };
 
-} // namespace edgeshade::viewer
+} // namespace edgeshade
