@@ -1,5 +1,6 @@
 #include "src/viewer/viewer.hpp"
 
+#include "src/render/volume_tint_pass.hpp"
 #include "src/viewer/caster_groups.hpp"
 #include "src/viewer/commands.hpp"
 #include "src/viewer/frame_clock.hpp"
@@ -10,7 +11,6 @@
 #include "src/viewer/renderers.hpp"
 #include "src/viewer/silhouettes.hpp"
 #include "src/viewer/stage_watch.hpp"
-#include "src/render/volume_tint_pass.hpp"
 
 #include "preprocess/animation_reading.hpp"
 #include "preprocess/stopwatch.hpp"
