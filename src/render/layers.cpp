@@ -80,12 +80,14 @@ std::optional<Layers> layersFrom(const glm::dvec3& start, const glm::dvec4& ligh
     return layers;
 }
 
-bool mayMeetRectangle(const LightPyramid& pyramid, const std::array<glm::dvec3, 3>& triangle) {
+bool mayMeetRectangle(const LightPyramid& pyramid, const PyramidFaces& faces,
+                      const std::array<glm::dvec3, 3>& triangle) {
+    if (faces.areBeforeRectangle(triangle)) return false;
     const LightPyramid rectangle{pyramid.corners, glm::dvec4(pyramid.corners[0], 1.0)};
     return !areApart(rectangle, triangle);
 }
 
-/// An edge within the pyramid, and the sum of the signs of a triangle on it.
+/// An edge, and the sign of a triangle on it.
 struct EdgeSign {
     glm::vec3 a, b;
     int sign;
@@ -95,7 +97,9 @@ struct EdgeSign {
     }
 };
 
-bool anySilhouette(std::vector<EdgeSign>& edges) {
+/// Whether an edge that may be within the pyramid has a multiplicity other than 0. Edges that leave
+/// it may lack triangles, so their sums say nothing.
+bool anySilhouette(std::vector<EdgeSign>& edges, const LightPyramid& pyramid) {
     std::sort(edges.begin(), edges.end(),
               [](const EdgeSign& p, const EdgeSign& q) { return p.before(q); });
     for (std::size_t i = 0; i < edges.size();) {
@@ -103,9 +107,27 @@ bool anySilhouette(std::vector<EdgeSign>& edges) {
         const EdgeSign& first = edges[i];
         for (; i < edges.size() && edges[i].a == first.a && edges[i].b == first.b; ++i)
             multiplicity += edges[i].sign;
-        if (multiplicity != 0) return true;
+        const glm::dvec3 a(first.a), b(first.b);
+        if (multiplicity != 0 && !areApart(pyramid, {a, b, b})) return true;
     }
     return false;
+}
+
+/// Calls `use` with each cap that its part's box or `faces` don't keep apart, until it says stop.
+template <class Use>
+void forCapsNear(const LightPyramid& pyramid, const PyramidFaces& faces,
+                 const ShadowCluster& cluster, const AdaptedShadow& shadow, Use use) {
+    const auto isApart = [&](const Box& box) {
+        return faces.separate(box) || areApart(pyramid, box);
+    };
+    if (isApart(cluster.bounds)) return;
+    for (std::uint32_t p = 0; p < cluster.parts.count; ++p) {
+        if (isApart(shadow.parts[cluster.parts.first + p])) continue;
+        const std::uint32_t first = cluster.caps.first + p * partTriangles;
+        const std::uint32_t end = std::min(first + partTriangles, cluster.caps.end());
+        for (std::uint32_t i = first; i < end; ++i)
+            if (!faces.separate(cornersOf(shadow.caps[i])) && use(i)) return;
+    }
 }
 
 } // namespace
@@ -113,19 +135,22 @@ bool anySilhouette(std::vector<EdgeSign>& edges) {
 Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
                      const AdaptedShadow& shadow, std::size_t limit) {
     Touched touched;
-    if (areApart(pyramid, cluster.bounds)) return touched;
-    for (std::uint32_t p = 0; p < cluster.parts.count; ++p) {
-        if (areApart(pyramid, shadow.parts[cluster.parts.first + p])) continue;
-        const std::uint32_t first = cluster.caps.first + p * partTriangles;
-        const std::uint32_t end = std::min(first + partTriangles, cluster.caps.end());
-        for (std::uint32_t i = first; i < end; ++i) {
-            if (areApart(pyramid, cornersOf(shadow.caps[i]))) continue;
-            touched.caps.push_back(i);
-            touched.tooMany = touched.caps.size() > limit;
-            if (touched.tooMany) return touched;
-        }
-    }
+    forCapsNear(pyramid, PyramidFaces(pyramid), cluster, shadow, [&](std::uint32_t cap) {
+        touched.caps.push_back(cap);
+        touched.tooMany = touched.caps.size() > limit;
+        return touched.tooMany;
+    });
     return touched;
+}
+
+bool anyCapTouches(const LightPyramid& pyramid, const ShadowCluster& cluster,
+                   const AdaptedShadow& shadow) {
+    bool any = false;
+    forCapsNear(pyramid, PyramidFaces(pyramid), cluster, shadow, [&](std::uint32_t cap) {
+        any = !areApart(pyramid, cornersOf(shadow.caps[cap]));
+        return any;
+    });
+    return any;
 }
 
 std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
@@ -150,23 +175,24 @@ std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
 
 Evenness evennessOf(const LightPyramid& pyramid, std::span<const std::uint32_t> touched,
                     const AdaptedShadow& shadow, double rounding) {
+    const PyramidFaces faces(pyramid);
     std::vector<EdgeSign> edges;
+    edges.reserve(3 * touched.size());
     for (const std::uint32_t i : touched) {
         const CapRecord& cap = shadow.caps[i];
         const std::array<glm::dvec3, 3> corners = cornersOf(cap);
-        if (mayMeetRectangle(pyramid, corners)) return Evenness::rectangleMet;
+        if (mayMeetRectangle(pyramid, faces, corners)) return Evenness::rectangleMet;
         const int side = certainSide(cap.plane, pyramid.light, rounding);
         if (side == 0) return Evenness::uncertain;
         const std::array<glm::vec3, 3> ends = {cap.a, cap.b, cap.c};
         for (std::size_t e = 0; e < 3; ++e) {
             const std::size_t f = (e + 1) % 3;
-            if (areApart(pyramid, {corners[e], corners[f], corners[f]})) continue;
             const bool forward = orderedBefore(ends[e], ends[f]);
             edges.push_back(
                 {forward ? ends[e] : ends[f], forward ? ends[f] : ends[e], forward ? side : -side});
         }
     }
-    return anySilhouette(edges) ? Evenness::outlineMet : Evenness::even;
+    return anySilhouette(edges, pyramid) ? Evenness::outlineMet : Evenness::even;
 }
 
 } // namespace edgeshade

@@ -10,15 +10,19 @@
 namespace edgeshade {
 
 /// Where more triangles than these stand in a pyramid, counting them is not worth it.
-inline constexpr std::size_t mostTouched = 1024;
+inline constexpr std::size_t mostTouched = 512;
 
-/// Caps of one cluster that may meet a pyramid.
+/// Caps of one cluster that may meet a pyramid: all that do, and few others.
 struct Touched {
     std::vector<std::uint32_t> caps; ///< ascending
     bool tooMany = false;            ///< there may be more
 };
 Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
                      const AdaptedShadow& shadow, std::size_t limit = mostTouched);
+
+/// Whether any of them may: separated as well as areApart() can.
+bool anyCapTouches(const LightPyramid& pyramid, const ShadowCluster& cluster,
+                   const AdaptedShadow& shadow);
 
 /// How many triangles of a cluster a way to the light crosses, each by the sign that its plane has
 /// (method, section 4): a prism that is turned inside out by its plane's sign counts -1.

@@ -11,6 +11,9 @@ namespace {
 /// Gaps below this share of the coordinates may be rounding: GL places things in floats.
 constexpr double leastGap = 4e-6;
 
+/// What a sun's direction may be turned by rounding it to floats, with room to spare.
+constexpr double leastTurn = 1e-6;
+
 struct Interval {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
@@ -106,6 +109,87 @@ bool areApart(const LightPyramid& pyramid, const std::array<glm::dvec3, 3>& tria
             size = std::max(size, glm::dot(glm::abs(axis), glm::abs(corner)));
         }
         return separates(pyramid, axis, interval, size);
+    });
+}
+
+PyramidFaces::PyramidFaces(const LightPyramid& pyramid) : pyramid_(pyramid) {
+    const auto& c = pyramid.corners;
+    const glm::dvec3 light(pyramid.light);
+    add(glm::cross(c[1] - c[0], c[3] - c[0]), c[0], pyramid.light);
+    hasRectangle_ = count_ == 1;
+    for (std::size_t i = 0; i < 4; ++i)
+        add(glm::cross(light - c[i] * pyramid.light.w, c[(i + 1) % 4] - c[i]), c[i],
+            glm::dvec4(c[(i + 2) % 4], 1.0));
+}
+
+void PyramidFaces::add(const glm::dvec3& normal, const glm::dvec3& point,
+                       const glm::dvec4& inside) {
+    const double length = glm::length(normal);
+    if (!(length > 0.0) || !std::isfinite(length)) return;
+    glm::dvec4 plane(normal / length, 0.0);
+    plane.w = -glm::dot(glm::dvec3(plane), point);
+    const double side = glm::dot(plane, inside);
+    if (side == 0.0) return;
+    if (side < 0.0) plane = -plane;
+    double size = std::abs(plane.w);
+    for (const glm::dvec3& corner : pyramid_.corners)
+        size = std::max(size, glm::dot(glm::abs(glm::dvec3(plane)), glm::abs(corner)));
+    if (pyramid_.light.w != 0.0)
+        size = std::max(
+            size, glm::dot(glm::abs(glm::dvec3(plane)), glm::abs(glm::dvec3(pyramid_.light))));
+    faces_[count_++] = {plane, size};
+}
+
+double PyramidFaces::turnAt(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
+    if (pyramid_.light.w != 0.0) return 0.0;
+    const glm::dvec3& from = pyramid_.corners[0];
+    const glm::dvec3 farthest =
+        glm::max(glm::max(glm::abs(a - from), glm::abs(b - from)), glm::abs(c - from));
+    return leastTurn * glm::length(farthest);
+}
+
+bool PyramidFaces::separate(const std::array<glm::dvec3, 3>& triangle) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+        const Face& face = faces_[i];
+        double highest = -std::numeric_limits<double>::infinity(), size = face.size;
+        for (const glm::dvec3& corner : triangle) {
+            highest = std::max(highest, glm::dot(glm::dvec3(face.plane), corner) + face.plane.w);
+            size = std::max(size, glm::dot(glm::abs(glm::dvec3(face.plane)), glm::abs(corner)));
+        }
+        if (highest < -leastGap * size - turnAt(triangle[0], triangle[1], triangle[2])) return true;
+    }
+    const glm::dvec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    const double length = glm::length(normal);
+    if (!(length > 0.0) || !std::isfinite(length)) return false;
+    Interval interval;
+    double size = 0.0;
+    for (const glm::dvec3& corner : triangle) {
+        interval.add(glm::dot(normal, corner) / length);
+        size = std::max(size, glm::dot(glm::abs(normal), glm::abs(corner)) / length);
+    }
+    return separates(pyramid_, normal / length, interval, size);
+}
+
+bool PyramidFaces::separate(const Box& box) const {
+    const glm::dvec3 center = box.center();
+    const glm::dvec3 half = box.high - center;
+    const glm::dvec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
+    return std::any_of(faces_.begin(), faces_.begin() + count_, [&](const Face& face) {
+        const glm::dvec3 normal(face.plane);
+        const double highest =
+            glm::dot(normal, center) + glm::dot(glm::abs(normal), half) + face.plane.w;
+        return highest < -leastGap * std::max(face.size, glm::dot(glm::abs(normal), largest)) -
+                             turnAt(box.low, box.high, box.high);
+    });
+}
+
+bool PyramidFaces::areBeforeRectangle(const std::array<glm::dvec3, 3>& triangle) const {
+    if (!hasRectangle_) return false;
+    const Face& face = faces_[0];
+    return std::all_of(triangle.begin(), triangle.end(), [&](const glm::dvec3& corner) {
+        const glm::dvec3 normal(face.plane);
+        const double size = std::max(face.size, glm::dot(glm::abs(normal), glm::abs(corner)));
+        return glm::dot(normal, corner) + face.plane.w > leastGap * size;
     });
 }
 

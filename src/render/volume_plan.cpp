@@ -83,7 +83,7 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
 
 bool mayMeet(const LightPyramid& pyramid, const ShadowCluster& cluster,
              const AdaptedShadow& shadow) {
-    return !capsTouching(pyramid, cluster, shadow, 0).caps.empty();
+    return anyCapTouches(pyramid, cluster, shadow);
 }
 
 /// How the cluster's triangles count, by winding numbers at eye and light (method, section 6.4).

@@ -104,7 +104,7 @@ TEST(Separation, OfWhatIsPlainlyApartOrNot) {
 
 TEST(Separation, NeverPartsWhatTouches) {
     Random random(21);
-    std::size_t apart = 0;
+    std::size_t apart = 0, quick = 0, slow = 0;
     for (int i = 0; i < 30'000; ++i) {
         const glm::dvec3 corner = 3.0 * random.inCube();
         const glm::dvec3 right = random.inCube() * random.magnitude(-3, 0);
@@ -122,12 +122,22 @@ TEST(Separation, NeverPartsWhatTouches) {
         const double size = random.magnitude(-4, 0);
         const glm::dvec3 offset = size * random.inCube();
         EXPECT_FALSE(areApart(pyramid, boxAround(point + offset, size * 1.0001)));
+        const PyramidFaces faces(pyramid);
+        EXPECT_FALSE(faces.separate(boxAround(point + offset, size * 1.0001)));
         const glm::dvec3 a = point + size * random.inCube(), b = point + size * random.inCube();
         const glm::dvec3 c = 3.0 * point - a - b; // so that the point is its middle
         EXPECT_FALSE(areApart(pyramid, std::array{a, b, c}));
+        EXPECT_FALSE(faces.separate(std::array{a, b, c}));
+        // What the quick test keeps apart, the slow one does.
+        const std::array other = {4.0 * random.inCube(), 4.0 * random.inCube(),
+                                  4.0 * random.inCube()};
+        EXPECT_TRUE(sun || !faces.separate(other) || areApart(pyramid, other));
+        quick += faces.separate(other);
+        slow += areApart(pyramid, other);
         apart += areApart(pyramid, boxAround(4.0 * random.inCube(), size));
     }
     EXPECT_GT(apart, 10'000u); // a test that always says no would pass too
+    EXPECT_GT(10 * quick, 8 * slow);
 }
 
 TEST(VolumePlan, AnObjectInViewTakesNoCapsAndHalfTheTriangles) {
