@@ -141,6 +141,28 @@ void addEnd(const glm::dvec4& plane, PlanView& view) {
     if (ofLight > 1e-3 * size) view.ends.push_back(plane / ofLight);
 }
 
+/// The box of all that rays from the near rectangles to what is visible pass, in the world: cut off
+/// outside of it, volumes count the same.
+Box seenThrough(const FrameView& view, const PlanView& here, const glm::dmat4& worldFromBatch) {
+    Box box = view.visible;
+    box.add(view.camera.from);
+    for (const auto& rectangle : {here.fromNear.corners, here.fromNearest.corners})
+        for (const glm::dvec3& corner : rectangle)
+            box.add(glm::dvec3(worldFromBatch * glm::dvec4(corner, 1.0)));
+    return box;
+}
+
+/// Adds the planes of a box in the world, a little outside of it.
+void addEnds(const Box& box, const glm::dmat4& worldFromBatch, PlanView& view) {
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        for (const double side : {1.0, -1.0}) {
+            glm::dvec4 plane(0.0);
+            plane[axis] = side;
+            plane.w = (side > 0.0 ? -box.low[axis] : box.high[axis]) + endMargin * box.diagonal();
+            addEnd(glm::transpose(worldFromBatch) * plane, view);
+        }
+}
+
 /// The end that the cluster's volumes reach soonest; -1: none suits all of it.
 int endFor(const Box& bounds, const PlanView& view) {
     int best = -1;
@@ -206,14 +228,8 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     result.planes = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
                      rows[3] - rows[1], rows[3] + rows[2], farthestPlane};
     addEnd(farthestPlane, result);
-    for (glm::length_t axis = 0; axis < 3 && !view.visible.empty(); ++axis)
-        for (const double side : {1.0, -1.0}) {
-            glm::dvec4 plane(0.0); // of the box of what is visible, a little outside of it
-            plane[axis] = side;
-            plane.w = (side > 0.0 ? -view.visible.low[axis] : view.visible.high[axis]) +
-                      endMargin * view.visible.diagonal();
-            addEnd(glm::transpose(worldFromBatch) * plane, result);
-        }
+    if (!view.visible.empty())
+        addEnds(seenThrough(view, result, worldFromBatch), worldFromBatch, result);
     return result;
 }
 

@@ -76,8 +76,8 @@ struct PlanView {
     /// left, right, bottom, top, near, and the farthest that is visible: dot(plane, (p, 1)) >= 0
     /// inside.
     std::array<glm::dvec4, 6> planes;
-    /// Planes beyond which nothing is visible, with the light on the near side; scaled so that the
-    /// light is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
+    /// Planes with the eye, all that is visible and the light on one side; scaled so that the light
+    /// is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
     std::vector<glm::dvec4> ends;
     double rounding = dotRounding(23); ///< of the shaders' dot products with the light
 };

@@ -42,6 +42,14 @@ TEST(MaskAgainstRays, EyeInsideAShadow) {
         {yard().scene(), {{-1.5, 0.2, -0.5}, {1, 0.3, 1}, 70.0}, pointLight({-1.4, 5, -0.4})});
 }
 
+TEST(MaskAgainstRays, EyeOutsideWhereItSeesTheGroundThroughAShadow) {
+    // The shadow leaves the floor towards the eye, and stands before it outside of all that is
+    // visible.
+    expectRight({SceneBuilder().floor(2).box({-0.5f, 0.2f, -0.5f}, {0.5f, 1, 0.5f}).scene(),
+                 {{12, 4, 0}, {0, 0.3, 0}, 25.0},
+                 pointLight({-5, 1.2, 0})});
+}
+
 TEST(MaskAgainstRays, LookingIntoTheLight) {
     expectRight({yard().scene(), {{0, 0.3, 4}, {0.3, 2, 0}, 60.0}, pointLight({0.3, 2.5, -1})});
 }

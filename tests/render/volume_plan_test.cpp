@@ -363,6 +363,39 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
     EXPECT_GT(sealed, 100u);
 }
 
+TEST(VolumePlan, EndsHaveTheEyeAndAllThatIsVisibleOnTheLightsSide) {
+    Random random(12);
+    std::size_t ends = 0;
+    for (int i = 0; i < 5'000; ++i) {
+        FrameView view = viewAlongZ();
+        view.camera.from = 20.0 * random.inCube();
+        view.camera.to = view.camera.from + random.inCube();
+        const glm::dvec3 middle = 10.0 * random.inCube();
+        view.visible = boxAround(middle, random.magnitude(-1, 1));
+        view.farthestDepth = 100.0;
+        glm::dmat4 placed(1.0);
+        placed[0] = {-2, 0.3, 0, 0};
+        placed[3] = {random.uniform(-5, 5), 1, 2, 1};
+        const bool sun = random.below(3) == 0;
+        const Light light{glm::dvec4(30.0 * random.inCube(), !sun)};
+        const PlanView here = planView(view, view.slices[0], light, placed);
+        for (const glm::dvec4& end : here.ends) {
+            ++ends;
+            EXPECT_NEAR(glm::dot(end, here.light), 1.0, 1e-9);
+            EXPECT_GT(glm::dot(end, glm::dvec4(here.eye, 1.0)), 0.0);
+            for (const glm::dvec3& corner : here.fromNear.corners)
+                EXPECT_GT(glm::dot(end, glm::dvec4(corner, 1.0)), 0.0);
+            if (&end == &here.ends.front())
+                continue; // of the farthest depth, if the light is nearer
+            for (const double s : {0.0, 1.0}) {
+                const glm::dvec3 seen = glm::mix(view.visible.low, view.visible.high, s);
+                EXPECT_GT(glm::dot(end, glm::inverse(placed) * glm::dvec4(seen, 1.0)), 0.0);
+            }
+        }
+    }
+    EXPECT_GT(ends, 10'000u);
+}
+
 TEST(VolumePlan, IsTheSameInTheSpaceOfAMovedNode) {
     const glm::dvec4 light(0, 50, -10, 1);
     glm::dmat4 worldFromBatch(1.0);
