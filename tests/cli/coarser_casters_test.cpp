@@ -74,7 +74,6 @@ TEST(CoarserCasters, CompareAsksTheOracleOfTheSurfaces) {
     for (std::size_t i = 0; i < settings.size(); ++i) {
         SCOPED_TRACE(settings[i]);
         const Json& coarse = all["results"][i + 1];
-        EXPECT_GE(coarse["wrong_mask_pixels"], exact["wrong_mask_pixels"]);
         // A weld tolerance moves what the oracle of the packed file sees, the others don't.
         if (settings[i].starts_with("weld")) continue;
         const Json alone = reportOf("compare", packedWith(folder, settings[i]), {"--views", "2"});
