@@ -96,7 +96,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
 void Renderer::draw(const GpuScene& scene, const FrameView& view,
                     const std::vector<GroupedShadow>& groups, StageClock* clock) {
     vertexRuns_ = 0;
-    if (proposals_) proposals_->beginFrame();
+    if (proposals_) proposals_->beginFrame(scene.identity);
     glm::ivec2 counted(view.width, view.height);
     if (coarse_) {
         const gl::FramebufferKeeper keeper;

@@ -5,14 +5,19 @@
 namespace edgeshade {
 namespace {
 
-/// Frames after which what none of them needed is forgotten. Some callers draw a frame's lights one
-/// by one.
-constexpr std::size_t framesKept = 64;
+/// Frames after which what none of them needed is forgotten: groups of casters for a light that has
+/// moved on, say. Some callers draw a frame's lights one by one.
+constexpr std::size_t framesKept = 16;
 
 } // namespace
 
-void Proposals::beginFrame() {
+void Proposals::beginFrame(const std::shared_ptr<const int>& scene) {
     ++frame_;
+    if (scene_ != scene) {
+        scene_ = scene;
+        entries_.clear();
+        sources_.clear();
+    }
     const auto unused = [&](const auto& item) {
         return item.second.lastFrame + framesKept < frame_;
     };

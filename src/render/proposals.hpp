@@ -23,8 +23,9 @@ class Proposals {
     Proposals(SidesLayout layout, int mantissaBits)
         : layout_(layout), mantissaBits_(mantissaBits) {}
 
-    /// Lights move from frame to frame, never within one. Forgets what the last ones didn't need.
-    void beginFrame();
+    /// Lights move from frame to frame, never within one. Forgets what the last ones didn't need, and
+    /// everything where `scene`, what tells an upload from any other, is another than before.
+    void beginFrame(const std::shared_ptr<const int>& scene);
 
     /// What to draw of a batch for the light with that index, which is in the batch's space.
     const ProposedPairs& of(const std::shared_ptr<const AdaptedShadow>& shadow, std::size_t index,
@@ -49,6 +50,7 @@ class Proposals {
 
     SidesLayout layout_;
     int mantissaBits_;
+    std::shared_ptr<const int> scene_;
     std::size_t frame_ = 0;
     std::size_t made_ = 0;
     std::map<const AdaptedShadow*, Source> sources_; ///< which keep their keys alive

@@ -26,7 +26,8 @@ test('on the system\'s own GL hardly a pixel differs', async (context) => {
     const native = rendered(await stateOf(page), [], { filtersExactly: false });
     const { pixels, different } = await compare(page, await picture(page), native);
     console.log(`${name}: ${different} of ${pixels} pixels differ`);
-    assert.ok(different <= 0.0002 * pixels, `${name}: ${different} of ${pixels} pixels differ`);
+    // Pixels on outlines of shadows and of surfaces, where the last bits of depth decide.
+    assert.ok(different <= 0.0003 * pixels, `${name}: ${different} of ${pixels} pixels differ`);
   }
   await page.context().close();
 });
