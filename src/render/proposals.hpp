@@ -23,8 +23,8 @@ class Proposals {
     Proposals(SidesLayout layout, int mantissaBits)
         : layout_(layout), mantissaBits_(mantissaBits) {}
 
-    /// Lights move from frame to frame, never within one. Forgets what the last ones didn't need, and
-    /// everything where `scene`, what tells an upload from any other, is another than before.
+    /// Lights move from frame to frame, never within one. Forgets what the last ones didn't need,
+    /// and everything where `scene`, what tells an upload from any other, is another than before.
     void beginFrame(const std::shared_ptr<const int>& scene);
 
     /// What to draw of a batch for the light with that index, which is in the batch's space.
