@@ -1,5 +1,5 @@
-// Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants ALPHA_TEST
-// and SLICED: see surface.frag.
+// Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants ALPHA_TEST,
+// TEXTURED, COLORED and SLICED: see surface.frag.
 #extension GL_OES_standard_derivatives : enable
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
@@ -9,11 +9,15 @@ precision mediump float;
 #include "coarse_plane.glsl"
 
 #ifdef ALPHA_TEST
-uniform sampler2D u_texture;
 uniform vec4 u_baseColor;
 uniform float u_alphaCutoff;
+#ifdef TEXTURED
+uniform sampler2D u_texture;
 varying vec2 v_texcoord;
+#endif
+#ifdef COLORED
 varying vec4 v_color;
+#endif
 #endif
 #ifdef SLICED
 uniform float u_farthest;
@@ -26,7 +30,14 @@ void main() {
     if (v_depth > u_farthest) discard;
 #endif
 #ifdef ALPHA_TEST
-    if (u_baseColor.a * v_color.a * texture2D(u_texture, v_texcoord).a < u_alphaCutoff) discard;
+    float alpha = u_baseColor.a;
+#ifdef COLORED
+    alpha *= v_color.a;
+#endif
+#ifdef TEXTURED
+    alpha *= texture2D(u_texture, v_texcoord).a;
+#endif
+    if (alpha < u_alphaCutoff) discard;
 #endif
     gl_FragColor = packPlane(plane);
 }

@@ -1,8 +1,9 @@
-// Base colour times ambient plus Lambert light as far as the light reaches, in the display's own (sRGB) values. The lit pass
-// adds one light at a time. Variants: ALPHA_TEST, materials with holes; BLENDED, see-through ones;
-// MAP, lit as far as the light's shadow map says, with MAP_SUN and PCF as in
-// shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of lower resolution says; SLICED, nothing
-// deeper than u_farthest.
+// Base colour times ambient light or, with LIT, times the Lambert term of one light as far as it
+// reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. Variants: MASK,
+// the lit mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials with holes; BLENDED, see-through
+// ones; SLICED, nothing deeper than u_farthest. Of LIT: RANGED, a light that doesn't reach
+// everywhere; MAP, lit as far as the light's shadow map says, with MAP_SUN and PCF as in
+// shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of lower resolution says.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -12,22 +13,31 @@ precision highp float;
 precision mediump float;
 #endif
 
+uniform vec4 u_baseColor; // sRGB
+#ifdef COLORED
+varying vec4 v_color;
+#endif
+#ifdef TEXTURED
 uniform sampler2D u_texture;
-uniform vec4 u_baseColor;   // sRGB
-uniform float u_ambient;
-uniform float u_diffuse;
-uniform float u_inverseRange; // of the light; 0: it reaches everywhere
-uniform float u_mirrored;   // 1, or -1 where the node's transform turns triangles over
-uniform float u_mask;       // 1: draw u_maskValue, for the lit mask
-uniform float u_maskValue;
+varying vec2 v_texcoord;
+#endif
 #ifdef ALPHA_TEST
 uniform float u_alphaCutoff;
 #endif
-
+#ifdef MASK
+uniform float u_maskValue;
+#endif
+#ifdef LIT
+uniform float u_diffuse;
+uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
 varying vec3 v_normal;
 varying vec3 v_towardsLight;
-varying vec2 v_texcoord;
-varying vec4 v_color;
+#else
+uniform float u_ambient;
+#endif
+#ifdef RANGED
+uniform float u_inverseRange;
+#endif
 #ifdef SLICED
 uniform float u_farthest;
 varying float v_depth;
@@ -43,18 +53,10 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #include "coarse_mask_lookup.glsl"
 #endif
 
-void main() {
-    float lit = 1.0;
-#ifdef COARSE_MASK
-    lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need their neighbours
-#endif
-#ifdef SLICED
-    if (v_depth > u_farthest) discard;
-#endif
-    vec4 base = u_baseColor * v_color * texture2D(u_texture, v_texcoord);
-#ifdef ALPHA_TEST
-    if (base.a < u_alphaCutoff) discard;
-#endif
+#ifdef LIT
+// The light's share of a colour; nothing in the mask where it doesn't reach, which knows no half
+// shadow.
+float shareOfLight(float lit) {
     // Scaled before it is squared, so that far-off lights don't overflow.
     vec3 light = v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
                                       max(abs(v_towardsLight.z), 1e-30));
@@ -67,16 +69,54 @@ void main() {
     else
         lit = u_casts > 0.5 ? 0.0 : lightFromMap(-normal, light);
 #endif
+    float window = 1.0;
+#ifdef RANGED
     vec3 reached = v_towardsLight * u_inverseRange;
     float share = dot(reached, reached);
-    float window = max(1.0 - share * share, 0.0); // see Light
-    vec3 shaded = base.rgb * (u_ambient + u_diffuse * lambert * window * lit);
+    window = max(1.0 - share * share, 0.0); // see Light
+#endif
+#ifdef MASK
+    return window > 0.0 ? step(0.5, lit) : 0.0;
+#else
+    return u_diffuse * lambert * window * lit;
+#endif
+}
+#endif
+
+void main() {
+    float lit = 1.0;
+#ifdef COARSE_MASK
+    lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need their neighbours
+#endif
+#ifdef SLICED
+    if (v_depth > u_farthest) discard;
+#endif
+    vec4 base = u_baseColor;
+#ifdef COLORED
+    base *= v_color;
+#endif
+#ifdef TEXTURED
+    base *= texture2D(u_texture, v_texcoord);
+#endif
+#ifdef ALPHA_TEST
+    if (base.a < u_alphaCutoff) discard;
+#endif
+#ifdef LIT
+    float share = shareOfLight(lit);
+#else
+    float share = u_ambient;
+#endif
 #ifdef BLENDED
     float alpha = base.a;
 #else
     float alpha = 1.0;
 #endif
-    // The mask knows no half shadow.
-    float isLit = window > 0.0 ? step(0.5, lit) : 0.0;
-    gl_FragColor = vec4(mix(shaded, vec3(u_maskValue * isLit), u_mask), alpha);
+#ifdef MASK
+#ifndef LIT
+    share = 1.0;
+#endif
+    gl_FragColor = vec4(vec3(u_maskValue * share), alpha);
+#else
+    gl_FragColor = vec4(base.rgb * share, alpha);
+#endif
 }

@@ -1,27 +1,41 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions, so
-// gl_Position is invariant and depends on nothing that a variant changes. Variants MAP and SLICED:
-// see surface.frag; PLANE: see coarse_plane.glsl.
+// gl_Position is invariant and depends on nothing that a variant changes. Variants LIT, TEXTURED,
+// COLORED, MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
-attribute vec3 a_normal;
-attribute vec2 a_texcoord;
+#ifdef COLORED
 attribute vec4 a_color;
+#endif
+#ifdef TEXTURED
+attribute vec2 a_texcoord;
+#endif
+#ifdef LIT
+attribute vec3 a_normal;
+#endif
 
 uniform mat4 u_clipFromObject;
+#ifdef LIT
 uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 uniform mat3 u_normalFromObject;
 uniform vec4 u_light;               // the same space
+#endif
 #ifdef MAP
 uniform mat4 u_mapFromObject;       // see ShadowMapView
 #endif
 
 invariant gl_Position;
 
+#ifdef COLORED
+varying vec4 v_color;
+#endif
+#ifdef TEXTURED
+varying vec2 v_texcoord;
+#endif
+#ifdef LIT
 varying vec3 v_normal;
 varying vec3 v_towardsLight;
-varying vec2 v_texcoord;
-varying vec4 v_color;
+#endif
 #ifdef SLICED
 varying float v_depth; // along the viewing direction
 #endif
@@ -33,11 +47,17 @@ varying vec3 v_clip;
 #endif
 
 void main() {
+#ifdef COLORED
+    v_color = a_color;
+#endif
+#ifdef TEXTURED
+    v_texcoord = a_texcoord;
+#endif
+#ifdef LIT
     vec3 p = (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
     v_normal = u_normalFromObject * a_normal;
     v_towardsLight = u_light.xyz - p * u_light.w;
-    v_texcoord = a_texcoord;
-    v_color = a_color;
+#endif
 #ifdef MAP
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
 #endif

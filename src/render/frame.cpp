@@ -53,6 +53,7 @@ BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthS
     result.eyeOffsetFromObject =
         glm::mat4(glm::translate(glm::dmat4(1.0), -view.camera.from) * batch.worldFromBatch);
     result.normalFromObject = glm::mat3(glm::inverseTranspose(glm::dmat3(batch.worldFromBatch)));
+    result.planes = viewPlanes(view, slice, batch.worldFromBatch);
     result.mirrored = batch.mirrored();
     return result;
 }
@@ -132,15 +133,18 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
     if (marked) restoreAlpha(scene, view);
 }
 
-void Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
-                            const ShadowMapLookup* map) {
+std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
+                                   const ShadowMapLookup* map) {
+    std::size_t runs = 0;
     for (const GpuBatch& batch : pass.scene.batches) {
         if (batch.hidden) continue;
         BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
         if (map) batchView.mapFromObject = glm::mat4(map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            surfaces_.draw(pass.scene, batch, batchView, pass.view.camera.from, shading, kind);
+            runs +=
+                surfaces_.draw(pass.scene, batch, batchView, pass.view.camera.from, shading, kind);
     }
+    return runs;
 }
 
 void Renderer::drawDepthAndAmbient(const Pass& pass) {
@@ -154,9 +158,8 @@ void Renderer::drawDepthAndAmbient(const Pass& pass) {
         const glm::vec4 clear =
             pass.view.mask ? glm::vec4(0.0f) : glm::vec4(settings_.background, 1.0f);
         glClearColor(clear.r, clear.g, clear.b, clear.a);
-        glClear(GL_COLOR_BUFFER_BIT);
     }
-    glClear(GL_DEPTH_BUFFER_BIT);
+    glClear(GL_DEPTH_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
     SurfaceShading shading;
     shading.ambient = settings_.ambient;
@@ -178,13 +181,9 @@ void Renderer::drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& re
     SurfaceShading shading;
     shading.planes = &planes;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
-    drawSurfaces(pass, shading);
+    vertexRuns_ += drawSurfaces(pass, shading);
     glEnable(GL_DITHER);
     glViewport(0, 0, pass.view.width, pass.view.height);
-    for (const GpuBatch& batch : pass.scene.batches)
-        for (const SurfaceChunk& chunk : batch.surfaces)
-            if (!batch.hidden && pass.scene.materials[chunk.material].alphaMode != AlphaMode::blend)
-                vertexRuns_ += static_cast<std::size_t>(chunk.indexCount);
 }
 
 void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,

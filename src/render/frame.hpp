@@ -138,8 +138,9 @@ class Renderer {
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
     void restoreAlpha(const GpuScene& scene, const FrameView& view);
-    void drawSurfaces(const Pass& pass, const SurfaceShading& shading,
-                      const ShadowMapLookup* map = nullptr);
+    /// Returns vertex runs.
+    std::size_t drawSurfaces(const Pass& pass, const SurfaceShading& shading,
+                             const ShadowMapLookup* map = nullptr);
 
     RenderSettings settings_;
     int mantissaBits_; ///< of the vertex shader's floats

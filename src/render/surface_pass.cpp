@@ -12,19 +12,18 @@ namespace edgeshade {
 namespace {
 
 void setShading(gl::Program& program, const SurfaceShading& shading, const glm::dvec3& eye) {
-    const glm::dvec4& light = shading.light.position;
+    program.set("u_maskValue", shading.maskValue);
+    program.set("u_farthest", shading.farthest);
+    program.set("u_ambient", shading.ambient);
+    if (!shading.light) return;
+    const glm::dvec4& light = shading.light->position;
     glm::dvec3 fromEye = glm::dvec3(light) - eye * light.w;
     // Only a sun's direction counts: scaled so that no double leaves the range of floats.
     if (light.w == 0.0)
         fromEye /= std::max({std::abs(fromEye.x), std::abs(fromEye.y), std::abs(fromEye.z)});
     program.set("u_light", glm::vec4(fromEye, light.w));
-    program.set("u_inverseRange",
-                shading.light.hasRange() ? static_cast<float>(1.0 / shading.light.range) : 0.0f);
-    program.set("u_ambient", shading.ambient);
+    program.set("u_inverseRange", static_cast<float>(1.0 / shading.light->range));
     program.set("u_diffuse", shading.diffuse);
-    program.set("u_mask", shading.mask ? 1.0f : 0.0f);
-    program.set("u_maskValue", shading.maskValue);
-    program.set("u_farthest", shading.farthest);
 }
 
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
@@ -66,7 +65,38 @@ void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool cast
     program.set("u_casts", casts ? 1.0f : 0.0f);
 }
 
+/// In the order in which drawChunk() binds them.
+std::vector<std::string> attributesOf(bool textured, bool colored, bool lit) {
+    std::vector<std::string> names = {"a_position"};
+    if (textured) names.push_back("a_texcoord");
+    if (colored) names.push_back("a_color");
+    if (lit) names.push_back("a_normal");
+    return names;
+}
+
+bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
+    return std::none_of(view.planes.begin(), view.planes.end(),
+                        [&](const glm::dvec4& plane) { return isOutside(chunk.bounds, plane); });
+}
+
 } // namespace
+
+SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
+                                            const SurfaceShading& shading) {
+    const Material& material = scene.materials[chunk.material];
+    Variant variant{};
+    variant.alphaMode = material.alphaMode;
+    if (shading.map) variant.map = shading.map->kind;
+    variant.textured = scene.textures.has(material);
+    variant.colored = chunk.colored;
+    variant.lit = shading.light.has_value();
+    variant.ranged = variant.lit && shading.light->hasRange();
+    variant.mask = shading.mask;
+    variant.sliced = std::isfinite(shading.farthest);
+    variant.coarse = shading.coarse != nullptr;
+    variant.planes = shading.planes != nullptr;
+    return variant;
+}
 
 gl::Program& SurfacePass::program(const Variant& variant) {
     auto found = programs_.find(variant);
@@ -74,6 +104,11 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     std::vector<std::string> defines;
     if (variant.alphaMode == AlphaMode::mask) defines.push_back("ALPHA_TEST");
     if (variant.alphaMode == AlphaMode::blend) defines.push_back("BLENDED");
+    if (variant.textured) defines.push_back("TEXTURED");
+    if (variant.colored) defines.push_back("COLORED");
+    if (variant.lit) defines.push_back("LIT");
+    if (variant.ranged) defines.push_back("RANGED");
+    if (variant.mask) defines.push_back("MASK");
     if (variant.sliced) defines.push_back("SLICED");
     if (variant.map) {
         defines.push_back("MAP");
@@ -83,55 +118,68 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     }
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.coarse || variant.planes) defines.push_back("PLANE");
+    const std::vector<std::string> attributes =
+        attributesOf(variant.textured, variant.colored, variant.lit);
     return programs_
         .emplace(variant,
                  gl::Program(shaders::surface_vert,
                              variant.planes ? shaders::coarse_surface_frag : shaders::surface_frag,
-                             defines, {"a_position", "a_normal", "a_texcoord", "a_color"}))
+                             defines, attributes))
         .first->second;
 }
 
-void SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
-                       const glm::dvec3& eye, const SurfaceShading& shading, AlphaMode kind) {
+std::size_t SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
+                              const glm::dvec3& eye, const SurfaceShading& shading,
+                              AlphaMode kind) {
+    std::size_t runs = 0;
     for (const SurfaceChunk& chunk : batch.surfaces)
         if (scene.materials[chunk.material].alphaMode == kind)
-            drawChunk(scene, chunk, view, eye, shading);
+            runs += drawChunk(scene, chunk, view, eye, shading);
+    return runs;
 }
 
-void SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
-                            const glm::dvec3& eye, const SurfaceShading& shading) {
+std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk,
+                                   const BatchView& view, const glm::dvec3& eye,
+                                   const SurfaceShading& shading) {
+    if (!mayBeSeen(chunk, view)) return 0;
     const Material& material = scene.materials[chunk.material];
     const bool casts = material.alphaMode == AlphaMode::opaque || scene.castMasked;
-    gl::Program& variant = program(
-        {material.alphaMode, shading.map ? std::optional(shading.map->kind) : std::nullopt,
-         std::isfinite(shading.farthest), shading.coarse != nullptr, shading.planes != nullptr});
-    variant.use();
-    setShading(variant, shading, eye);
-    if (shading.map) setMap(variant, *shading.map, view, casts);
-    if (shading.coarse) setCoarseMask(variant, *shading.coarse, casts);
-    if (shading.planes) setPlaneSpace(variant, *shading.planes);
-    variant.set("u_clipFromObject", view.clipFromObject);
-    variant.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);
-    variant.set("u_normalFromObject", view.normalFromObject);
-    variant.set("u_mirrored", view.mirrored ? -1.0f : 1.0f);
-    variant.set("u_baseColor", srgbFromLinear(material.baseColorFactor));
-    variant.set("u_alphaCutoff", material.alphaCutoff);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, scene.textures.of(material));
-    variant.setSampler("u_texture", 0);
+    const Variant variant = variantOf(scene, chunk, shading);
+    gl::Program& used = program(variant);
+    used.use();
+    setShading(used, shading, eye);
+    if (shading.map) setMap(used, *shading.map, view, casts);
+    if (shading.coarse) setCoarseMask(used, *shading.coarse, casts);
+    if (shading.planes) setPlaneSpace(used, *shading.planes);
+    used.set("u_clipFromObject", view.clipFromObject);
+    used.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);
+    used.set("u_normalFromObject", view.normalFromObject);
+    used.set("u_mirrored", view.mirrored ? -1.0f : 1.0f);
+    used.set("u_baseColor", srgbFromLinear(material.baseColorFactor));
+    used.set("u_alphaCutoff", material.alphaCutoff);
+    if (variant.textured) {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, scene.textures.of(material));
+        used.setSampler("u_texture", 0);
+    }
 
     AttributeBinding binding(nullptr);
     constexpr std::size_t stride = sizeof(SurfaceVertex);
     binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, position),
                 false);
-    binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, normal), false);
-    binding.add(chunk.vertices, 2, GL_FLOAT, false, stride, offsetof(SurfaceVertex, texcoord),
-                false);
-    binding.add(chunk.vertices, 4, GL_UNSIGNED_BYTE, true, stride, offsetof(SurfaceVertex, color),
-                false);
+    if (variant.textured)
+        binding.add(chunk.vertices, 2, GL_FLOAT, false, stride, offsetof(SurfaceVertex, texcoord),
+                    false);
+    if (variant.colored)
+        binding.add(chunk.vertices, 4, GL_UNSIGNED_BYTE, true, stride,
+                    offsetof(SurfaceVertex, color), false);
+    if (variant.lit)
+        binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, normal),
+                    false);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
     glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    return static_cast<std::size_t>(chunk.indexCount);
 }
 
 } // namespace edgeshade

@@ -3,6 +3,7 @@
 #include "src/gl/program.hpp"
 #include "src/render/coarse_mask.hpp"
 #include "src/render/shadow_map.hpp"
+#include "src/render/view_planes.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/light.hpp"
 
@@ -13,12 +14,12 @@
 
 namespace edgeshade {
 
-/// What the surfaces write: base colour times (ambient + diffuse * Lambert of `light`), or, for the
+/// What the surfaces write: base colour times ambient light or times that of one light, or, for the
 /// lit mask, `maskValue`.
 struct SurfaceShading {
+    std::optional<Light> light; ///< nothing: ambient light
     float ambient = 0.0f;
-    float diffuse = 0.0f;
-    Light light;
+    float diffuse = 0.0f; ///< of the light, times its Lambert term
     bool mask = false;
     float maskValue = 0.0f;
     float farthest = std::numeric_limits<float>::infinity(); ///< what is deeper is not drawn
@@ -30,6 +31,7 @@ struct SurfaceShading {
 
 /// Where a camera sees a batch from, in the forms that shaders need; doubles rounded once.
 struct BatchView {
+    ViewPlanes planes; ///< in the batch's space
     glm::mat4 clipFromObject{1.0f};
     glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
     glm::mat3 normalFromObject{1.0f};
@@ -43,27 +45,36 @@ class SurfacePass {
     /// `pcf`: how many texels of a shadow map are compared, along each axis; odd.
     explicit SurfacePass(int pcf = 1) : pcf_(pcf) {}
 
-    /// Draws the batch's surfaces of the given kind, in the order of its chunks.
-    void draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
-              const glm::dvec3& eye, const SurfaceShading& shading, AlphaMode kind);
+    /// Draws the batch's surfaces of the given kind, in the order of its chunks. Returns vertex
+    /// runs.
+    std::size_t draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
+                     const glm::dvec3& eye, const SurfaceShading& shading, AlphaMode kind);
 
-    /// Draws one chunk.
-    void drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
-                   const glm::dvec3& eye, const SurfaceShading& shading);
+    /// Draws one chunk unless it certainly isn't in view. Returns vertex runs.
+    std::size_t drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
+                          const glm::dvec3& eye, const SurfaceShading& shading);
 
   private:
     struct Variant {
         AlphaMode alphaMode;
         std::optional<ShadowMapKind> map;
+        bool textured;
+        bool colored; ///< has colours at its vertices
+        bool lit;
+        bool ranged; ///< lit by a light that doesn't reach everywhere
+        bool mask;   ///< draws the lit mask
         bool sliced; ///< has a farthest depth
         bool coarse; ///< looks up a mask of lower resolution
         bool planes; ///< draws what such a mask stores of surfaces
 
-        bool operator<(const Variant& other) const {
-            return std::tie(alphaMode, map, sliced, coarse, planes) <
-                   std::tie(other.alphaMode, other.map, other.sliced, other.coarse, other.planes);
+        auto key() const {
+            return std::tie(alphaMode, map, textured, colored, lit, ranged, mask, sliced, coarse,
+                            planes);
         }
+        bool operator<(const Variant& other) const { return key() < other.key(); }
     };
+    static Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
+                             const SurfaceShading& shading);
     gl::Program& program(const Variant& variant);
 
     int pcf_;

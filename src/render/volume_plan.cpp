@@ -1,14 +1,13 @@
 #include "src/render/volume_plan.hpp"
 
 #include "src/render/light_reach.hpp"
+#include "src/render/view_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace edgeshade {
 namespace {
-
-constexpr double rounding = 4e-6; // of the coordinates: GL places things in floats
 
 /// How far outside of what is visible volumes end, as a share of its size.
 constexpr double endMargin = 2e-3;
@@ -31,23 +30,6 @@ std::array<glm::dvec3, 4> rectangleAt(double depth, const FrameView& view,
     return corners;
 }
 
-/// The largest of dot(plane, (p, w)) over a box.
-double largestOver(const Box& box, const glm::dvec4& plane, double w = 1.0) {
-    const glm::dvec3 normal(plane);
-    const glm::dvec3 center = box.center();
-    return glm::dot(normal, center) + glm::dot(glm::abs(normal), box.high - center) + plane.w * w;
-}
-
-double roundingOf(const Box& box, const glm::dvec4& plane) {
-    const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
-    return rounding * (glm::dot(glm::abs(glm::dvec3(plane)), farthest) + std::abs(plane.w));
-}
-
-/// Whether the whole box is outside the plane.
-bool isOutside(const Box& box, const glm::dvec4& plane) {
-    return largestOver(box, plane) < -roundingOf(box, plane);
-}
-
 /// Whether the box and all that is behind it in the light are outside the plane: extruding leads
 /// farther out.
 bool isVolumeOutside(const Box& box, const glm::dvec4& plane, const glm::dvec4& light) {
@@ -55,13 +37,14 @@ bool isVolumeOutside(const Box& box, const glm::dvec4& plane, const glm::dvec4& 
     const double ofLight = glm::dot(plane, light);
     const double outwards =
         light.w != 0.0 ? largestOver(box, plane) - ofLight : -ofLight; // of p - light, or -light
-    return outwards <= -rounding * (std::abs(ofLight) + roundingOf(box, plane)) ||
+    return outwards <= -placingError * (std::abs(ofLight) + roundingOf(box, plane)) ||
            (light.w != 0.0 && ofLight >= 0.0);
 }
 
 bool mayOverlap(const Box& box, const Box& other) {
-    const double margin = rounding * std::max({glm::length(box.low), glm::length(box.high),
-                                               glm::length(other.low), glm::length(other.high)});
+    const double margin =
+        placingError * std::max({glm::length(box.low), glm::length(box.high),
+                                 glm::length(other.low), glm::length(other.high)});
     for (glm::length_t axis = 0; axis < 3; ++axis)
         if (box.high[axis] + margin < other.low[axis] || other.high[axis] + margin < box.low[axis])
             return false;
@@ -219,15 +202,8 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
     result.fromNearest = {rectangleAt(view.near(), view, batchFromView), result.light};
     result.beforeNearest = {result.fromNearest.corners, glm::dvec4(result.eye, 1.0)};
-    const double aspect = static_cast<double>(view.width) / view.height;
-    const glm::dmat4 rows =
-        glm::transpose(clipFromView(view.camera, aspect, slice.near) * viewFromBatch);
-    const double farthest = std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
-    glm::dvec4 farthestPlane = -rows[3]; // depth is w
-    farthestPlane.w += farthest;
-    result.planes = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
-                     rows[3] - rows[1], rows[3] + rows[2], farthestPlane};
-    addEnd(farthestPlane, result);
+    result.planes = viewPlanes(view, slice, worldFromBatch);
+    addEnd(result.planes.back(), result);
     if (!view.visible.empty())
         addEnds(seenThrough(view, result, worldFromBatch), worldFromBatch, result);
     return result;

@@ -4,8 +4,8 @@
 #include "src/render/frame_view.hpp"
 #include "src/render/layers.hpp"
 #include "src/render/light_facings.hpp"
+#include "src/render/view_planes.hpp"
 
-#include <array>
 #include <vector>
 
 namespace edgeshade {
@@ -73,9 +73,7 @@ struct PlanView {
     LightPyramid fromNear;      ///< from the slice's near plane to the light
     LightPyramid fromNearest;   ///< from the nearest near plane to the light
     LightPyramid beforeNearest; ///< from the nearest near plane to the eye
-    /// left, right, bottom, top, near, and the farthest that is visible: dot(plane, (p, 1)) >= 0
-    /// inside.
-    std::array<glm::dvec4, 6> planes;
+    ViewPlanes planes;
     /// Planes with the eye, all that is visible and the light on one side; scaled so that the light
     /// is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
     std::vector<glm::dvec4> ends;

@@ -2,12 +2,13 @@
 
 #include "src/scene/srgb.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t largestChunk = 65535; // vertices; index 65535 itself stays free
+constexpr std::size_t mostIndices = 3 * 4096; // so no more vertices either, which 16 bits hold
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
 std::uint8_t byteOf(float value) {
@@ -22,6 +23,11 @@ SurfaceVertex vertexOf(const Batch& batch, std::uint32_t index) {
             {byteOf(color.r), byteOf(color.g), byteOf(color.b), byteOf(color.a)}};
 }
 
+bool isWhite(const SurfaceVertex& vertex) {
+    return std::all_of(std::begin(vertex.color), std::end(vertex.color),
+                       [](std::uint8_t value) { return value == 255; });
+}
+
 /// Collects triangles until a chunk is full.
 class ChunkBuilder {
   public:
@@ -29,7 +35,7 @@ class ChunkBuilder {
         : batch_(batch), chunks_(chunks), local_(batch.positions.size(), unused) {}
 
     void addTriangle(const std::uint32_t* corners) {
-        if (vertices_.size() + 3 > largestChunk) finish();
+        if (indices_.size() == mostIndices) finish();
         for (int c = 0; c < 3; ++c) {
             std::uint32_t& local = local_[corners[c]];
             if (local == unused) {
@@ -43,14 +49,19 @@ class ChunkBuilder {
 
     void finish() {
         if (indices_.empty()) return;
+        SurfaceChunk chunk;
+        chunk.material = material;
+        chunk.vertices = gl::vertexBuffer<SurfaceVertex>(vertices_);
+        chunk.indices = gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(indices_)));
+        chunk.indexCount = static_cast<int>(indices_.size());
         glm::dvec3 sum(0.0);
-        for (const SurfaceVertex& vertex : vertices_)
+        for (const SurfaceVertex& vertex : vertices_) {
             sum += vertex.position;
-        chunks_.push_back(
-            {material, gl::vertexBuffer<SurfaceVertex>(vertices_),
-             gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(indices_))),
-             static_cast<int>(indices_.size()),
-             glm::vec3(sum / static_cast<double>(vertices_.size()))});
+            chunk.bounds.add(vertex.position);
+            chunk.colored = chunk.colored || !isWhite(vertex);
+        }
+        chunk.center = glm::vec3(sum / static_cast<double>(vertices_.size()));
+        chunks_.push_back(std::move(chunk));
         for (const std::uint32_t index : taken_)
             local_[index] = unused;
         vertices_.clear();

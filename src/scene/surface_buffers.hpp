@@ -15,14 +15,16 @@ struct SurfaceVertex {
     std::uint8_t color[4]; ///< sRGB, alpha linear
 };
 
-/// Triangles of one material with at most 65,536 vertices, so that 16-bit indices do: GLES 2 has
-/// others only as an extension.
+/// Neighbouring triangles of one material, few enough to be left out together where none is in
+/// view, and for 16-bit indices: GLES 2 has others only as an extension.
 struct SurfaceChunk {
     std::size_t material = 0;
     gl::Buffer vertices; ///< SurfaceVertex
     gl::Buffer indices;  ///< 16-bit
     int indexCount = 0;
+    bool colored = false;   ///< some vertex isn't white
     glm::vec3 center{0.0f}; ///< mean of the vertices, in the batch's space
+    Box bounds;             ///< in the batch's space
 };
 
 /// Uploads a batch's surfaces, in the order of its groups.

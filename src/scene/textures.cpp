@@ -23,6 +23,10 @@ Textures::Textures(const GltfDocument& document, const std::vector<Material>& ma
     }
 }
 
+bool Textures::has(const Material& material) const {
+    return textures_.contains({material.image, material.wrapS, material.wrapT});
+}
+
 gl::Name Textures::of(const Material& material) const {
     const auto found = textures_.find({material.image, material.wrapS, material.wrapT});
     return found == textures_.end() ? white_.name() : found->second.name();

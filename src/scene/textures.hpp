@@ -20,6 +20,9 @@ class Textures {
     /// The material's texture; a white one where it has none.
     gl::Name of(const Material& material) const;
 
+    /// Whether the material has a texture of its own.
+    bool has(const Material& material) const;
+
   private:
     using Key = std::tuple<int, int, int>; ///< image, wrapS, wrapT
     gl::Texture white_;
