@@ -8,12 +8,8 @@ docs/adapted.md.
 EDGESHADE names the program.
 """
 
-import json
-import sys
-
 from accuracy import NAMES
-from edgeshade_runs import (RESULTS, SCENES, figure, machine, percent, replace_between, report,
-                            write_results)
+from edgeshade_runs import SCENES, figure, percent, replace_between, report, results_of
 
 MEASURED = ("bunny.draco", "hospital-electrical", "city.draco")
 SIZE, FRAMES, VIEWS = "480x270", 6, 3
@@ -72,15 +68,10 @@ def table(results):
             f"time on all cores.\n\n" + "\n".join(lines))
 
 
-def main(words):
-    stored = RESULTS / "casters.json"
-    if words[:1] == ["--table"]:
-        results = json.loads(stored.read_text())
-    else:
-        results = {"machine": machine(), "scenes": {scene: measured(scene) for scene in MEASURED}}
-        write_results("casters", results)
+def main():
+    results = results_of("casters", lambda: {scene: measured(scene) for scene in MEASURED})
     replace_between("docs/adapted.md", "casters", table(results))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

@@ -17,7 +17,8 @@ from edgeshade_runs import (RESULTS, ROOT, SCENES, figure, machine, replace_betw
 from near_ratio import framing
 
 TIMING = ["--timing", os.environ["TIMING"]] if "TIMING" in os.environ else []
-FLIGHT_SCENES = {"city.draco": "city"}
+FLIGHT_SCENES = {"city.draco": "city", "hospital-electrical": "hospital, electrical",
+                 "garden.draco": "garden"}
 FLIGHT_SIZE, FLIGHT_FRAMES = "640x360", 10
 REPEAT_SCENE = "city.draco"
 SIZES_SCENE, SIZES_FRAMES = "garden.draco", 3
@@ -167,7 +168,7 @@ def thesis_maps_table(data):
              "| --- | --- | --- | --- | --- |"]
     for scene, lights in data["scenes"].items():
         by = {r["name"]: r["frame_ms"]["median"] for r in lights["moves"]["results"]}
-        for name, setting in (("published layout", "layout=published"), ("adapted", "volumes")):
+        for name, setting in (("published layout", "layout=published"), ("proposed", "volumes")):
             lines.append(f"| ours, {FLIGHT_SCENES.get(scene, scene)}, {name} | "
                          + " | ".join(f"{by[setting] / by[m]:.2f}" for m in MAPS) + " |")
     for scene, row in THESIS_SV_OVER_SM.items():
@@ -199,7 +200,7 @@ def sizes_table(data):
     for name in dict.fromkeys(r["name"] for r in data["results"]):
         rows = [r["stage_ms"] for r in data["results"] if r["name"] == name]
         for stage in ("ambient", "silhouette", "rasterise", "lit"):
-            add("adapted" if name == "volumes" else "published", stage, [r[stage] for r in rows])
+            add("proposed" if name == "volumes" else "published", stage, [r[stage] for r in rows])
     for device, stages in THESIS_STAGES.items():
         for stage, values in stages.items():
             add(f"thesis, {device}", stage, values)

@@ -2,10 +2,12 @@
 
 import datetime
 import json
+import math
 import os
 import pathlib
 import platform
 import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT.parent / "shared" / "scenes"
@@ -26,6 +28,30 @@ def machine():
                   for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines()
                   if line.startswith("model name")), platform.machine())
     return {"processor": model, "cores": os.cpu_count(), "date": str(datetime.date.today())}
+
+
+def told_of_models(program, variable, names):
+    """The JSON that one of the tests' programs tells of models; the environment's `variable` may
+    name another build of it."""
+    path = os.environ.get(variable, str(ROOT / "build" / "release" / "tests" / "bench" / program))
+    done = subprocess.run([path, *(str(SCENES / f"{name}.glb") for name in names)], check=True,
+                          stdout=subprocess.PIPE)
+    return json.loads(done.stdout)
+
+
+def results_of(name, measured):
+    """What `measured` returns of the scenes, with the machine, kept as results; or, where the words
+    are --table, those that are there."""
+    if sys.argv[1:2] == ["--table"]:
+        return json.loads((RESULTS / f"{name}.json").read_text())
+    results = {"machine": machine(), "scenes": measured()}
+    write_results(name, results)
+    return results
+
+
+def mean(values):
+    """Geometric."""
+    return math.exp(sum(map(math.log, values)) / len(values))
 
 
 def percent(part, whole):

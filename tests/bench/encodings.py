@@ -8,15 +8,12 @@ docs/adapted.md.
 EDGESHADE names the program.
 """
 
-import json
 import pathlib
 import resource
-import sys
 import tempfile
 
 from accuracy import NAMES
-from edgeshade_runs import RESULTS, SCENES, machine, replace_between, report, write_results
-from records import mean
+from edgeshade_runs import SCENES, mean, replace_between, report, results_of
 
 ENCODINGS = ("expanded", "indexed", "none")
 REPEATS = 3
@@ -69,17 +66,15 @@ def table(results):
             f"of 8x8, processor time on all cores, the least of {REPEATS}.\n\n" + "\n".join(lines))
 
 
-def main(words):
-    stored = RESULTS / "encodings.json"
-    if words[:1] == ["--table"]:
-        results = json.loads(stored.read_text())
-    else:
-        with tempfile.TemporaryDirectory() as folder:
-            results = {"machine": machine(),
-                       "scenes": {scene: measured(scene, folder) for scene in NAMES}}
-        write_results("encodings", results)
+def measured_all():
+    with tempfile.TemporaryDirectory() as folder:
+        return {scene: measured(scene, folder) for scene in NAMES}
+
+
+def main():
+    results = results_of("encodings", measured_all)
     replace_between("docs/adapted.md", "encodings", table(results))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

@@ -7,22 +7,8 @@
 PROPOSALS names the program proposal_times, built with the tests.
 """
 
-import json
-import os
-import subprocess
-import sys
-
 from accuracy import NAMES
-from edgeshade_runs import RESULTS, ROOT, SCENES, machine, replace_between, write_results
-
-PROGRAM = os.environ.get("PROPOSALS", str(ROOT / "build/release/tests/bench/proposal_times"))
-
-
-def measured():
-    paths = [str(SCENES / f"{scene}.glb") for scene in NAMES]
-    done = subprocess.run([PROGRAM, *paths], check=True, stdout=subprocess.PIPE)
-    return {"machine": machine(), "scenes": json.loads(done.stdout)}
-
+from edgeshade_runs import replace_between, results_of, told_of_models
 
 def table(results):
     radii = [ball["radius"] for ball in results["scenes"][0]["balls"]]
@@ -42,13 +28,10 @@ def table(results):
             "radii as shares of the scene's diagonal.\n\n" + "\n".join(lines))
 
 
-def main(words):
-    stored = RESULTS / "proposals.json"
-    results = json.loads(stored.read_text()) if words[:1] == ["--table"] else measured()
-    if words[:1] != ["--table"]:
-        write_results("proposals", results)
+def main():
+    results = results_of("proposals", lambda: told_of_models("proposal_times", "PROPOSALS", NAMES))
     replace_between("docs/adapted.md", "proposals", table(results))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

@@ -8,12 +8,8 @@
 EDGESHADE names the program.
 """
 
-import json
-import math
-import sys
-
 from accuracy import NAMES
-from edgeshade_runs import RESULTS, SCENES, machine, replace_between, report, write_results
+from edgeshade_runs import SCENES, mean, replace_between, report, results_of
 
 KEPT = ("triangles", "edges", "flat_edges_dropped", "records", "closed_oriented_triangles",
         "largest_opposite_count", "bytes", "vertex_runs", "seconds")
@@ -41,11 +37,6 @@ def measured(scene):
     whole = report("info", path)
     return {key: whole[key] for key in KEPT} | {
         "resting": frames_of(path), "moving": frames_of(path, "--light-moves")}
-
-
-def mean(values):
-    """Geometric."""
-    return math.exp(sum(map(math.log, values)) / len(values))
 
 
 def table(results):
@@ -112,13 +103,8 @@ def conditions(results):
             f"{machine_['processor']}, {machine_['date']}; processor time on all cores.\n\n")
 
 
-def main(words):
-    stored = RESULTS / "records.json"
-    if words[:1] == ["--table"]:
-        results = json.loads(stored.read_text())
-    else:
-        results = {"machine": machine(), "scenes": {scene: measured(scene) for scene in NAMES}}
-        write_results("records", results)
+def main():
+    results = results_of("records", lambda: {scene: measured(scene) for scene in NAMES})
     replace_between("docs/adapted.md", "records", table(results))
     replace_between("docs/adapted.md", "frames", conditions(results)
                     + "The light at rest:\n\n" + frame_table(results, "resting")
@@ -127,4 +113,4 @@ def main(words):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()

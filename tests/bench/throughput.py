@@ -7,23 +7,8 @@
 THROUGHPUT names the program preprocess_throughput, built with the tests.
 """
 
-import json
-import os
-import subprocess
-import sys
-
 from accuracy import NAMES
-from edgeshade_runs import RESULTS, ROOT, SCENES, machine, replace_between, write_results
-from records import mean
-
-PROGRAM = os.environ.get("THROUGHPUT", str(ROOT / "build/release/tests/bench/preprocess_throughput"))
-
-
-def measured():
-    paths = [str(SCENES / f"{scene}.glb") for scene in NAMES]
-    done = subprocess.run([PROGRAM, *paths], check=True, stdout=subprocess.PIPE)
-    return {"machine": machine(), "scenes": json.loads(done.stdout)}
-
+from edgeshade_runs import mean, replace_between, results_of, told_of_models
 
 def table(results):
     lines = ["| scene | triangles | weld, ms | edges, ms | adapted records, ms | million triangles / s "
@@ -49,13 +34,10 @@ def table(results):
             + "\n".join(lines))
 
 
-def main(words):
-    stored = RESULTS / "throughput.json"
-    results = json.loads(stored.read_text()) if words[:1] == ["--table"] else measured()
-    if words[:1] != ["--table"]:
-        write_results("throughput", results)
+def main():
+    results = results_of("throughput", lambda: told_of_models("preprocess_throughput", "THROUGHPUT", NAMES))
     replace_between("docs/adapted.md", "throughput", table(results))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()
