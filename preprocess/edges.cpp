@@ -1,35 +1,53 @@
 #include "preprocess/edges.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace edgeshade {
 namespace {
 
-/// One side of one triangle, before sides are grouped into edges.
+/// One side of one triangle, under the smaller vertex of its edge.
 struct HalfEdge {
-    std::uint64_t key; ///< a in the upper half, b in the lower
+    std::uint32_t b; ///< the larger vertex
     Opposite opposite;
 
     bool operator<(const HalfEdge& other) const {
-        return std::tie(key, opposite.vertex, opposite.triangle) <
-               std::tie(other.key, other.opposite.vertex, other.opposite.triangle);
+        return std::tie(b, opposite.vertex, opposite.triangle) <
+               std::tie(other.b, other.opposite.vertex, other.opposite.triangle);
     }
 };
 
-std::vector<HalfEdge> sortedHalfEdges(const WeldedMesh& mesh) {
+/// All sides, those under one vertex together and sorted.
+struct HalfEdges {
     std::vector<HalfEdge> halves;
-    halves.reserve(mesh.triangles.size() * 3);
+    std::vector<std::uint32_t> firstOf; ///< by vertex; one more than there are vertices
+};
+
+template <class Use>
+void forEachSide(const WeldedMesh& mesh, Use use) {
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t u = mesh.triangles[t][c];
             const std::uint32_t v = mesh.triangles[t][(c + 1) % 3];
-            const std::uint32_t opposite = mesh.triangles[t][(c + 2) % 3];
-            const std::uint64_t key = std::uint64_t{std::min(u, v)} << 32 | std::max(u, v);
-            halves.push_back({key, {opposite, t}});
+            use(std::min(u, v), HalfEdge{std::max(u, v), {mesh.triangles[t][(c + 2) % 3], t}});
         }
-    std::sort(halves.begin(), halves.end());
-    return halves;
+}
+
+/// Counted by their smaller vertex, so that only the few under one are ever compared.
+HalfEdges sortedHalfEdges(const WeldedMesh& mesh) {
+    HalfEdges result;
+    std::vector<std::uint32_t>& firstOf = result.firstOf;
+    firstOf.assign(mesh.positions.size() + 1, 0);
+    forEachSide(mesh, [&](std::uint32_t a, const HalfEdge&) { ++firstOf[a + 1]; });
+    std::partial_sum(firstOf.begin(), firstOf.end(), firstOf.begin());
+    result.halves.resize(mesh.triangles.size() * 3);
+    std::vector<std::uint32_t> next(firstOf.begin(), firstOf.end() - 1);
+    forEachSide(mesh,
+                [&](std::uint32_t a, const HalfEdge& half) { result.halves[next[a]++] = half; });
+    for (std::size_t a = 0; a + 1 < firstOf.size(); ++a)
+        std::sort(result.halves.begin() + firstOf[a], result.halves.begin() + firstOf[a + 1]);
+    return result;
 }
 
 } // namespace
@@ -45,14 +63,16 @@ EdgeList buildEdges(const WeldedMesh& mesh) {
     EdgeList list;
     list.opposites.reserve(mesh.triangles.size() * 3);
     list.edges.reserve(mesh.triangles.size() * 3 / 2);
-    for (const HalfEdge& half : sortedHalfEdges(mesh)) {
-        const auto a = static_cast<std::uint32_t>(half.key >> 32);
-        const auto b = static_cast<std::uint32_t>(half.key & 0xFFFFFFFFu);
-        if (list.edges.empty() || list.edges.back().a != a || list.edges.back().b != b)
-            list.edges.push_back({a, b, static_cast<std::uint32_t>(list.opposites.size()), 0});
-        ++list.edges.back().oppositeCount;
-        list.opposites.push_back(half.opposite);
-    }
+    const HalfEdges sides = sortedHalfEdges(mesh);
+    for (std::uint32_t a = 0; a < mesh.positions.size(); ++a)
+        for (std::uint32_t i = sides.firstOf[a]; i < sides.firstOf[a + 1]; ++i) {
+            const HalfEdge& half = sides.halves[i];
+            if (i == sides.firstOf[a] || list.edges.back().b != half.b)
+                list.edges.push_back(
+                    {a, half.b, static_cast<std::uint32_t>(list.opposites.size()), 0});
+            ++list.edges.back().oppositeCount;
+            list.opposites.push_back(half.opposite);
+        }
     return list;
 }
 
