@@ -15,6 +15,19 @@ constexpr int framesPerStageFrame = 4; // stages cost further frames, so not all
 constexpr int repeatedFrames = 3;      // drawn again at the end
 constexpr int mostTries = 5;           // where the GPU was disturbed
 
+/// What a contender needs on the GPU. Those that need the same share it, and nothing else: what
+/// each takes of memory is told.
+struct Needs {
+    std::optional<VolumeRecords> volumes; ///< nothing: draws none
+    bool proposed = false;                ///< most records never reach the GPU
+
+    auto operator<=>(const Needs&) const = default;
+};
+
+Needs needsOf(const RenderSettings& settings) {
+    return {settings.records(), settings.silhouette == SilhouetteChoice::proposed};
+}
+
 /// A scene that some of the contenders draw, with what they share of it.
 class Stage {
   public:
@@ -43,21 +56,22 @@ class Stage {
     const FrameView& view() const { return view_; }
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
-    const GpuScene& sceneFor(const std::optional<VolumeRecords>& volumes) {
-        auto found = scenes_.find(volumes);
+    const GpuScene& sceneFor(const Needs& needs) {
+        auto found = scenes_.find(needs);
         if (found == scenes_.end())
-            found = scenes_.emplace(volumes, uploadScene(loaded_, volumes, capabilities_)).first;
+            found =
+                scenes_.emplace(needs, uploadScene(loaded_, needs.volumes, capabilities_)).first;
         return found->second;
     }
 
-    const std::vector<GroupedShadow>& groupsFor(const std::optional<VolumeRecords>& volumes) {
-        if (!volumes) return noGroups_;
-        auto found = groups_.find(*volumes);
+    const std::vector<GroupedShadow>& groupsFor(const Needs& needs) {
+        if (!needs.volumes) return noGroups_;
+        auto found = groups_.find(needs);
         if (found == groups_.end()) {
             FrameView withLayers = view_;
             withLayers.layers = layers_;
-            found =
-                groups_.emplace(*volumes, uploadNeededGroups(loaded_, withLayers, *volumes)).first;
+            found = groups_.emplace(needs, uploadNeededGroups(loaded_, withLayers, needs.volumes))
+                        .first;
         }
         return found->second;
     }
@@ -71,11 +85,11 @@ class Stage {
     const LoadedScene& loaded_;
     const gl::Capabilities& capabilities_;
     Box bounds_;
-    std::map<std::optional<VolumeRecords>, GpuScene> scenes_;
+    std::map<Needs, GpuScene> scenes_;
     FrameView view_;
     std::vector<Light> lights_; ///< whose layers_ these are
     std::vector<LayerBound> layers_;
-    std::map<VolumeRecords, std::vector<GroupedShadow>> groups_; ///< for lights_
+    std::map<Needs, std::vector<GroupedShadow>> groups_; ///< for lights_
     const std::vector<GroupedShadow> noGroups_;
     double planMs_ = 0.0;
     double layersMs_ = 0.0;
@@ -85,13 +99,13 @@ class Stage {
 struct Contender {
     Contender(const Setting& setting_, const RenderSettings& render, Stage& stage_,
               const gl::Capabilities& capabilities)
-        : setting(setting_), stage(stage_), renderer(render, capabilities),
-          volumes(render.records()) {}
+        : setting(setting_), stage(stage_), renderer(render, capabilities), needs(needsOf(render)) {
+    }
 
     const Setting& setting;
     Stage& stage;
     Renderer renderer;
-    std::optional<VolumeRecords> volumes; ///< nothing: draws none
+    Needs needs;
     std::vector<double> frameMs, planMs, vertexRuns, repeatMs;
     std::vector<StageMs> stages;
 };
@@ -125,7 +139,7 @@ class Course {
         look(shareOf(index));
         inTurn(index, [&](Contender& contender) {
             contender.frameMs.push_back(frameMs(contender));
-            contender.planMs.push_back(contender.stage.planMs(contender.volumes.has_value()));
+            contender.planMs.push_back(contender.stage.planMs(contender.needs.volumes.has_value()));
             contender.vertexRuns.push_back(static_cast<double>(contender.renderer.vertexRuns()));
         });
         if (index % framesPerStageFrame != 0) return;
@@ -174,7 +188,7 @@ class Course {
 
     bool anyVolumes(const Stage& stage) const {
         return std::any_of(contenders_.begin(), contenders_.end(), [&](const auto& contender) {
-            return &contender->stage == &stage && contender->volumes.has_value();
+            return &contender->stage == &stage && contender->needs.volumes.has_value();
         });
     }
 
@@ -189,8 +203,8 @@ class Course {
         Stage& stage = contender.stage;
         FrameView view = stage.view();
         view.slices = divideDepth(view.near(), view.farthestDepth, contender.setting.depthSlices);
-        contender.renderer.draw(stage.sceneFor(contender.volumes), view,
-                                stage.groupsFor(contender.volumes), clock);
+        contender.renderer.draw(stage.sceneFor(contender.needs), view,
+                                stage.groupsFor(contender.needs), clock);
         gl::requireNoError("drawing for measuring");
     }
 
@@ -210,8 +224,8 @@ class Course {
 
     double frameMs(Contender& contender) {
         // What is made on first use is no part of a frame.
-        contender.stage.sceneFor(contender.volumes);
-        contender.stage.groupsFor(contender.volumes);
+        contender.stage.sceneFor(contender.needs);
+        contender.stage.groupsFor(contender.needs);
         return timed([&] {
                    timer_.begin(0);
                    draw(contender, nullptr);
@@ -241,9 +255,9 @@ class Course {
             result.sideBytes += shadow.sideBytes();
             result.capBytes += shadow.capBytes();
         };
-        for (const GpuBatch& batch : contender.stage.sceneFor(contender.volumes).batches)
+        for (const GpuBatch& batch : contender.stage.sceneFor(contender.needs).batches)
             count(batch.volumes);
-        for (const GroupedShadow& light : contender.stage.groupsFor(contender.volumes))
+        for (const GroupedShadow& light : contender.stage.groupsFor(contender.needs))
             for (const auto& group : light)
                 std::for_each(group.begin(), group.end(), count);
         result.sideBytes += contender.renderer.proposalBytes();

@@ -93,6 +93,18 @@ TEST(Bench, OnlyVolumesHaveRecordsAndOnlyMapsHaveMaps) {
     EXPECT_EQ(none.vertexRuns, 0u);
 }
 
+TEST(Bench, NobodyIsChargedForWhatOthersHaveOnTheGpu) {
+    const LoadedScene loaded = yard();
+    Task task = taskFor(loaded);
+    task.settings = {settingOf(ShadowMethod::volumes)};
+    const Result alone = measure(loaded, task, ignore).results[0];
+    task.settings.push_back(settingOf(ShadowMethod::volumes));
+    task.settings.back().render.silhouette = SilhouetteChoice::all;
+    const Report report = measure(loaded, task, ignore);
+    EXPECT_EQ(report.results[0].bytes(), alone.bytes());
+    EXPECT_NE(report.results[1].bytes(), alone.bytes());
+}
+
 TEST(Bench, AMapIsKeptWhileTheLightRestsAndDrawnWhileItMoves) {
     const LoadedScene loaded = yard();
     Task task = taskFor(loaded);
