@@ -197,9 +197,8 @@ void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& d
                               const std::vector<Material>& materials, const Textures& textures,
                               const glm::vec4& light, const glm::mat4& clipFromObject) {
     const AdaptedShadow& shadow = *buffers.shadow();
-    const bool backCaps = light.w != 0.0f; // a sun's points at infinity are one
-    if (!draw.zFail() || !(draw.frontCaps || backCaps)) return;
-    const CapKind kind = !backCaps        ? CapKind::front
+    if (!draw.zFail() || !(draw.frontCaps || draw.backCaps)) return;
+    const CapKind kind = !draw.backCaps   ? CapKind::front
                          : draw.frontCaps ? CapKind::both
                                           : CapKind::back;
     for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
@@ -264,7 +263,7 @@ std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* propose
         runs += perQuad * (quads * pairsOver(shadow, proposed, draw.clusters).count +
                            rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);
         if (!draw.zFail()) continue;
-        const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (sun ? 0 : 1);
+        const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (draw.backCaps ? 1 : 0);
         runs +=
             verticesPerCap * kinds * rangeOver(shadow, draw.clusters, &ShadowCluster::caps).count;
         for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {

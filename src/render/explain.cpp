@@ -83,6 +83,7 @@ std::string explain(const LightPlan& plan, const std::vector<PlacedShadow>& cast
                 text << ", the near rectangle within " << counted(draw.start, "volume");
             if (draw.zFail())
                 text << (draw.frontCaps ? "" : ", no front caps in view")
+                     << (draw.backCaps ? "" : ", no back caps in view")
                      << (draw.nearDiscard ? ", cut where the near plane cuts" : "");
             text << "; " << wordsFor(draw.counted) << "\n";
         }

@@ -41,6 +41,17 @@ bool isVolumeOutside(const Box& box, const glm::dvec4& plane, const glm::dvec4& 
            (light.w != 0.0 && ofLight >= 0.0);
 }
 
+/// Whether the view may hold directions from the light to points of the box, which is where back
+/// caps are. A sun has none: its points at infinity are one.
+bool mayBackCapsBeSeen(const Box& box, const PlanView& view) {
+    if (view.light.w == 0.0) return false;
+    return std::none_of(view.planes.begin(), view.planes.begin() + 4, [&](const glm::dvec4& plane) {
+        const double ofLight = glm::dot(plane, view.light);
+        const double margin = roundingOf(box, plane) + placingError * std::abs(ofLight);
+        return largestOver(box, plane) - ofLight < -margin;
+    });
+}
+
 bool mayOverlap(const Box& box, const Box& other) {
     const double margin =
         placingError * std::max({glm::length(box.low), glm::length(box.high),
@@ -248,6 +259,7 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
                          [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });
         draw.frontCaps = draw.zFail() && inView;
+        draw.backCaps = draw.zFail() && mayBackCapsBeSeen(cluster.bounds, view);
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
         draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         appendDraw(plan.draws, draw);

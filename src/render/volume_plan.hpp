@@ -33,11 +33,13 @@ struct VolumeDraw {
     int start = 0; ///< without caps: volumes that the whole near rectangle is in
     int end = -1;  ///< without caps: which of PlanView::ends volumes end at; -1: at infinity
     bool frontCaps = true;   ///< with z-fail: some casters may be in the view
+    bool backCaps = true;    ///< with z-fail: at infinity, some of its shadow may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
 
     bool drawnLike(const VolumeDraw& other) const {
         return counted == other.counted && caps == other.caps && end == other.end &&
-               frontCaps == other.frontCaps && nearDiscard == other.nearDiscard;
+               frontCaps == other.frontCaps && backCaps == other.backCaps &&
+               nearDiscard == other.nearDiscard;
     }
     bool zFail() const { return caps != CapsNeeded::no; }
 };

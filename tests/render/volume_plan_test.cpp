@@ -314,7 +314,7 @@ TEST(VolumePlan, NeighboursThatAreDrawnAlikeShareADraw) {
 TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
     Random random(8);
     const FrameView view = viewAlongZ();
-    std::size_t leftOut = 0, withoutCaps = 0, inShadow = 0, sealed = 0;
+    std::size_t leftOut = 0, withoutCaps = 0, inShadow = 0, sealed = 0, withoutBackCaps = 0;
     for (int i = 0; i < 30'000; ++i) {
         const bool sun = random.below(3) == 0;
         const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-1, 2)), !sun);
@@ -354,13 +354,21 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         const int in = enter <= leave && enter > 0.0;
         const int out = enter <= leave && leave < (sun ? 1e30 : 1.0);
         inShadow += in + out > 0 && !draws[0].zFail();
-        if (draws[0].zFail()) continue;
+        if (draws[0].zFail()) {
+            const glm::dvec3 infinite = of - glm::dvec3(light);
+            const double wide = -infinite.z * std::tan(glm::radians(30.0));
+            const bool shown = std::abs(infinite.x) < wide && std::abs(infinite.y) < wide;
+            withoutBackCaps += !sun && !draws[0].backCaps;
+            EXPECT_FALSE(!sun && !draws[0].backCaps && shown);
+            continue;
+        }
         EXPECT_EQ(draws[0].start, draws[0].counted == Counted::all ? in + out : out);
     }
     EXPECT_GT(leftOut, 1'000u);
     EXPECT_GT(withoutCaps, 1'000u);
     EXPECT_GT(inShadow, 150u);
     EXPECT_GT(sealed, 100u);
+    EXPECT_GT(withoutBackCaps, 100u);
 }
 
 TEST(VolumePlan, EndsHaveTheEyeAndAllThatIsVisibleOnTheLightsSide) {
