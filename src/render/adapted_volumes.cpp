@@ -72,7 +72,7 @@ RecordRange rangeOver(const AdaptedShadow& shadow, const RecordRange& clusters, 
 }
 
 /// Where the pairs of neighbouring clusters are in the list of those proposed, or among all.
-RecordRange pairsOver(const AdaptedShadow& shadow, const ProposedPairs* proposed,
+RecordRange pairsOver(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                       const RecordRange& clusters) {
     if (!proposed) return rangeOver(shadow, clusters, &ShadowCluster::pairs);
     const std::vector<RecordRange>& ofCluster = proposed->list.ofCluster;
@@ -125,7 +125,7 @@ AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing>
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
 }
 
-void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedPairs* proposed,
+void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
                                const VolumeDraw& draw, const glm::vec4& end, const glm::vec4& light,
                                const glm::mat4& clipFromObject) {
     const AdaptedShadow& shadow = *buffers.shadow();
@@ -147,7 +147,7 @@ void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedPair
         // Two triangles that both cast make two quads.
         const int quads = pair && draw.counted == Counted::all ? 2 : 1;
         const gl::Buffer& records = !pair      ? buffers.singles()
-                                    : proposed ? proposed->records
+                                    : proposed ? proposed->pairs
                                                : buffers.pairs();
         for (int quad = 0; quad < quads; ++quad) {
             program->second.set("u_side", static_cast<float>(quad));
@@ -193,45 +193,57 @@ gl::Program& AdaptedVolumes::capsProgram(bool nearDiscard, bool alphaTest) {
     return found->second;
 }
 
-void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& draw,
-                              const std::vector<Material>& materials, const Textures& textures,
-                              const glm::vec4& light, const glm::mat4& clipFromObject) {
+void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
+                              const VolumeDraw& draw, const std::vector<Material>& materials,
+                              const Textures& textures, const glm::vec4& light,
+                              const glm::mat4& clipFromObject) {
     const AdaptedShadow& shadow = *buffers.shadow();
     if (!draw.zFail() || !(draw.frontCaps || draw.backCaps)) return;
     const CapKind kind = !draw.backCaps   ? CapKind::front
                          : draw.frontCaps ? CapKind::both
                                           : CapKind::back;
+    const auto use = [&](bool alphaTest) -> gl::Program& {
+        gl::Program& program = capsProgram(draw.nearDiscard, alphaTest);
+        program.use();
+        program.set("u_light", light);
+        program.set("u_counted", rangeOf(draw.counted));
+        if (tints_) program.set("u_tint", tints_->caps);
+        program.set("u_clipFromObject", clipFromObject);
+        return program;
+    };
     for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
         const ShadowCluster& cluster = shadow.clusters[c];
         if (cluster.caps.count == 0) continue;
+        if (proposed && takesLightFacingCaps(cluster, draw.counted)) {
+            const CapBuffers& caps = lightFacingCaps(*proposed, buffers, c);
+            if (caps.count == 0) continue;
+            use(false);
+            drawGroup(caps, buffers.copied(), {0, caps.count}, kind, false);
+            continue;
+        }
         const CapBuffers& caps = buffers.capsOf(c);
         for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g) {
             const CasterGroup& group = shadow.groups[g];
             const Material& material = materials[group.material];
             const bool alphaTest =
                 cluster.holes && material.alphaMode != AlphaMode::opaque && draw.frontCaps;
-            gl::Program& program = capsProgram(draw.nearDiscard, alphaTest);
-            program.use();
-            program.set("u_light", light);
-            program.set("u_counted", rangeOf(draw.counted));
-            if (tints_) program.set("u_tint", tints_->caps);
-            program.set("u_clipFromObject", clipFromObject);
+            gl::Program& program = use(alphaTest);
             const RecordRange range{group.firstCap - cluster.caps.first, group.capCount};
             if (!alphaTest) {
-                drawGroup(caps, buffers.copied(), range, cluster.caps.count, kind, false);
+                drawGroup(caps, buffers.copied(), range, kind, false);
                 continue;
             }
             setCapHoles(program, material, textures);
             program.set("u_frontCapAtInfinity", 1.0f);
-            drawGroup(caps, buffers.copied(), range, cluster.caps.count, kind, true);
+            drawGroup(caps, buffers.copied(), range, kind, true);
             program.set("u_frontCapAtInfinity", 0.0f);
-            drawGroup(caps, buffers.copied(), range, cluster.caps.count, CapKind::front, true);
+            drawGroup(caps, buffers.copied(), range, CapKind::front, true);
         }
     }
 }
 
 void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps,
-                               std::uint32_t clusterCaps, CapKind kind, bool holes) {
+                               CapKind kind, bool holes) {
     const std::size_t floats = floatsOf(capComponents);
     if (!copied) {
         AttributeBinding binding(&*instancing_);
@@ -244,7 +256,7 @@ void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const Rec
     }
     for (const bool back : {false, true}) {
         if (kind == (back ? CapKind::front : CapKind::back)) continue;
-        const std::size_t first = verticesPerCap * (caps.first + (back ? clusterCaps : 0));
+        const std::size_t first = verticesPerCap * (caps.first + (back ? buffers.count : 0));
         AttributeBinding binding(nullptr);
         bindRecords(binding, buffers.records, capComponents, first * sizeof(float) * (floats + 1),
                     true, capCorners_, 0);
@@ -253,7 +265,7 @@ void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const Rec
     }
 }
 
-std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* proposed,
+std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                        const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
                        bool sun) {
     std::size_t runs = 0;
@@ -264,10 +276,11 @@ std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* propose
                            rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);
         if (!draw.zFail()) continue;
         const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (draw.backCaps ? 1 : 0);
-        runs +=
-            verticesPerCap * kinds * rangeOver(shadow, draw.clusters, &ShadowCluster::caps).count;
         for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
             const ShadowCluster& cluster = shadow.clusters[c];
+            const bool fewer = proposed && takesLightFacingCaps(cluster, draw.counted);
+            runs += verticesPerCap * kinds *
+                    (fewer ? lightFacingCapCount(*proposed, cluster) : cluster.caps.count);
             if (!cluster.holes || !draw.frontCaps) continue;
             // Opaque triangles of such a cluster take one front cap, those with holes two.
             for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g)

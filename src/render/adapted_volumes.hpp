@@ -46,22 +46,23 @@ class AdaptedVolumes {
     AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
                    std::vector<std::string> defines = {}, std::optional<VolumeTints> tints = {});
 
-    /// `proposed`: the pairs to draw, null for all of them. `end`: the plane at which volumes end,
-    /// (0, 0, 0, 1) for infinity. All is in the batch's space.
-    void drawSides(const AdaptedBuffers& buffers, const ProposedPairs* proposed,
+    /// `proposed`: the records to draw, null for all of them. `end`: the plane at which volumes
+    /// end, (0, 0, 0, 1) for infinity. All is in the batch's space.
+    void drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
                    const VolumeDraw& draw, const glm::vec4& end, const glm::vec4& light,
                    const glm::mat4& clipFromObject);
-    void drawCaps(const AdaptedBuffers& buffers, const VolumeDraw& draw,
-                  const std::vector<Material>& materials, const Textures& textures,
-                  const glm::vec4& light, const glm::mat4& clipFromObject);
+    void drawCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
+                  const VolumeDraw& draw, const std::vector<Material>& materials,
+                  const Textures& textures, const glm::vec4& light,
+                  const glm::mat4& clipFromObject);
 
   private:
     enum class CapKind { front, back, both };
 
     void drawQuads(const gl::Buffer& buffer, const std::vector<int>& components, bool copied,
                    const RecordRange& range, bool sun);
-    void drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps,
-                   std::uint32_t clusterCaps, CapKind kind, bool holes);
+    void drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps, CapKind kind,
+                   bool holes);
     gl::Program& capsProgram(bool nearDiscard, bool alphaTest);
 
     std::optional<gl::Instancing> instancing_;
@@ -76,7 +77,7 @@ class AdaptedVolumes {
 };
 
 /// How many vertices the vertex shader runs for such draws; `proposed` as in drawSides().
-std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedPairs* proposed,
+std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                        const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
                        bool sun);
 

@@ -286,15 +286,15 @@ Renderer::VolumeCount Renderer::countAdapted(const Pass& pass, std::size_t light
         const AdaptedBuffers& buffers = *volumesOf(index).adapted;
         const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
         const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        const ProposedPairs* proposed = nullptr;
+        const ProposedRecords* proposed = nullptr;
         if (proposals_ && !volumes.draws.empty())
             proposed = &proposals_->of(buffers.shadow(), lightIndex, lightHere);
         for (const VolumeDraw& draw : volumes.draws) {
             countInStencil(draw.zFail(), batchView.mirrored);
             adapted_->drawSides(buffers, proposed, draw, endOf(draw, planned), lightHere,
                                 batchView.clipFromObject);
-            adapted_->drawCaps(buffers, draw, pass.scene.materials, pass.scene.textures, lightHere,
-                               batchView.clipFromObject);
+            adapted_->drawCaps(buffers, proposed, draw, pass.scene.materials, pass.scene.textures,
+                               lightHere, batchView.clipFromObject);
         }
         runs += edgeshade::vertexRuns(*buffers.shadow(), proposed, volumes.draws,
                                       pass.scene.materials, light.position.w == 0.0);

@@ -88,7 +88,9 @@ class Renderer {
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
     /// Memory of the records that are proposed for the lights of late.
-    std::size_t proposalBytes() const { return proposals_ ? proposals_->bytes() : 0; }
+    std::size_t proposedSideBytes() const { return proposals_ ? proposals_->sideBytes() : 0; }
+    std::size_t proposedCapBytes() const { return proposals_ ? proposals_->capBytes() : 0; }
+    std::size_t proposalBytes() const { return proposedSideBytes() + proposedCapBytes(); }
 
     /// Lists of records that were proposed since the beginning.
     std::size_t proposalsMade() const { return proposals_ ? proposals_->made() : 0; }

@@ -1,6 +1,6 @@
 #include "src/render/proposals.hpp"
 
-#include "preprocess/error.hpp"
+#include <algorithm>
 
 namespace edgeshade {
 namespace {
@@ -9,7 +9,40 @@ namespace {
 /// moved on, say. Some callers draw a frame's lights one by one.
 constexpr std::size_t framesKept = 16;
 
+bool mayFaceTheLight(std::int8_t facing) {
+    return facing >= 0;
+}
+
 } // namespace
+
+std::size_t ProposedRecords::capBytes() const {
+    std::size_t total = 0;
+    for (const auto& [cluster, buffers] : caps)
+        total += buffers.records.size();
+    return total;
+}
+
+bool takesLightFacingCaps(const ShadowCluster& cluster, Counted counted) {
+    return counted == Counted::lightFacing && !cluster.holes;
+}
+
+std::uint32_t lightFacingCapCount(const ProposedRecords& proposed, const ShadowCluster& cluster) {
+    const auto first = proposed.list.facings.begin() + cluster.caps.first;
+    return static_cast<std::uint32_t>(
+        std::count_if(first, first + cluster.caps.count, mayFaceTheLight));
+}
+
+const CapBuffers& lightFacingCaps(const ProposedRecords& proposed, const AdaptedBuffers& buffers,
+                                  std::uint32_t cluster) {
+    const auto found = proposed.caps.find(cluster);
+    if (found != proposed.caps.end()) return found->second;
+    const AdaptedShadow& shadow = *buffers.shadow();
+    const RecordRange& caps = shadow.clusters[cluster].caps;
+    std::vector<CapRecord> gathered;
+    for (std::uint32_t i = caps.first; i < caps.end(); ++i)
+        if (mayFaceTheLight(proposed.list.facings[i])) gathered.push_back(shadow.caps[i]);
+    return proposed.caps.emplace(cluster, uploadCaps(gathered, {}, buffers.layout())).first->second;
+}
 
 void Proposals::beginFrame(const std::shared_ptr<const int>& scene) {
     ++frame_;
@@ -25,34 +58,42 @@ void Proposals::beginFrame(const std::shared_ptr<const int>& scene) {
     std::erase_if(sources_, unused);
 }
 
-const ProposedPairs& Proposals::of(const std::shared_ptr<const AdaptedShadow>& shadow,
-                                   std::size_t index, const glm::vec4& light) {
+const ProposedRecords& Proposals::of(const std::shared_ptr<const AdaptedShadow>& shadow,
+                                     std::size_t index, const glm::vec4& light) {
     auto source = sources_.find(shadow.get());
     if (source == sources_.end())
         source = sources_.emplace(shadow.get(), Source{shadow, LightFacings(*shadow)}).first;
     source->second.lastFrame = frame_;
     Entry& entry = entries_[{shadow.get(), index}];
-    if (entry.lastFrame == frame_) return entry.pairs;
+    if (entry.lastFrame == frame_) return entry.records;
     entry.lastFrame = frame_;
-    if (!entry.track.follow(light)) return entry.pairs;
-    propose(*shadow, source->second.facings, entry.track.ball(), mantissaBits_, entry.pairs.list);
-    gather(*shadow, entry.pairs);
+    if (!entry.track.follow(light)) return entry.records;
+    propose(*shadow, source->second.facings, entry.track.ball(), mantissaBits_, entry.records.list);
+    gather(*shadow, entry.records);
     ++made_;
-    return entry.pairs;
+    return entry.records;
 }
 
-void Proposals::gather(const AdaptedShadow& shadow, ProposedPairs& pairs) {
+void Proposals::gather(const AdaptedShadow& shadow, ProposedRecords& records) {
     gathered_.clear();
-    gathered_.reserve(pairs.list.pairs.size());
-    for (const std::uint32_t pair : pairs.list.pairs)
+    gathered_.reserve(records.list.pairs.size());
+    for (const std::uint32_t pair : records.list.pairs)
         gathered_.push_back(shadow.pairs[pair]);
-    pairs.records = uploadPairs(gathered_, layout_);
+    records.pairs = uploadPairs(gathered_, layout_);
+    records.caps.clear();
 }
 
-std::size_t Proposals::bytes() const {
+std::size_t Proposals::sideBytes() const {
     std::size_t total = 0;
     for (const auto& [key, entry] : entries_)
-        total += entry.pairs.records.size();
+        total += entry.records.pairs.size();
+    return total;
+}
+
+std::size_t Proposals::capBytes() const {
+    std::size_t total = 0;
+    for (const auto& [key, entry] : entries_)
+        total += entry.records.capBytes();
     return total;
 }
 

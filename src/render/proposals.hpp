@@ -2,6 +2,7 @@
 
 #include "src/gl/objects.hpp"
 #include "src/render/proposal.hpp"
+#include "src/render/volume_plan.hpp"
 #include "src/scene/adapted_buffers.hpp"
 
 #include <map>
@@ -9,11 +10,25 @@
 
 namespace edgeshade {
 
-/// A proposal with its pair records gathered for the GPU, in the order of the list.
-struct ProposedPairs {
+/// A proposal with its records gathered for the GPU, in the forms that AdaptedBuffers has.
+struct ProposedRecords {
     Proposal list;
-    gl::Buffer records; ///< PairRecords, or copies for every vertex as AdaptedBuffers has them
+    gl::Buffer pairs; ///< in the order of the list
+    /// By cluster: caps that may face the light, uploaded when they are first drawn.
+    mutable std::map<std::uint32_t, CapBuffers> caps;
+
+    std::size_t capBytes() const;
 };
+
+/// Whether of a cluster drawn like that only those caps are needed that may face the light.
+bool takesLightFacingCaps(const ShadowCluster& cluster, Counted counted);
+
+/// How many these are.
+std::uint32_t lightFacingCapCount(const ProposedRecords& proposed, const ShadowCluster& cluster);
+
+/// These caps; `buffers` are those that the proposal was made for.
+const CapBuffers& lightFacingCaps(const ProposedRecords& proposed, const AdaptedBuffers& buffers,
+                                  std::uint32_t cluster);
 
 /// Keeps proposals for lights and batches from frame to frame, and makes them anew only where a
 /// light leaves the ball that its list was made for. Needs a current context for its whole life.
@@ -28,10 +43,11 @@ class Proposals {
     void beginFrame(const std::shared_ptr<const int>& scene);
 
     /// What to draw of a batch for the light with that index, which is in the batch's space.
-    const ProposedPairs& of(const std::shared_ptr<const AdaptedShadow>& shadow, std::size_t index,
-                            const glm::vec4& light);
+    const ProposedRecords& of(const std::shared_ptr<const AdaptedShadow>& shadow, std::size_t index,
+                              const glm::vec4& light);
 
-    std::size_t bytes() const;                 ///< on the GPU
+    std::size_t sideBytes() const;             ///< on the GPU
+    std::size_t capBytes() const;              ///< on the GPU
     std::size_t made() const { return made_; } ///< lists, since the beginning
 
   private:
@@ -42,11 +58,11 @@ class Proposals {
     };
     struct Entry { ///< one for a batch and a light
         LightTrack track;
-        ProposedPairs pairs;
+        ProposedRecords records;
         std::size_t lastFrame = 0;
     };
 
-    void gather(const AdaptedShadow& shadow, ProposedPairs& pairs);
+    void gather(const AdaptedShadow& shadow, ProposedRecords& records);
 
     SidesLayout layout_;
     int mantissaBits_;

@@ -32,7 +32,7 @@ void VolumeTintPass::drawAdapted(const GpuBatch& batch, const GpuScene& scene,
         adapted_->drawSides(buffers, nullptr, draw, endOf(draw, planned), lightHere,
                             clipFromObject);
         glDisable(GL_DEPTH_TEST);
-        adapted_->drawCaps(buffers, draw, scene.materials, scene.textures, lightHere,
+        adapted_->drawCaps(buffers, nullptr, draw, scene.materials, scene.textures, lightHere,
                            clipFromObject);
         glEnable(GL_DEPTH_TEST);
     }

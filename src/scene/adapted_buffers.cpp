@@ -28,10 +28,18 @@ gl::Buffer uploadSides(std::span<const Record> records, bool copied) {
     return gl::vertexBuffer<float>(floats);
 }
 
+} // namespace
+
+gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout) {
+    return uploadSides(records, layout == SidesLayout::notInstanced);
+}
+
 CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> holes,
-                      bool copied) {
+                      SidesLayout layout) {
     CapBuffers buffers;
-    if (!copied) {
+    buffers.count = static_cast<std::uint32_t>(records.size());
+    if (records.empty()) return buffers;
+    if (layout != SidesLayout::notInstanced) {
         buffers.records = gl::vertexBuffer<CapRecord>(records);
         if (!holes.empty()) buffers.holes = gl::vertexBuffer<glm::vec4>(holes);
         return buffers;
@@ -51,12 +59,6 @@ CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::v
     return buffers;
 }
 
-} // namespace
-
-gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout) {
-    return uploadSides(records, layout == SidesLayout::notInstanced);
-}
-
 AdaptedBuffers::AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow,
                                std::vector<glm::vec4> capHoles, SidesLayout layout)
     : shadow_(std::move(shadow)), capHoles_(std::move(capHoles)), layout_(layout),
@@ -74,7 +76,7 @@ const CapBuffers& AdaptedBuffers::capsOf(std::size_t cluster) const {
         std::span<const glm::vec4> holes;
         if (of.holes) holes = std::span(capHoles_).subspan(3 * of.caps.first, 3 * of.caps.count);
         caps_[cluster] = uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count),
-                                    holes, copied());
+                                    holes, layout_);
     }
     return *caps_[cluster];
 }

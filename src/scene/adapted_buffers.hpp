@@ -21,15 +21,18 @@ inline constexpr std::size_t capFloats = sizeof(CapRecord) / sizeof(float);
 inline constexpr int verticesPerQuad = 4;
 inline constexpr int verticesPerCap = 3;
 
-/// One cluster's caps. Copied for every vertex, all front caps come first, then all back caps;
-/// `holes` in the same order.
+/// One cluster's caps, or some of them. Copied for every vertex, all front caps come first, then
+/// all back caps; `holes` in the same order.
 struct CapBuffers {
+    std::uint32_t count = 0;
     gl::Buffer records;
     gl::Buffer holes; ///< three vec4s a cap, see capHoles(); or empty
 };
 
 /// Uploads records as they are, or a copy for every vertex; nothing where there are none.
 gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout);
+CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> holes,
+                      SidesLayout layout);
 
 /// One batch's adapted shadow data on the GPU. Caps are uploaded cluster by cluster when they are
 /// first drawn: most never are.
@@ -45,6 +48,7 @@ class AdaptedBuffers {
     const gl::Buffer& pairs() const;
     const gl::Buffer& singles() const { return singles_; }
     const CapBuffers& capsOf(std::size_t cluster) const;
+    SidesLayout layout() const { return layout_; }
     /// Whether records are copied for every vertex.
     bool copied() const { return layout_ == SidesLayout::notInstanced; }
     // Of what was uploaded so far.

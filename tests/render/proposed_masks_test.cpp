@@ -109,6 +109,20 @@ TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereverALightJumps) {
     }
 }
 
+TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereCapsAreDrawn) {
+    Pair pair(GetParam());
+    Random random(4);
+    int withCaps = 0;
+    for (int i = 0; i < 60; ++i) {
+        // Among the boxes, so that outlines of shadows run through near rectangles.
+        const glm::dvec3 eye = 2.0 * random.inCube() + glm::dvec3(0, 1, 0);
+        pair.expectSame({eye, eye + random.inCube(), 70.0},
+                        {pointLight(3.0 * random.inCube() + glm::dvec3(0, 4, 0))});
+        withCaps += pair.proposed().proposedCapBytes() > 0;
+    }
+    EXPECT_GT(withCaps, 5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Layouts, ProposedMasks,
                          testing::Values(SidesLayout::instanced, SidesLayout::notInstanced));
 
