@@ -2,7 +2,7 @@
 # cmake/aarch64.sh [FOLDER]   Debian's arm64 libraries for the preset aarch64, unpacked into FOLDER
 #                             (build/aarch64-sysroot). Nothing is installed for it: the machine's own
 #                             packages and lists stay as they are, and no root is needed.
-# Sourced by ./test for prepare_aarch64, too.
+# ./test sources it for --long.
 # shellcheck shell=bash
 
 # The compiler and what runs its programs here: ordinary packages of this machine.
@@ -10,6 +10,9 @@ aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user)
 aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libdraco-dev libdraco7
     libmeshoptimizer-dev libmeshoptimizer2d libcli11-dev libgtest-dev librapidcheck-dev
     libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
+
+# What ./test --long builds and runs.
+aarch64_targets=(preprocess_test closed_chain_test closed_chain_precision_test pack_hashes)
 
 # unpack_aarch64 FOLDER: FOLDER/usr, unless it is complete.
 unpack_aarch64() {
