@@ -87,13 +87,15 @@ TEST(Soak, AThousandScenes) {
 /// Hills of 2 (side - 1)^2 triangles.
 Shape hills(std::uint32_t side) {
     Shape shape;
-    const auto height = [](float x, float z) {
+    const auto up = [](float x, float z) {
         return 0.3f * std::sin(3.0f * x) * std::cos(4.0f * z) + 0.01f * std::sin(70.0f * x);
     };
+    const float step = 10.0f / static_cast<float>(side);
     for (std::uint32_t z = 0; z < side; ++z)
         for (std::uint32_t x = 0; x < side; ++x) {
-            const float u = 10.0f * x / side - 5.0f, v = 10.0f * z / side - 5.0f;
-            shape.positions.emplace_back(u, height(u, v), v);
+            const float u = step * static_cast<float>(x) - 5.0f;
+            const float v = step * static_cast<float>(z) - 5.0f;
+            shape.positions.emplace_back(u, up(u, v), v);
         }
     for (std::uint32_t z = 0; z + 1 < side; ++z)
         for (std::uint32_t x = 0; x + 1 < side; ++x) {
