@@ -26,6 +26,7 @@ struct Task {
     int width = 1920;
     int height = 1080;
     int samples = 0;
+    gl::Limits limits = gl::Limits::device;
     int frames = 120;                       ///< measured, at least 1
     int warmUp = 3;                         ///< frames before, not measured
     std::function<Camera(double)> cameraAt; ///< after a share 0..1 of the flight

@@ -25,6 +25,7 @@ struct BenchOptions {
     ViewOptions view;
     CasterOptions casters;
     DrawSettings settings;
+    gl::Limits limits = gl::Limits::device;
     int samples = 0;
     std::vector<std::string> against;
 };
@@ -62,7 +63,7 @@ void benchScene(const BenchOptions& options) {
     const auto sizes = options.sizes.empty()
                            ? std::vector{std::pair(options.view.width, options.view.height)}
                            : options.sizes;
-    const Countdown countdown;
+    Countdown countdown;
     for (std::size_t s = 0; s < sizes.size(); ++s) {
         ViewOptions view = options.view;
         std::tie(view.width, view.height) = sizes[s];
@@ -70,6 +71,7 @@ void benchScene(const BenchOptions& options) {
         task.width = view.width;
         task.height = view.height;
         task.samples = options.samples;
+        task.limits = options.limits;
         task.frames = options.frames > 0 ? options.frames : defaultFrames;
         task.warmUp = options.warmUp;
         task.cameraAt = flightFor(view, loaded.scene);
@@ -100,7 +102,7 @@ void benchSynthetic(const BenchOptions& options) {
         throw Error(ExitStatus::usage, "--multiplicity: with --synthetic it is that of the "
                                        "published layouts, which have no planes.");
     task.timing = options.timing;
-    const Countdown countdown;
+    Countdown countdown;
     const bench::SyntheticReport measured = bench::measureSynthetic(
         task, [&](double share, const std::string& doing) { countdown.show(share, doing); });
     if (measured.device.isSoftware()) printWarnings({softwareWarning(measured.device)});
@@ -164,6 +166,7 @@ void addBenchCommand(CLI::App& program) {
     addViewOptions(*verb, options->view);
     sizes->excludes(verb->get_option("--size"));
     addDrawOptions(*verb, options->settings);
+    addGlLimitsOption(*verb, options->limits);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);

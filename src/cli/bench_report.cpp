@@ -115,7 +115,7 @@ void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {
         "finish)");
 }
 
-void Countdown::show(double share, const std::string& doing) const {
+void Countdown::show(double share, const std::string& doing) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     std::string text = doing;
     if (share > 0.0 && share < 1.0) {
@@ -123,7 +123,7 @@ void Countdown::show(double share, const std::string& doing) const {
         text += left < 90.0 ? ", " + fixed(std::ceil(left), 0) + " s left"
                             : ", " + fixed(std::ceil(left / 60.0), 0) + " min left";
     }
-    printBar(share, text);
+    bar_.show(share, text);
 }
 
 void BenchReport::add(const bench::Task& task, const std::vector<BenchSetting>& settings,

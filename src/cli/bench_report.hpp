@@ -3,6 +3,7 @@
 #include "src/bench/bench.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/options.hpp"
+#include "src/cli/report.hpp"
 
 #include <chrono>
 
@@ -33,9 +34,10 @@ const char* nameOf(gl::Timing timing);
 /// A bar that says how long it will take.
 class Countdown {
   public:
-    void show(double share, const std::string& doing) const;
+    void show(double share, const std::string& doing);
 
   private:
+    ProgressBar bar_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

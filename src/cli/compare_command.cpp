@@ -27,6 +27,7 @@ struct CompareOptions {
     ViewOptions view;
     CasterOptions casters;
     DrawSettings settings;
+    gl::Limits limits = gl::Limits::device;
     std::vector<std::string> against;
 };
 
@@ -93,19 +94,24 @@ void compare(const CompareOptions& options, bool viewsTyped) {
 
     lab::CompareTask task;
     lookAt(task, options.view, loaded.scene, options.views, viewsTyped);
+    task.limits = options.limits;
     task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0], nullptr));
     CasterVariants variants(options.input, loaded);
     for (std::size_t i = 0; i < options.against.size(); ++i)
         task.contenders.push_back(contenderOf(options.against[i], settings[i + 1],
                                               variants.with(settings[i + 1].casters)));
 
-    const auto results = lab::compareAll(loaded, task, printBar);
+    ProgressBar bar;
+    const auto results = lab::compareAll(
+        loaded, task, [&](double share, const std::string& doing) { bar.show(share, doing); });
     if (!options.heatmap.empty())
         writeFile(options.heatmap, encodePng(results[0].heatmap, task.width, task.height));
     printResult(tableOf(results), options.report);
     const auto jsonOf = [&](std::size_t i) {
-        return resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
-                          task.views);
+        Json json = resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
+                               task.views);
+        json["settings"]["gl-limits"] = glLimitsName(options.limits);
+        return json;
     };
     Json json = jsonOf(0);
     if (results.size() > 1) {
@@ -153,6 +159,7 @@ void addCompareCommand(CLI::App& program) {
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
     addCasterOptions(*verb, options->casters);
+    addGlLimitsOption(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         resolve(options->settings);

@@ -238,7 +238,16 @@ nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities) {
             {"depth_bits", capabilities.depthBits},
             {"stencil_bits", capabilities.stencilBits},
             {"extensions", capabilities.extensions},
-            {"vertex_mantissa_bits", capabilities.vertexHighpMantissaBits}};
+            {"vertex_mantissa_bits", capabilities.vertexHighpMantissaBits},
+            {"fragment_mantissa_bits", capabilities.fragmentHighpMantissaBits},
+            {"vertex_attributes", capabilities.vertexAttributes},
+            {"texture_units", capabilities.textureUnits},
+            {"varying_vectors", capabilities.varyingVectors},
+            {"vertex_uniform_vectors", capabilities.vertexUniformVectors},
+            {"fragment_uniform_vectors", capabilities.fragmentUniformVectors},
+            {"texture_size", capabilities.largestTexture},
+            {"instancing", capabilities.instancing.has_value()},
+            {"gl_limits", glLimitsName(capabilities.limits)}};
 }
 
 } // namespace edgeshade::cli

@@ -35,6 +35,9 @@ glm::dvec3 vectorFrom(const std::string& text, const std::string& option) {
     return vector;
 }
 
+const Choices<gl::Limits> limitNames = {{"device", gl::Limits::device},
+                                        {"es2-minimum", gl::Limits::es2Minimum}};
+
 template <class Use>
 void addTextOption(CLI::App& verb, const std::string& name, const std::string& type,
                    const std::string& help, Use use) {
@@ -170,6 +173,18 @@ void addSamplesOption(CLI::App& verb, int& samples) {
     verb.add_option("--samples", samples, "Samples a pixel for antialiasing (0: none)")
         ->check(CLI::Range(0, 64))
         ->type_name("N");
+}
+
+void addGlLimitsOption(CLI::App& verb, gl::Limits& limits) {
+    addChoice(verb, "--gl-limits", limits, limitNames,
+              "What is used of the GL: all that the device has, or only what every OpenGL ES 2.0 "
+              "has: no extensions, 8 attributes, 16 bits of depth (device)");
+}
+
+std::string glLimitsName(gl::Limits limits) {
+    for (const auto& [name, value] : limitNames)
+        if (value == limits) return name;
+    return "";
 }
 
 void addReportOption(CLI::App& verb, std::string& path) {

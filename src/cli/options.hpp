@@ -83,6 +83,10 @@ void addCasterOptions(CLI::App& verb, CasterOptions& options);
 void addCasterChanges(CLI::App& verb, CasterChanges& changes);
 void addReportOption(CLI::App& verb, std::string& path);
 void addSamplesOption(CLI::App& verb, int& samples);
+void addGlLimitsOption(CLI::App& verb, gl::Limits& limits);
+
+/// The word that the option has for them.
+std::string glLimitsName(gl::Limits limits);
 
 /// The request: the camera frames the scene where it was not typed, and there is at least one
 /// light. Throws Error(usage) for a camera without a direction.

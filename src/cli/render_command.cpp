@@ -21,6 +21,7 @@ struct RenderOptions {
     ViewOptions view;
     CasterOptions casters;
     DrawSettings settings;
+    gl::Limits limits = gl::Limits::device;
     bool mask = false;
     bool explain = false;
     bool debugVolumes = false;
@@ -70,7 +71,8 @@ void render(const RenderOptions& options) {
     FrameView view = makeFrameView(loaded, request);
     view.mask = options.mask;
 
-    const gl::HeadlessContext context({view.width, view.height, options.samples});
+    const gl::HeadlessContext context(
+        {view.width, view.height, options.samples, 24, options.limits});
     const gl::Capabilities& capabilities = context.capabilities();
     RenderSettings settings = options.settings.render;
     settings.layout = layoutFor(options.settings.instancing, capabilities);
@@ -141,6 +143,7 @@ void addRenderCommand(CLI::App& program) {
         "sides orange, with caps red, drawn twice green; caps blue (none)");
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
+    addGlLimitsOption(*verb, options->limits);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);

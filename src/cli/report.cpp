@@ -38,12 +38,17 @@ void printWarnings(const std::vector<std::string>& warnings) {
         std::cerr << "warning: " << warning << "\n";
 }
 
-void printBar(double share, const std::string& doing) {
+ProgressBar::~ProgressBar() {
+    if (open_) std::cerr << std::endl;
+}
+
+void ProgressBar::show(double share, const std::string& doing) {
     constexpr int width = 24;
     const int full = static_cast<int>(share * width + 0.5);
     std::cerr << "\r\033[K[" << std::string(full, '#') << std::string(width - full, '.') << "] "
               << doing.substr(0, 90) << std::flush;
-    if (share >= 1.0) std::cerr << "\n";
+    open_ = share < 1.0;
+    if (!open_) std::cerr << "\n";
 }
 
 void printProgress(const std::string& text) {

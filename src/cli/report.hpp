@@ -16,9 +16,21 @@ void printResult(const std::string& text, const std::string& reportPath);
 /// Warnings, a line each, on standard error.
 void printWarnings(const std::vector<std::string>& warnings);
 
-/// A bar on standard error that the next call draws over; the last has a share of 1. `doing`: what
-/// is being done.
-void printBar(double share, const std::string& doing);
+/// A bar on standard error. Its line ends with a share of 1, or when the work ends before, so that
+/// an error's message has a line of its own.
+class ProgressBar {
+  public:
+    ProgressBar() = default;
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    /// Draws over the last call's. `doing`: what is being done.
+    void show(double share, const std::string& doing);
+
+  private:
+    bool open_ = false; ///< its line has not ended
+};
 
 /// A line about progress, on standard error.
 void printProgress(const std::string& text);

@@ -25,6 +25,7 @@ namespace edgeshade::cli {
 namespace {
 
 struct TradeoffOptions {
+    gl::Limits limits = gl::Limits::device;
     std::string input;
     std::string report;
     std::string plot;
@@ -87,7 +88,7 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
     for (const std::string& text : options.against)
         all.push_back({text, text});
     CasterVariants variants(options.input, loaded);
-    const gl::HeadlessContext context({16, 16});
+    const gl::HeadlessContext context({16, 16, 0, 24, options.limits});
     std::vector<Row> rows;
     for (const TradeSetting& setting : all) {
         Row row;
@@ -114,6 +115,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
     bench::Task task;
     task.width = options.view.width;
     task.height = options.view.height;
+    task.limits = options.limits;
     task.frames = options.frames;
     task.cameraAt = flightFor(options.view, loaded.scene);
     task.lights = requestFor(options.view, loaded.scene).lights;
@@ -122,7 +124,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
     task.timing = options.timing;
     for (const Row& row : rows)
         task.settings.push_back(toTask({row.setting.name, row.settings, row.scene}));
-    const Countdown countdown;
+    Countdown countdown;
     bench::Report report =
         bench::measure(loaded, task, [&](double share) { countdown.show(share, "times"); });
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -133,7 +135,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
 void measureErrors(const LoadedScene& loaded, lab::CompareTask task, std::vector<Row>& rows) {
     for (const Row& row : rows)
         task.contenders.push_back(contenderOf(row.setting.name, row.settings, row.scene));
-    const Countdown countdown;
+    Countdown countdown;
     const auto results = lab::compareAll(loaded, task, [&](double share, const std::string& doing) {
         countdown.show(share, doing);
     });
@@ -234,6 +236,7 @@ void tradeoff(const TradeoffOptions& options) {
     printWarnings(warnings);
 
     lab::CompareTask compared;
+    compared.limits = options.limits;
     lookAt(compared, options.view, loaded.scene, options.views, options.viewsTyped);
     const bench::Report measured = measureCosts(options, loaded, rows);
     if (measured.device.isSoftware()) {
@@ -325,6 +328,7 @@ void addTradeoffCommand(CLI::App& program) {
                    "for every frame; without, they are kept");
     addTimingOption(*verb, options->timing);
     addViewOptions(*verb, options->view);
+    addGlLimitsOption(*verb, options->limits);
     addCasterOptions(*verb, options->casters);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {

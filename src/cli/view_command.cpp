@@ -23,6 +23,7 @@ struct WindowOptions {
     ViewOptions view;
     CasterOptions casters;
     DrawSettings settings;
+    gl::Limits limits = gl::Limits::device;
     int samples = 0;
 };
 
@@ -63,7 +64,7 @@ void view(const WindowOptions& options) {
         settings.layout = layoutFor(options.settings.instancing, {});
     const std::string name = std::filesystem::path(options.input).filename().string();
     desktop::App app({name.empty() ? "edgeshade" : name + " - edgeshade", options.view.width,
-                      options.view.height, options.samples},
+                      options.view.height, options.samples, options.limits},
                      settings, load);
     if (loaded) {
         app.viewer().show(std::move(*loaded));
@@ -90,6 +91,7 @@ void addViewCommand(CLI::App& program) {
         ->needs(verb->get_option("FILE"));
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
+    addGlLimitsOption(*verb, options->limits);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
     verb->callback([options] {

@@ -74,7 +74,10 @@ void App::fitToWindow() {
 
 void App::run() {
     while (!glfwWindowShouldClose(window_.handle())) {
-        if (viewer_.wantsFrame()) guarded([&] { draw(); });
+        if (viewer_.wantsFrame()) {
+            guarded([&] { draw(); });
+            window_.requireContext();
+        }
         if (viewer_.wantsFrame())
             glfwPollEvents();
         else

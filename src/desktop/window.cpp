@@ -1,6 +1,7 @@
 #include "src/desktop/window.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/gl/depth_precision.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLES2/gl2.h>
@@ -54,14 +55,24 @@ Window::Window(const WindowRequest& request) {
     }
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    capabilities_ = gl::queryCapabilities(lookUp);
+    const gl::Capabilities device = gl::queryCapabilities(lookUp);
+    capabilities_ = gl::limited(device, request.limits);
+    gl::coarsenDepth(device.depthBits, capabilities_.depthBits);
     GLint alphaBits = 0;
     glGetIntegerv(GL_ALPHA_BITS, &alphaBits);
-    if (capabilities_.stencilBits >= 8 && alphaBits >= 8) return;
+    reset_ = gl::ResetStatus::find(device.version, device.extensions, lookUp);
+    if (capabilities_.depthBits >= 16 && capabilities_.stencilBits >= 8 && alphaBits >= 8) return;
     glfwDestroyWindow(window_);
     glfwTerminate();
     unavailable(
-        "This display's windows have no 8-bit stencil and alpha, which shadow volumes need.");
+        "This display's windows have no depth, 8-bit stencil and alpha, which shadow volumes "
+        "need.");
+}
+
+void Window::requireContext() const {
+    const GLenum error = glGetError();
+    if (error == gl::contextLost || (reset_ && reset_->wasReset()))
+        gl::requireNoError(gl::contextLost, "drawing into the window");
 }
 
 Window::~Window() {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "src/gl/capabilities.hpp"
+#include "src/gl/objects.hpp"
+#include "src/gl/reset_status.hpp"
 
+#include <optional>
 #include <string>
 
 struct GLFWwindow;
@@ -13,6 +16,7 @@ struct WindowRequest {
     int width = 1280;
     int height = 720;
     int samples = 0; ///< 0: no antialiasing
+    gl::Limits limits = gl::Limits::device;
 };
 
 /// GLFW with one window whose OpenGL ES 2 context is current, with 8-bit alpha and stencil.
@@ -27,9 +31,13 @@ class Window {
     GLFWwindow* handle() const { return window_; }
     const gl::Capabilities& capabilities() const { return capabilities_; }
 
+    /// Throws Error(unavailable) if the context was lost. Nothing drawn from then on is seen.
+    void requireContext() const;
+
   private:
     GLFWwindow* window_ = nullptr;
     gl::Capabilities capabilities_;
+    std::optional<gl::ResetStatus> reset_; ///< where the context tells
 };
 
 } // namespace edgeshade::desktop

@@ -1,5 +1,6 @@
 #include "src/gl/capabilities.hpp"
 
+#include <algorithm>
 #include <GLES2/gl2.h>
 
 namespace edgeshade::gl {
@@ -14,6 +15,13 @@ int integer(GLenum name) {
     GLint value = 0;
     glGetIntegerv(name, &value);
     return value;
+}
+
+/// 0 where the stage has no highp.
+int highpMantissaBits(GLenum stage) {
+    GLint range[2] = {}, mantissa = 0;
+    glGetShaderPrecisionFormat(stage, GL_HIGH_FLOAT, range, &mantissa);
+    return range[0] == 0 && range[1] == 0 ? 0 : mantissa;
 }
 
 } // namespace
@@ -34,12 +42,37 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.samples = integer(GL_SAMPLES);
     capabilities.vertexAttributes = integer(GL_MAX_VERTEX_ATTRIBS);
     capabilities.largestTexture = integer(GL_MAX_TEXTURE_SIZE);
-    GLint range[2] = {}, mantissa = 0;
-    glGetShaderPrecisionFormat(GL_VERTEX_SHADER, GL_HIGH_FLOAT, range, &mantissa);
-    capabilities.vertexHighpMantissaBits = mantissa;
+    capabilities.textureUnits = integer(GL_MAX_TEXTURE_IMAGE_UNITS);
+    capabilities.varyingVectors = integer(GL_MAX_VARYING_VECTORS);
+    capabilities.vertexUniformVectors = integer(GL_MAX_VERTEX_UNIFORM_VECTORS);
+    capabilities.fragmentUniformVectors = integer(GL_MAX_FRAGMENT_UNIFORM_VECTORS);
+    capabilities.vertexHighpMantissaBits = highpMantissaBits(GL_VERTEX_SHADER);
+    capabilities.fragmentHighpMantissaBits = highpMantissaBits(GL_FRAGMENT_SHADER);
     capabilities.instancing =
         Instancing::find(capabilities.version, capabilities.extensions, lookUp);
     capabilities.timerQueries = TimerQueries::find(capabilities.extensions, lookUp);
+    return capabilities;
+}
+
+Capabilities limited(Capabilities capabilities, Limits limits) {
+    if (limits == Limits::device) return capabilities;
+    const auto lower = [](int& value, int most) { value = std::min(value, most); };
+    capabilities.limits = limits;
+    capabilities.version = "OpenGL ES 2.0, limited from " + capabilities.version;
+    capabilities.extensions.clear();
+    lower(capabilities.depthBits, 16);
+    lower(capabilities.stencilBits, 8);
+    capabilities.samples = 0;
+    lower(capabilities.vertexAttributes, 8);
+    lower(capabilities.textureUnits, 8);
+    lower(capabilities.varyingVectors, 8);
+    lower(capabilities.vertexUniformVectors, 128);
+    lower(capabilities.fragmentUniformVectors, 16);
+    lower(capabilities.largestTexture, 2048);
+    lower(capabilities.vertexHighpMantissaBits, leastMantissaBits);
+    lower(capabilities.fragmentHighpMantissaBits, leastMantissaBits);
+    capabilities.instancing.reset();
+    capabilities.timerQueries.reset();
     return capabilities;
 }
 

@@ -8,6 +8,16 @@
 
 namespace edgeshade::gl {
 
+/// What is used of a context.
+enum class Limits {
+    device,     ///< all that it has
+    es2Minimum, ///< what every OpenGL ES 2.0 has, see limited()
+};
+
+/// Mantissa bits of floats in the vertex stage that ES 2.0 guarantees for highp (GLSL ES 1.00,
+/// section 4.5.2).
+inline constexpr int leastMantissaBits = 16;
+
 /// What the current context is and can do.
 struct Capabilities {
     std::string vendor;
@@ -18,8 +28,14 @@ struct Capabilities {
     int stencilBits = 0;
     int samples = 0;
     int vertexAttributes = 0;
+    int textureUnits = 0; ///< of the fragment stage
+    int varyingVectors = 0;
+    int vertexUniformVectors = 0;
+    int fragmentUniformVectors = 0;
     int largestTexture = 0;
-    int vertexHighpMantissaBits = 0;
+    int vertexHighpMantissaBits = 0;   ///< float32 has 23
+    int fragmentHighpMantissaBits = 0; ///< 0: the fragment stage has no highp
+    Limits limits = Limits::device;
     std::optional<Instancing> instancing;
     std::optional<TimerQueries> timerQueries;
 
@@ -33,5 +49,13 @@ struct Capabilities {
 
 /// Asks the current context. `lookUp` maps a GL function's name to its address or null.
 Capabilities queryCapabilities(void* (*lookUp)(const char*));
+
+/// What remains of them under limits. Of es2Minimum: version 2.0 without extensions, so no
+/// instancing, no 32-bit indices, no depth textures, no derivatives, no antialiasing by
+/// framebuffers and no timer queries; 8 attributes, 8 texture units, 8 varying, 128 vertex and 16
+/// fragment uniform vectors; 16 bits of depth, 8 of stencil; 16 mantissa bits in the vertex stage.
+/// Textures have up to 2048 texels a side, as the guaranteed 64 serve neither textures nor shadow
+/// maps.
+Capabilities limited(Capabilities capabilities, Limits limits);
 
 } // namespace edgeshade::gl

@@ -7,11 +7,17 @@ namespace edgeshade::gl {
 FramebufferKeeper::FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name_);
     glDisable(GL_SCISSOR_TEST);
+    glGetFloatv(GL_DEPTH_RANGE, depthRange_);
+    glGetFloatv(GL_DEPTH_CLEAR_VALUE, &depthClear_);
+    glDepthRangef(0.0f, 1.0f);
+    glClearDepthf(1.0f);
 }
 
 FramebufferKeeper::~FramebufferKeeper() {
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(name_));
     if (scissor_) glEnable(GL_SCISSOR_TEST);
+    glDepthRangef(depthRange_[0], depthRange_[1]);
+    glClearDepthf(depthClear_);
 }
 
 } // namespace edgeshade::gl

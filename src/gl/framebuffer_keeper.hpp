@@ -3,7 +3,8 @@
 namespace edgeshade::gl {
 
 /// For drawing elsewhere in between: the framebuffer that was bound is bound again, whatever
-/// happens; so is the scissor, which cuts that framebuffer's picture and is off until then.
+/// happens; so are the scissor, which cuts that framebuffer's picture and is off until then, and
+/// the depth range, which is whole until then.
 class FramebufferKeeper {
   public:
     FramebufferKeeper();
@@ -14,6 +15,8 @@ class FramebufferKeeper {
   private:
     int name_ = 0;
     bool scissor_;
+    float depthRange_[2] = {};
+    float depthClear_ = 1.0f;
 };
 
 } // namespace edgeshade::gl

@@ -1,6 +1,7 @@
 #include "src/gl/headless_context.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/gl/depth_precision.hpp"
 #include "src/gl/objects.hpp"
 
 #include <algorithm>
@@ -79,6 +80,18 @@ EGLConfig chooseConfig(EGLDisplay display, int depthBits) {
     return config;
 }
 
+/// One that tells when it is lost, where there are such.
+EGLContext createContext(EGLDisplay display, EGLConfig config) {
+    const EGLint robust[] = {EGL_CONTEXT_CLIENT_VERSION, 2,
+                             EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                             EGL_LOSE_CONTEXT_ON_RESET_EXT, EGL_NONE};
+    const EGLint plain[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
+    EGLContext context = EGL_NO_CONTEXT;
+    if (lists(eglQueryString(display, EGL_EXTENSIONS), "EGL_EXT_create_context_robustness"))
+        context = eglCreateContext(display, config, EGL_NO_CONTEXT, robust);
+    return context ? context : eglCreateContext(display, config, EGL_NO_CONTEXT, plain);
+}
+
 int configValue(EGLDisplay display, EGLConfig config, EGLint name) {
     EGLint value = 0;
     eglGetConfigAttrib(display, config, name, &value);
@@ -114,23 +127,17 @@ HeadlessContext::HeadlessContext(const Request& request)
                     std::to_string(highest) + ".");
     }
 
-    eglBindAPI(EGL_OPENGL_ES_API);
-    const EGLint contextAttributes[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
-    const EGLint surfaceAttributes[] = {EGL_WIDTH, width_, EGL_HEIGHT, height_, EGL_NONE};
-    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, contextAttributes);
-    surface_ = eglCreatePbufferSurface(display_, config, surfaceAttributes);
-    if (!context_ || !surface_ || !eglMakeCurrent(display_, surface_, surface_, context_)) {
-        release();
-        unavailable("EGL can't make an OpenGL ES 2 context with a picture of " +
-                    std::to_string(width_) + "x" + std::to_string(height_) + " here.");
-    }
-    capabilities_ = queryCapabilities(lookUp);
-    if (capabilities_.stencilBits < 8) {
-        release();
-        unavailable("This GL has no 8-bit stencil, which shadow volumes need.");
-    }
-    if (request.samples == 0) return;
     try {
+        makeCurrent(config);
+        const Capabilities device = queryCapabilities(lookUp);
+        capabilities_ = limited(device, request.limits);
+        if (capabilities_.depthBits < 16 || capabilities_.stencilBits < 8)
+            unavailable("This GL has " + std::to_string(capabilities_.depthBits) +
+                        " bits of depth and " + std::to_string(capabilities_.stencilBits) +
+                        " of stencil; shadow volumes need 16 and 8.");
+        coarsenDepth(device.depthBits, capabilities_.depthBits);
+        reset_ = ResetStatus::find(device.version, device.extensions, lookUp);
+        if (request.samples == 0) return;
         multisampled_.emplace(width_, height_, request.samples, capabilities_.version,
                               capabilities_.extensions, lookUp);
         capabilities_.samples = multisampled_->samples();
@@ -138,6 +145,18 @@ HeadlessContext::HeadlessContext(const Request& request)
         release();
         throw;
     }
+}
+
+void HeadlessContext::makeCurrent(void* config) {
+    eglBindAPI(EGL_OPENGL_ES_API);
+    context_ = createContext(display_, config);
+    const EGLint size[] = {EGL_WIDTH, width_, EGL_HEIGHT, height_, EGL_NONE};
+    if (context_) surface_ = eglCreatePbufferSurface(display_, config, size);
+    if (surface_ && eglMakeCurrent(display_, surface_, surface_, context_)) return;
+    const bool memory = eglGetError() == EGL_BAD_ALLOC;
+    unavailable(std::string("EGL can't make an OpenGL ES 2 context with a picture of ") +
+                std::to_string(width_) + "x" + std::to_string(height_) + " here" +
+                (memory ? ": it is out of memory." : "."));
 }
 
 HeadlessContext::~HeadlessContext() {
@@ -160,6 +179,7 @@ std::vector<std::uint8_t> HeadlessContext::readPixels() const {
     glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     if (multisampled_) multisampled_->bind();
     requireNoError("reading the picture");
+    if (reset_ && reset_->wasReset()) requireNoError(contextLost, "reading the picture");
     for (std::size_t top = 0, bottom = static_cast<std::size_t>(height_) - 1; top < bottom;
          ++top, --bottom)
         std::swap_ranges(pixels.begin() + top * stride, pixels.begin() + (top + 1) * stride,

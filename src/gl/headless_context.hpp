@@ -2,6 +2,7 @@
 
 #include "src/gl/capabilities.hpp"
 #include "src/gl/multisampling.hpp"
+#include "src/gl/reset_status.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,7 @@ class HeadlessContext {
         int height = 1;
         int samples = 0;    ///< 0: no antialiasing
         int depthBits = 24; ///< at least; 16 if there is no more
+        Limits limits = Limits::device;
     };
 
     /// Throws Error(unavailable) that says what is missing.
@@ -34,10 +36,11 @@ class HeadlessContext {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// The picture, RGBA, rows top to bottom.
+    /// The picture, RGBA, rows top to bottom. Throws Error(unavailable) if the context was lost.
     std::vector<std::uint8_t> readPixels() const;
 
   private:
+    void makeCurrent(void* config);
     void release();
 
     void* display_ = nullptr;
@@ -46,6 +49,7 @@ class HeadlessContext {
     int width_ = 0;
     int height_ = 0;
     Capabilities capabilities_;
+    std::optional<ResetStatus> reset_; ///< where the context tells
     std::optional<MultisampledFramebuffer> multisampled_;
 };
 

@@ -55,7 +55,10 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               depthStencil_.name());
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    if (glGetError() != GL_NO_ERROR || status != GL_FRAMEBUFFER_COMPLETE) unavailable(samples);
+    if (const GLenum error = glGetError(); error == GL_OUT_OF_MEMORY || error == contextLost)
+        requireNoError(error, "making a framebuffer with several samples a pixel");
+    else if (error != GL_NO_ERROR || status != GL_FRAMEBUFFER_COMPLETE)
+        unavailable(samples);
 }
 
 void MultisampledFramebuffer::resolve() const {

@@ -66,8 +66,10 @@ void requireNoError(const char* doing) {
 
 void requireNoError(unsigned error, const char* doing) {
     if (error == GL_NO_ERROR) return;
-    const char* what =
-        error == GL_OUT_OF_MEMORY ? "the GL is out of memory" : "the GL reports an error";
+    const char* what = error == GL_OUT_OF_MEMORY ? "the GL is out of memory"
+                       : error == contextLost    ? "the GL has lost its context, its driver was "
+                                                   "reset or its device is gone"
+                                                 : "the GL reports an error";
     throw Error(ExitStatus::unavailable, std::string("While ") + doing + ": " + what + " (code " +
                                              std::to_string(error) + ").");
 }

@@ -76,6 +76,9 @@ Buffer vertexBuffer(std::span<const T> values) {
 Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, int wrapS,
                     int wrapT);
 
+/// What a GL that notices the loss of its context reports (GL_KHR_robustness, ES 3.2).
+inline constexpr unsigned contextLost = 0x0507;
+
 /// Throws Error(unavailable) if the GL has recorded an error; `doing` says at what.
 void requireNoError(const char* doing);
 /// The same of an error that was asked for already.

@@ -8,6 +8,14 @@
 namespace edgeshade::gl {
 namespace {
 
+/// With the GL's own words, where it has some; an error that it has recorded says more.
+[[noreturn]] void refuse(const std::string& sentence, const char* log) {
+    requireNoError("making a program");
+    const std::string reason = clauseOf(log);
+    throw Error(ExitStatus::unavailable,
+                sentence + (reason.empty() ? " and gives no reason." : ": " + reason + "."));
+}
+
 ShaderObject compile(GLenum stage, const char* source, const std::vector<std::string>& defines) {
     std::string text = "#version 100\n";
     for (const std::string& define : defines)
@@ -22,9 +30,9 @@ ShaderObject compile(GLenum stage, const char* source, const std::vector<std::st
     if (compiled == GL_TRUE) return shader;
     char log[4096] = "";
     glGetShaderInfoLog(shader.name(), sizeof log, nullptr, log);
-    throw Error(ExitStatus::unavailable, std::string("This GL can't compile a ") +
-                                             (stage == GL_VERTEX_SHADER ? "vertex" : "fragment") +
-                                             " shader: " + log);
+    refuse(std::string("This GL can't compile a ") +
+               (stage == GL_VERTEX_SHADER ? "vertex" : "fragment") + " shader",
+           log);
 }
 
 } // namespace
@@ -45,7 +53,7 @@ Program::Program(const char* vertexSource, const char* fragmentSource,
     if (linked == GL_TRUE) return;
     char log[4096] = "";
     glGetProgramInfoLog(object_.name(), sizeof log, nullptr, log);
-    throw Error(ExitStatus::unavailable, std::string("This GL can't link a program: ") + log);
+    refuse("This GL can't link a program", log);
 }
 
 void Program::use() const {

@@ -2,6 +2,7 @@
 
 #include "preprocess/error.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <memory>
 #include <stb_image.h>
@@ -26,10 +27,14 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) 
     return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + count)};
 }
 
-Image toPowersOfTwo(const Image& image) {
+Image toPowersOfTwo(const Image& image, int largest) {
+    const auto fitted = [&](int size) {
+        return static_cast<int>(std::min(std::bit_ceil(static_cast<unsigned>(size)),
+                                         std::bit_floor(static_cast<unsigned>(largest))));
+    };
     Image scaled;
-    scaled.width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(image.width)));
-    scaled.height = static_cast<int>(std::bit_ceil(static_cast<unsigned>(image.height)));
+    scaled.width = fitted(image.width);
+    scaled.height = fitted(image.height);
     if (scaled.width == image.width && scaled.height == image.height) return image;
     scaled.rgba.resize(std::size_t{4} * static_cast<std::size_t>(scaled.width) *
                        static_cast<std::size_t>(scaled.height));

@@ -18,7 +18,8 @@ struct Image {
 /// Throws InputError.
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// The image scaled up to powers of two, for devices whose textures need that.
-Image toPowersOfTwo(const Image& image);
+/// The image scaled up to powers of two, for devices whose textures need that, or down to the
+/// largest one of at most `largest`, which is 1 or more.
+Image toPowersOfTwo(const Image& image, int largest);
 
 } // namespace edgeshade

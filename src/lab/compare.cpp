@@ -16,7 +16,8 @@ constexpr std::size_t tuningViews = 3;
 /// Scenes on the GPU, in one context, by their records.
 class Studio {
   public:
-    Studio(int width, int height) : context_({width, height}) {}
+    explicit Studio(const CompareTask& task)
+        : context_({task.width, task.height, 0, 24, task.limits}) {}
 
     /// A renderer for this studio's context.
     Renderer rendererFor(const RenderSettings& settings) const {
@@ -84,8 +85,7 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
 class Jury {
   public:
     Jury(const LoadedScene& loaded, const CompareTask& task)
-        : loaded_(loaded), task_(task), studio_(task.width, task.height),
-          alphaAt_(textureAlpha(loaded)) {}
+        : loaded_(loaded), task_(task), studio_(task), alphaAt_(textureAlpha(loaded)) {}
 
     /// Moves on to another view.
     void see(const LabView& view) {

@@ -26,6 +26,7 @@ struct CompareTask {
     std::vector<LabView> views;
     int width = 1920;
     int height = 1080;
+    gl::Limits limits = gl::Limits::device;
     std::optional<double> near; ///< nothing: fitted to each view
     std::vector<Light> lights;  ///< used in every view instead of its own; may be empty
     std::vector<Contender> contenders;

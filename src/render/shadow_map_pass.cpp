@@ -26,7 +26,7 @@ bool hasSurfaces(const GpuScene& scene) {
 ShadowMapPass::ShadowMapPass(const ShadowMapSettings& settings,
                              const gl::Capabilities& capabilities)
     : settings_(settings), capabilities_(capabilities) {
-    requireMapSize(settings.size);
+    requireMapSize(settings.size, capabilities);
 }
 
 const ShadowMapTarget& ShadowMapPass::target(ShadowMapKind kind) {

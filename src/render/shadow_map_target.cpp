@@ -106,8 +106,8 @@ std::size_t ShadowMapTarget::bytes() const {
     return texels * (4 * faceCount(kind_) + depthBytes);
 }
 
-void requireMapSize(int size) {
-    int largest = size;
+void requireMapSize(int size, const gl::Capabilities& capabilities) {
+    int largest = std::min(size, capabilities.largestTexture);
     for (const GLenum limit :
          {GL_MAX_TEXTURE_SIZE, GL_MAX_CUBE_MAP_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {
         GLint value = 0;

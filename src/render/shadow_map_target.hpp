@@ -35,6 +35,6 @@ class ShadowMapTarget {
 };
 
 /// Throws Error(unavailable) if maps of this size are more than the GL can hold.
-void requireMapSize(int size);
+void requireMapSize(int size, const gl::Capabilities& capabilities);
 
 } // namespace edgeshade

@@ -15,9 +15,9 @@ Textures::Textures(const GltfDocument& document, const std::vector<Material>& ma
         const Key key{material.image, material.wrapS, material.wrapT};
         if (material.image < 0 || textures_.contains(key)) continue;
         const std::string name = document.where("images[") + std::to_string(material.image) + "]";
-        Image image = toPowersOfTwo(decodeImage(encodedImageBytes(document, material.image), name));
-        if (image.width > capabilities.largestTexture || image.height > capabilities.largestTexture)
-            continue; // drawn white rather than not at all
+        const Image image =
+            toPowersOfTwo(decodeImage(encodedImageBytes(document, material.image), name),
+                          capabilities.largestTexture);
         textures_.emplace(key, gl::makeTexture(image.rgba, image.width, image.height,
                                                material.wrapS, material.wrapT));
     }

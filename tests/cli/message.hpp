@@ -8,14 +8,15 @@
 
 namespace edgeshade::test {
 
-/// What the program says about its failure: its standard error without warnings and without the
-/// last line's end.
+/// What the program says about its failure: its standard error without warnings, the bar that shows
+/// progress, and the last line's end.
 inline std::string messageOf(const ProcessResult& result) {
     std::string message;
     for (std::size_t start = 0; start < result.err.size();) {
         const std::size_t end = std::min(result.err.find('\n', start), result.err.size());
         const std::string line = result.err.substr(start, end - start);
-        if (!line.starts_with("warning: ")) message += (message.empty() ? "" : "\n") + line;
+        if (!line.starts_with("warning: ") && !line.starts_with('\r'))
+            message += (message.empty() ? "" : "\n") + line;
         start = end + 1;
     }
     return message;

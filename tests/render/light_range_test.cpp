@@ -221,7 +221,7 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
     for (int x = -25; x <= 25; ++x)
         for (int z = -25; z <= 25; ++z)
             builder.box({2.0 * x, 0.2f, 2.0 * z}, {2.0 * x + 1.0, 1, 2.0 * z + 1.0});
-    const gl::HeadlessContext context({width, height});
+    const gl::HeadlessContext context(test::testPicture(width, height));
     RenderSettings settings;
     settings.maskScale = maskScale;
     settings.multiplicity = method;

@@ -3,6 +3,7 @@
 #include "src/render/proposal.hpp"
 
 #include "tests/support/adapted_chain.hpp"
+#include "tests/support/rounded_arithmetic.hpp"
 #include "tests/support/small_soups.hpp"
 
 #include <gtest/gtest.h>
@@ -111,6 +112,43 @@ TEST(Proposal, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
     }
     std::cout << all << " records and lights, " << checked << " of them left out\n";
     EXPECT_EQ(wrong, 0u);
+}
+
+/// The lights of a ball on a device with 16 mantissa bits: multiplicities as it would find them.
+template <rounded_arithmetic::Rounding rounding>
+std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
+    using Shaders = rounded_arithmetic::Shaders<rounding>;
+    Random random(seed);
+    std::size_t checked = 0, wrong = 0;
+    while (checked < leftOut) {
+        const AdaptedShadow shadow = shadowOf(test::randomSoup(random, 20 + random.below(40)));
+        if (shadow.pairs.empty()) continue;
+        for (int i = 0; i < 20; ++i) {
+            const LightBall ball = ballFor(shadow, random);
+            const Proposal proposal = proposalFor(shadow, ball, 16);
+            const typename Shaders::vec4 light(lightIn(ball, random));
+            std::vector<bool> listed(shadow.pairs.size());
+            for (const std::uint32_t pair : proposal.pairs)
+                listed[pair] = true;
+            for (std::size_t p = 0; p < listed.size(); ++p) {
+                if (listed[p]) continue;
+                ++checked;
+                typename Shaders::Plane shader;
+                const auto side = [&](const glm::vec4& plane) {
+                    return shader.planeSide(typename Shaders::vec4(plane), light).value();
+                };
+                wrong += side(shadow.pairs[p].plane0) != side(shadow.pairs[p].plane1);
+            }
+        }
+    }
+    return wrong;
+}
+
+TEST(Proposal, LeavesOutNoSilhouetteOnADeviceOf16Bits) {
+    using rounded_arithmetic::Rounding;
+    EXPECT_EQ(missedWith16Bits<Rounding::nearest>(18, 1'000'000), 0u);
+    EXPECT_EQ(missedWith16Bits<Rounding::towardsZero>(19, 1'000'000), 0u);
+    EXPECT_EQ(missedWith16Bits<Rounding::down>(20, 1'000'000), 0u);
 }
 
 TEST(Proposal, OfALightAtRestIsNextToWhatItMust) {

@@ -1,14 +1,24 @@
 #include "tests/support/headless.hpp"
 
-#include "src/gl/headless_context.hpp"
-
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 
 namespace edgeshade::test {
 
+gl::Limits testLimits() {
+    const char* word = std::getenv(limitsVariable);
+    return word && std::string_view(word) == "es2-minimum" ? gl::Limits::es2Minimum
+                                                           : gl::Limits::device;
+}
+
+gl::HeadlessContext::Request testPicture(int width, int height, int samples) {
+    return {width, height, samples, 24, testLimits()};
+}
+
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
                                     RenderSettings settings, bool castMasked) {
-    const gl::HeadlessContext context({test.width, test.height});
+    const gl::HeadlessContext context(testPicture(test.width, test.height));
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
     const LoadedScene loaded{{}, scene, buildAdapted(scene, castMasked), {}, {0.0, castMasked}};
     FrameView view =

@@ -1,8 +1,18 @@
 #pragma once
 
+#include "src/gl/headless_context.hpp"
 #include "src/render/frame.hpp"
 
 namespace edgeshade::test {
+
+/// Environment variable under which the image tests run once more: es2-minimum.
+inline constexpr const char* limitsVariable = "EDGESHADE_TEST_GL_LIMITS";
+
+/// The limits that the environment asks for.
+gl::Limits testLimits();
+
+/// A picture for tests, with what the environment asks for.
+gl::HeadlessContext::Request testPicture(int width, int height, int samples = 0);
 
 /// What a test draws.
 struct TestView {

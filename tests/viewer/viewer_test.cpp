@@ -53,7 +53,7 @@ class ViewerTest : public testing::Test {
                                settings);
     }
 
-    gl::HeadlessContext context{{width, height, 0}};
+    gl::HeadlessContext context{test::testPicture(width, height)};
     Viewer viewer{context.capabilities()};
 };
 
@@ -214,7 +214,7 @@ TEST_F(ViewerTest, StatisticsTellOfTheScene) {
 }
 
 TEST(ViewerWithoutAScene, DrawsTheGroundAndTakesEverything) {
-    const gl::HeadlessContext context({width, height, 0});
+    const gl::HeadlessContext context(test::testPicture(width, height));
     Viewer viewer(context.capabilities());
     viewer.resize(width, height, 1.0);
     for (int c = 0; c <= static_cast<int>(Command::faster); ++c)
@@ -229,8 +229,7 @@ TEST(ViewerWithoutAScene, DrawsTheGroundAndTakesEverything) {
 
 TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     Pixels before;
-    auto context =
-        std::make_unique<gl::HeadlessContext>(gl::HeadlessContext::Request{width, height, 0});
+    auto context = std::make_unique<gl::HeadlessContext>(test::testPicture(width, height));
     Viewer viewer(context->capabilities());
     viewer.resize(width, height, 1.0);
     viewer.show(yardScene());
@@ -242,7 +241,7 @@ TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     EXPECT_FALSE(viewer.wantsFrame());
     EXPECT_FALSE(viewer.frame(1.0));
     context.reset();
-    context = std::make_unique<gl::HeadlessContext>(gl::HeadlessContext::Request{width, height, 0});
+    context = std::make_unique<gl::HeadlessContext>(test::testPicture(width, height));
     viewer.restoreGpu(context->capabilities());
     EXPECT_TRUE(viewer.frame(2.0));
     EXPECT_LT(differing(context->readPixels(), before), 20u); // the eye came back but for rounding

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace edgeshade::gl {
+
+/// Whether the context was lost: its driver was reset, its device is gone. Some drivers say so here
+/// alone and record no error.
+class ResetStatus {
+  public:
+    /// Core from ES 3.2 on, else GL_KHR_robustness or GL_EXT_robustness; nothing where the context
+    /// has none of them. `lookUp` maps a name to an entry point or null.
+    static std::optional<ResetStatus>
+    find(const std::string& version, const std::string& extensions, void* (*lookUp)(const char*));
+
+    bool wasReset() const { return get_() != 0; }
+
+  private:
+    using Get = unsigned (*)();
+    Get get_ = nullptr;
+};
+
+} // namespace edgeshade::gl
