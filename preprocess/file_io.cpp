@@ -89,7 +89,7 @@ int replaceFile(const std::filesystem::path& path, std::span<const std::uint8_t>
 
 } // namespace
 
-Bytes readFile(const std::filesystem::path& path) {
+Bytes readFile(const std::filesystem::path& path, std::uint64_t mostBytes) {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         throw InputError("'" + path.string() + "' does not exist.");
@@ -99,12 +99,23 @@ Bytes readFile(const std::filesystem::path& path) {
     if (!file)
         throw InputError("'" + path.string() + "' can't be opened: " + std::strerror(errno) + ".");
 
+    const auto requireWithin = [&](std::uint64_t size, const char* about) {
+        if (size > mostBytes)
+            throw InputError("'" + path.string() + "' has " + about + std::to_string(size) +
+                             " bytes, but the limit of a file is " + std::to_string(mostBytes) +
+                             ".");
+    };
     Bytes bytes;
     const auto size = std::filesystem::file_size(path, error);
-    if (!error) bytes.reserve(static_cast<std::size_t>(size));
+    if (!error) {
+        requireWithin(size, "");
+        bytes.reserve(static_cast<std::size_t>(size));
+    }
     char block[1 << 16];
-    while (file.read(block, sizeof block) || file.gcount() > 0)
+    while (file.read(block, sizeof block) || file.gcount() > 0) {
         bytes.insert(bytes.end(), block, block + file.gcount());
+        requireWithin(bytes.size(), "at least "); // a pipe says no size before
+    }
     if (file.bad())
         throw InputError("'" + path.string() + "' can't be read: " + std::strerror(errno) + ".");
     return bytes;

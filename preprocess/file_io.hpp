@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,8 +11,10 @@ namespace edgeshade {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Reads a whole regular file. Throws InputError naming the path if it can't.
-Bytes readFile(const std::filesystem::path& path);
+/// Reads a whole file of at most `mostBytes`. Throws InputError naming the path if it can't, before
+/// it takes memory where a file is larger.
+Bytes readFile(const std::filesystem::path& path,
+               std::uint64_t mostBytes = std::numeric_limits<std::uint64_t>::max());
 
 /// Writes `bytes` beside `path` and renames the result over it, so that a reader sees the old
 /// file or the new one and nothing in between. SIGINT and SIGTERM wait until that is done. Links

@@ -3,6 +3,7 @@
 #include "src/cli/bench_report.hpp"
 #include "src/cli/caster_variants.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/synthetic_report.hpp"
@@ -24,6 +25,7 @@ struct BenchOptions {
     std::optional<gl::Timing> timing;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
     int samples = 0;
     std::vector<std::string> against;
@@ -50,7 +52,7 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);
@@ -166,6 +168,7 @@ void addBenchCommand(CLI::App& program) {
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, verb] {
         resolve(options->settings);

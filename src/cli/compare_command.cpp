@@ -1,6 +1,7 @@
 #include "preprocess/error.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 
@@ -26,6 +27,7 @@ struct CompareOptions {
     int views = 16;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
     std::vector<std::string> against;
 };
@@ -88,7 +90,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     std::vector<DrawSettings> settings = {options.settings};
     for (const std::string& text : options.against)
         settings.push_back(settingsFrom(options.settings, text));
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     printWarnings(loaded.scene.warnings.sentences());
 
     lab::CompareTask task;
@@ -153,6 +155,7 @@ void addCompareCommand(CLI::App& program) {
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         resolve(options->settings);

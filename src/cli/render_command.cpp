@@ -3,6 +3,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/explanation.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/gl/headless_context.hpp"
@@ -20,6 +21,7 @@ struct RenderOptions {
     std::string report;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
     bool mask = false;
     bool explain = false;
@@ -62,7 +64,7 @@ void tintVolumes(const GpuScene& scene, const FrameView& view, const RenderSetti
 
 void render(const RenderOptions& options) {
     Stopwatch watch;
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     const auto& warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);
@@ -143,6 +145,7 @@ void addRenderCommand(CLI::App& program) {
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options] {
         resolve(options->settings);

@@ -1,5 +1,6 @@
 #include "preprocess/error.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 
 #include <memory>
@@ -39,6 +40,7 @@ struct TradeoffOptions {
     std::vector<std::string> against;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
 };
 
 #ifdef EDGESHADE_HAS_LAB
@@ -227,7 +229,7 @@ std::string limitsOf(const TradeoffOptions& options) {
 
 void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     std::vector<Row> rows = possibleRows(options, loaded, warnings);
     const bool demanding = options.budgetMs || options.maxWrongPercent;
@@ -326,6 +328,7 @@ void addTradeoffCommand(CLI::App& program) {
     addTimingOption(*verb, options->timing);
     addViewOptions(*verb, options->view);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         options->viewsTyped = views->count() > 0;

@@ -4,6 +4,7 @@
 
 #ifdef EDGESHADE_HAS_WINDOW
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/desktop/app.hpp"
@@ -22,6 +23,7 @@ struct WindowOptions {
     std::string screenshot;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
     int samples = 0;
 };
@@ -44,7 +46,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
 
 void view(const WindowOptions& options) {
     const auto load = [&](const std::filesystem::path& path) {
-        LoadedScene loaded = loadScene(path, options.casters.wanted());
+        LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits);
         printWarnings(loaded.scene.warnings.sentences());
         return loaded;
     };
@@ -92,6 +94,7 @@ void addViewCommand(CLI::App& program) {
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     verb->callback([options] {
         resolve(options->settings);
         view(*options);
