@@ -17,9 +17,9 @@ Bytes readFile(const std::filesystem::path& path,
                std::uint64_t mostBytes = std::numeric_limits<std::uint64_t>::max());
 
 /// Writes `bytes` beside `path` and renames the result over it, so that a reader sees the old
-/// file or the new one and nothing in between. SIGINT and SIGTERM wait until that is done. Links
-/// are followed; a device or a pipe is written into instead. Throws Error(output) naming the path,
-/// and leaves nothing behind, if it can't.
+/// file or the new one and nothing in between. SIGINT, SIGTERM, SIGHUP and SIGQUIT wait until that
+/// is done. Links are followed; a device or a pipe is written into instead. Throws Error(output)
+/// naming the path, and leaves nothing behind, if it can't.
 void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 /// The same for text.

@@ -1,8 +1,10 @@
 #include "src/image/decode.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/image/jpeg_checks.hpp"
 
 #include <bit>
+#include <limits>
 #include <memory>
 #include <stb_image.h>
 #include <stb_image_resize.h>
@@ -16,6 +18,12 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
     // a block of 64 pixels.
     constexpr std::uint64_t mostPixelsPerByte = 8 * 1032;
     constexpr std::uint64_t bytesPerPixel = 12; // decoded, as RGBA, and the copy that is returned
+    if (bytes.size() > std::numeric_limits<int>::max())
+        throw InputError(name + " has " + std::to_string(bytes.size()) +
+                         " bytes; at most 2147483647 are read.");
+    if (const auto codes = oversizedHuffmanTable(bytes))
+        throw InputError(name + " has a Huffman table of " + std::to_string(*codes) +
+                         " codes; there can't be more than 256.");
     const auto size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
