@@ -1,6 +1,7 @@
 #include "src/image/decode.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/image/allocation_bound.hpp"
 #include "src/image/jpeg_checks.hpp"
 
 #include <bit>
@@ -38,9 +39,16 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
         throw InputError(said + ", which can't come from " + std::to_string(bytes.size()) +
                          " bytes.");
     memory.take(pixelCount, bytesPerPixel, said + ", which");
+    // Twice its bytes; 16 bits a channel, twice; and some for what is small.
+    const AllocationBound bound(2 * bytes.size() + static_cast<std::size_t>(16 * pixelCount) +
+                                (std::size_t{1} << 20));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels) throw InputError(name + " can't be decoded: " + stbi_failure_reason() + ".");
+    const std::string reason = pixels ? "" : stbi_failure_reason();
+    if (!pixels)
+        throw InputError(name + " can't be decoded: " +
+                         (reason == "outofmem" ? "its data are larger than its pixels" : reason) +
+                         ".");
     const std::size_t size4 = std::size_t{4} * static_cast<std::size_t>(pixelCount);
     return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + size4)};
 }

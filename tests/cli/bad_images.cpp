@@ -36,6 +36,13 @@ Bytes pngOfSize(std::uint8_t high, std::uint8_t low = 0) {
     return png;
 }
 
+/// A PNG of 2x2 pixels whose data has this many times 16 MiB by its own account.
+Bytes pngOfClaimedData(std::uint8_t high) {
+    Bytes png = smallPng();
+    png[33] = high; // bits 24 to 31 of the length of IDAT
+    return png;
+}
+
 /// A JPEG that begins with `segments` and a table of 300 codes, and ends there.
 Bytes crowdedJpeg(const Bytes& segments = {}) {
     Bytes jpeg = {0xFF, 0xD8};
@@ -61,6 +68,7 @@ std::vector<BadInput> badImages() {
         embedded("ImageTooLarge", pngOfSize(1)),
         embedded("ImageFarTooLarge", pngOfSize(0x7F)),
         embedded("ImageOfMorePixelsThanItsBytesHold", pngOfSize(0, 0x3F)),
+        embedded("PngOfMoreDataThanItsBytes", pngOfClaimedData(0x30)),
         embedded("JpegOfTooManyHuffmanCodes", crowdedJpeg()),
         embedded("JpegCutOffInACrowdedTable", cutOff(crowdedJpeg(), 16)),
         embedded("JpegOfTooManyHuffmanCodesLater", crowdedJpeg({0xFF, 0xFE, 0, 4, 0xFF, 0xD9})),
