@@ -336,14 +336,14 @@ TEST(Bombs, ValuesOfAnimationsAreCounted) {
     Warnings warnings;
     EXPECT_TRUE(readAnimation(parseGltf(gltf.glb(), "test.glb"), warnings));
     expectInputError(
-        [&] { readAnimation(parseGltf(gltf.glb(), "test.glb", withMemory(2'000'000)), warnings); },
+        [&] { readAnimation(parseGltf(gltf.glb(), "test.glb", withMemory(3'000'000)), warnings); },
         {"animations[0].samplers[1].output", "1200000 bytes of memory"});
 }
 
 TEST(Bombs, ATinyWeldToleranceFarOutFillsNoCell) {
     // Compared each with each these would take hours.
     std::vector<glm::vec3> positions;
-    for (int i = 0; i < 1'000'000; ++i)
+    for (int i = 0; i < 200'000; ++i)
         positions.emplace_back(1e6f + static_cast<float>(i), -5.0f, static_cast<float>(i % 3));
     const std::vector<glm::vec3> before = positions;
     snapPositions(positions, 1e-300);
