@@ -44,7 +44,7 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
                                 (std::size_t{1} << 20));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-    const std::string reason = pixels ? "" : stbi_failure_reason();
+    const std::string reason = pixels ? "" : clauseOf(stbi_failure_reason());
     if (!pixels)
         throw InputError(name + " can't be decoded: " +
                          (reason == "outofmem" ? "its data are larger than its pixels" : reason) +
