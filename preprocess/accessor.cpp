@@ -172,6 +172,11 @@ const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
     return accessors[accessor];
 }
 
+std::uint64_t readBytesOf(const tinygltf::Accessor& accessor) {
+    return std::uint64_t{accessor.count} * sizeof(float) *
+           static_cast<unsigned>(std::max(componentsOf(accessor.type), 1));
+}
+
 FloatArray readFloats(const GltfDocument& document, int index, const std::string& field) {
     const tinygltf::Accessor& accessor = accessorAt(document, index, field);
     const std::string name = field + " (accessors[" + std::to_string(index) + "])";

@@ -50,7 +50,8 @@ std::optional<Keyframes>& keyframesOf(NodeMotion& motion, const std::string& pat
 /// through once, so that a small file can't ask for endless work.
 class AnimationReader {
   public:
-    explicit AnimationReader(const GltfDocument& document) : document_(document) {}
+    explicit AnimationReader(const GltfDocument& document)
+        : document_(document), memory_(document.memory) {}
 
     Animation read(std::size_t index) {
         const tinygltf::Animation& source = document_.model.animations[index];
@@ -109,7 +110,7 @@ class AnimationReader {
         Floats& times = times_[accessor];
         if (times) return times;
         requireKind(accessor, TINYGLTF_TYPE_SCALAR, false, "SCALAR floats", field);
-        const FloatArray array = readFloats(document_, accessor, field);
+        const FloatArray array = readCounted(accessor, field);
         requireFinite(document_, array, field);
         if (array.values.empty()) throw InputError(document_.where(field) + " has no elements.");
         if (array.values[0] < 0.0f)
@@ -131,7 +132,7 @@ class AnimationReader {
                         "VEC4 floats or normalized bytes or shorts", field);
         else
             requireKind(accessor, TINYGLTF_TYPE_VEC3, false, "VEC3 floats", field);
-        const FloatArray array = readFloats(document_, accessor, field);
+        const FloatArray array = readCounted(accessor, field);
         requireFinite(document_, array, field);
         if (isRotation) requireNoZeroQuaternion(array, isSpline, field);
         return values = std::make_shared<const std::vector<float>>(array.values);
@@ -167,7 +168,14 @@ class AnimationReader {
         }
     }
 
+    FloatArray readCounted(int accessor, const std::string& field) {
+        memory_.take(readBytesOf(accessorAt(document_, accessor, field)), 1,
+                     document_.where(field));
+        return readFloats(document_, accessor, field);
+    }
+
     const GltfDocument& document_;
+    MemoryBudget memory_;
     std::map<int, Floats> times_;
     std::map<std::tuple<int, bool, bool>, Floats> values_; ///< by accessor, is rotation, is spline
 };

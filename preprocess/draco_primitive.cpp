@@ -1,5 +1,6 @@
 #include "preprocess/draco_primitive.hpp"
 
+#include "preprocess/draco_claim.hpp"
 #include "preprocess/error.hpp"
 
 #include <draco/compression/decode.h>
@@ -19,6 +20,28 @@ std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::uint8_t> bytes,
         throw InputError(where +
                          " can't be decoded: " + clauseOf(mesh.status().error_msg_string()) + ".");
     return std::move(mesh).value();
+}
+
+/// Refuses a stream that would make the decoder take memory for what can't be in it.
+void requirePlausible(std::span<const std::uint8_t> bytes, const std::string& where,
+                      MemoryBudget& memory) {
+    // The most regular mesh, a flat grid of equal steps, has 162 triangles a byte at 256 x 256 and
+    // 306 at 512 x 512; that many more only at tens of millions.
+    constexpr std::uint64_t largestExpansion = 4096;
+    const auto claim = dracoClaim(bytes);
+    if (!claim) return;
+    const auto check = [&](std::uint64_t count, const char* things) {
+        if (count / largestExpansion > bytes.size())
+            throw InputError(where + " says that it holds " + std::to_string(count) + " " + things +
+                             ", which can't come from " + std::to_string(bytes.size()) + " bytes.");
+    };
+    check(claim->faces, "triangles");
+    check(claim->points, "vertices");
+    if (claim->faces > memory.limits().triangles)
+        throw InputError(where + " holds " + std::to_string(claim->faces) +
+                         " triangles, but the limit is " +
+                         std::to_string(memory.limits().triangles) + ".");
+    memory.take(claim->memoryBytes(), 1, where);
 }
 
 /// The normalised flag stands with the glTF accessor, not in the Draco stream.
@@ -72,7 +95,7 @@ FloatArray readAttribute(const draco::Mesh& mesh, const draco::PointAttribute& a
 
 std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
                                                  const tinygltf::Primitive& primitive,
-                                                 const std::string& field) {
+                                                 const std::string& field, MemoryBudget& memory) {
     const auto found = primitive.extensions.find(extensionName);
     if (found == primitive.extensions.end()) return std::nullopt;
     const tinygltf::Value& extension = found->second;
@@ -81,8 +104,9 @@ std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
         throw InputError(where + " is used with mode " + std::to_string(primitive.mode) +
                          "; only triangles and triangle strips can be compressed.");
 
-    const auto mesh =
-        decodeMesh(bufferViewBytes(document, extension.Get("bufferView").GetNumberAsInt()), where);
+    const auto bytes = bufferViewBytes(document, extension.Get("bufferView").GetNumberAsInt());
+    requirePlausible(bytes, where, memory);
+    const auto mesh = decodeMesh(bytes, where);
 
     DracoPrimitive decoded;
     const tinygltf::Value& ids = extension.Get("attributes");
@@ -94,6 +118,7 @@ std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
                              ", which the compressed mesh does not have.");
         const auto accessor = primitive.attributes.find(name);
         if (accessor == primitive.attributes.end()) continue;
+        memory.take(mesh->num_points(), 4 * sizeof(float), where + ".attributes." + name);
         decoded.attributes.emplace(
             name, readAttribute(*mesh, *attribute,
                                 accessorAt(document, accessor->second, field + "." + name),

@@ -15,9 +15,10 @@ struct DracoPrimitive {
 };
 
 /// Decodes the primitive if it carries the extension. `field` names it in messages. Safe on
-/// untrusted input as far as the Draco decoder is. Throws InputError.
+/// untrusted input as far as the Draco decoder is; takes no memory that the stream's size does not
+/// bear out or `memory` does not have. Throws InputError.
 std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
                                                  const tinygltf::Primitive& primitive,
-                                                 const std::string& field);
+                                                 const std::string& field, MemoryBudget& memory);
 
 } // namespace edgeshade

@@ -55,6 +55,10 @@ EncodedEdges encodeEdges(const EdgeList& edges) {
     return {encodeNumbers(vertices, 2), encodeNumbers(counts, 1), encodeNumbers(opposites, 1)};
 }
 
+std::size_t largestStream(std::size_t count, std::size_t perGroup) {
+    return meshopt_encodeVertexBufferBound(count, perGroup * sizeof(std::uint32_t));
+}
+
 DecodedEdges decodeEdges(const EncodedEdges& streams, std::size_t edgeCount,
                          std::size_t oppositeCount, std::size_t vertexCount) {
     const auto vertices = decodeNumbers(streams.vertices, edgeCount, 2);

@@ -22,6 +22,9 @@ struct EncodedEdges {
 
 EncodedEdges encodeEdges(const EdgeList& edges);
 
+/// Bytes of the largest stream of `count` groups of `perGroup` numbers: 2 for vertices, else 1.
+std::size_t largestStream(std::size_t count, std::size_t perGroup);
+
 /// The stream in which a fault is.
 enum class EdgeStream { vertices, counts, opposites };
 

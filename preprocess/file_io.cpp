@@ -2,34 +2,64 @@
 
 #include "preprocess/error.hpp"
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <mutex>
+#include <random>
 #include <string>
 #include <unistd.h>
 
 namespace edgeshade {
 namespace {
 
-/// Holds SIGINT and SIGTERM back for its lifetime.
+/// Signals that end a program unless it says otherwise, and that people and systems send.
+constexpr std::array heldSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+
+/// Which of them came while they were held. A handler has no other place to leave that.
+volatile std::sig_atomic_t arrived[heldSignals.size()];
+
+extern "C" void noteSignal(int signal) {
+    for (std::size_t i = 0; i < heldSignals.size(); ++i)
+        if (heldSignals[i] == signal) arrived[i] = 1;
+}
+
+/// Holds these signals back for its lifetime, whichever thread they reach; blocking them in this
+/// one would leave them to the others. Only one at a time.
 class SignalsHeld {
   public:
-    SignalsHeld() {
-        sigset_t held;
-        sigemptyset(&held);
-        sigaddset(&held, SIGINT);
-        sigaddset(&held, SIGTERM);
-        sigprocmask(SIG_BLOCK, &held, &before_);
+    SignalsHeld() : only_(mutex()) {
+        struct sigaction note = {};
+        note.sa_handler = noteSignal;
+        note.sa_flags = SA_RESTART;
+        sigemptyset(&note.sa_mask);
+        for (std::size_t i = 0; i < heldSignals.size(); ++i) {
+            arrived[i] = 0;
+            ::sigaction(heldSignals[i], nullptr, &before_[i]);
+            if (before_[i].sa_handler != SIG_IGN) ::sigaction(heldSignals[i], &note, nullptr);
+        }
     }
-    ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+    ~SignalsHeld() {
+        for (std::size_t i = 0; i < heldSignals.size(); ++i)
+            ::sigaction(heldSignals[i], &before_[i], nullptr);
+        for (std::size_t i = 0; i < heldSignals.size(); ++i)
+            if (arrived[i]) std::raise(heldSignals[i]);
+    }
     SignalsHeld(const SignalsHeld&) = delete;
     SignalsHeld& operator=(const SignalsHeld&) = delete;
 
   private:
-    sigset_t before_;
+    static std::mutex& mutex() {
+        static std::mutex one;
+        return one;
+    }
+
+    std::lock_guard<std::mutex> only_;
+    std::array<struct sigaction, heldSignals.size()> before_;
 };
 
 [[noreturn]] void failWrite(const std::filesystem::path& path, int error) {
@@ -69,18 +99,31 @@ int writeInto(const std::filesystem::path& path, std::span<const std::uint8_t> b
     return ::close(descriptor) != 0 && failure == 0 ? errno : failure;
 }
 
+/// A name beside `path` that no other process has, on this machine or another that shares the
+/// folder. It is not made from `path`'s: that could be longer than names may be.
+std::filesystem::path nameBeside(const std::filesystem::path& path) {
+    std::random_device random;
+    char name[40];
+    std::snprintf(name, sizeof name, ".edgeshade-%08x%08x.part", random(), random());
+    return path.parent_path() / name;
+}
+
+/// Writes all to the disk itself, so that a full one shows before the old file is gone. Returns 0
+/// or the errno of what failed.
+int flushToDisk(int descriptor) {
+    const bool unable = ::fsync(descriptor) != 0;
+    return unable && errno != EINVAL && errno != ENOTSUP ? errno : 0; // some systems have no fsync
+}
+
 /// Writes a new file beside `path` and renames it. Returns 0 or the errno of what failed.
 int replaceFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    // A name of its own: one made from `path` could be longer than names may be.
-    const std::filesystem::path part =
-        path.parent_path() / (".edgeshade-" + std::to_string(::getpid()) + ".part");
-
     const SignalsHeld held;
-    ::unlink(part.c_str()); // one that a killed process left; never a link to write through
+    const std::filesystem::path part = nameBeside(path);
     const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
                                   S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH);
     if (descriptor < 0) return errno;
     int failure = writeAll(descriptor, bytes);
+    if (failure == 0) failure = flushToDisk(descriptor);
     if (::close(descriptor) != 0 && failure == 0) failure = errno;
     if (failure == 0 && ::rename(part.c_str(), path.c_str()) != 0) failure = errno;
     if (failure != 0) ::unlink(part.c_str());
@@ -89,7 +132,7 @@ int replaceFile(const std::filesystem::path& path, std::span<const std::uint8_t>
 
 } // namespace
 
-Bytes readFile(const std::filesystem::path& path) {
+Bytes readFile(const std::filesystem::path& path, std::uint64_t mostBytes) {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
         throw InputError("'" + path.string() + "' does not exist.");
@@ -99,12 +142,23 @@ Bytes readFile(const std::filesystem::path& path) {
     if (!file)
         throw InputError("'" + path.string() + "' can't be opened: " + std::strerror(errno) + ".");
 
+    const auto requireWithin = [&](std::uint64_t size, const char* about) {
+        if (size > mostBytes)
+            throw InputError("'" + path.string() + "' has " + about + std::to_string(size) +
+                             " bytes, but the limit of a file is " + std::to_string(mostBytes) +
+                             ".");
+    };
     Bytes bytes;
     const auto size = std::filesystem::file_size(path, error);
-    if (!error) bytes.reserve(static_cast<std::size_t>(size));
+    if (!error) {
+        requireWithin(size, "");
+        bytes.reserve(static_cast<std::size_t>(size));
+    }
     char block[1 << 16];
-    while (file.read(block, sizeof block) || file.gcount() > 0)
+    while (file.read(block, sizeof block) || file.gcount() > 0) {
         bytes.insert(bytes.end(), block, block + file.gcount());
+        requireWithin(bytes.size(), "at least "); // a pipe says no size before
+    }
     if (file.bad())
         throw InputError("'" + path.string() + "' can't be read: " + std::strerror(errno) + ".");
     return bytes;

@@ -42,8 +42,39 @@ std::size_t materialOf(const GltfDocument& document, const Primitive& primitive,
     return static_cast<std::size_t>(primitive.material);
 }
 
+/// Counts what pieces become in batches, so that a mesh of many nodes is refused before it is
+/// repeated.
+class PieceCounter {
+  public:
+    PieceCounter(const GltfDocument& document, MemoryBudget& memory)
+        : document_(document), memory_(memory) {}
+
+    void count(const Primitive& primitive, int node) {
+        const std::uint64_t most = memory_.limits().triangles;
+        triangles_ += primitive.indices.size() / 3;
+        const std::string field = document_.where("nodes[" + std::to_string(node) + "]");
+        if (triangles_ > most)
+            throw InputError(field + " brings the scene to " + std::to_string(triangles_) +
+                             " triangles, but the limit is " + std::to_string(most) + ".");
+        const std::size_t vertices =
+            primitive.normals.empty() ? primitive.indices.size() : primitive.positions.size();
+        constexpr std::size_t bytesPerVertex =
+            2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4);
+        memory_.take(vertices, bytesPerVertex, field);
+        memory_.take(primitive.indices.size(), sizeof(std::uint32_t), field);
+    }
+
+  private:
+    const GltfDocument& document_;
+    MemoryBudget& memory_;
+    std::uint64_t triangles_ = 0;
+};
+
 PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk, Scene& scene) {
+    MemoryBudget memory = document.memory;
+    PieceCounter counter(document, memory);
     PiecesByMover pieces;
+    std::map<int, std::shared_ptr<const std::vector<glm::dmat4>>> skins;
     std::map<std::pair<int, std::vector<double>>, std::vector<std::shared_ptr<Primitive>>> read;
     for (const MeshNode& visit : walk.meshNodes) {
         const tinygltf::Node& node = document.model.nodes[visit.node];
@@ -58,19 +89,23 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk, S
             const int material = sources[p].material;
             const bool known =
                 material >= 0 && static_cast<std::size_t>(material) < scene.materials.size();
-            primitives.push_back(std::make_shared<Primitive>(
-                readPrimitive(document, static_cast<std::size_t>(node.mesh), p, weights,
-                              known ? scene.materials[material].texcoordSet : 0, scene.warnings)));
+            primitives.push_back(std::make_shared<Primitive>(readPrimitive(
+                document, static_cast<std::size_t>(node.mesh), p, weights,
+                known ? scene.materials[material].texcoordSet : 0, scene.warnings, memory)));
         }
 
-        std::shared_ptr<std::vector<glm::dmat4>> skin;
+        std::shared_ptr<const std::vector<glm::dmat4>> skin;
         if (node.skin >= 0) {
             scene.warnings.add("Skinned meshes are taken at their rest pose.");
-            skin = std::make_shared<std::vector<glm::dmat4>>(
-                skinMatrices(document, node.skin, walk.worldFromNode));
+            auto& known = skins[node.skin];
+            if (!known)
+                known = std::make_shared<const std::vector<glm::dmat4>>(
+                    skinMatrices(document, node.skin, walk.worldFromNode, memory));
+            skin = known;
         }
         for (const auto& primitive : primitives) {
             if (primitive->indices.empty()) continue;
+            counter.count(*primitive, visit.node);
             const bool skinned = skin && !primitive->joints.empty();
             // A skin's joints place it in the world; its own node's transform does not count.
             pieces[skinned ? -1 : visit.mover].push_back(

@@ -10,7 +10,8 @@ namespace edgeshade {
 /// outside outside. Skins and morphs are taken at rest.
 ///
 /// `weldTolerance` (scene units, >= 0) moves vertices closer than that onto each other; 0 changes
-/// nothing. Safe on untrusted input. Throws InputError.
+/// nothing. Safe on untrusted input. Throws InputError, also for what passes the limits that the
+/// document was read with.
 Scene flattenScene(const GltfDocument& document, double weldTolerance);
 
 } // namespace edgeshade

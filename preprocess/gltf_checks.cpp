@@ -16,19 +16,43 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t deepestNesting = 500; // far more than glTF needs, far less than a stack holds
 
-/// How deep brackets and braces outside of strings are nested.
-std::size_t nestingOf(std::string_view text) {
-    std::size_t depth = 0, deepest = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+/// Members of one object. Objects keep their order and are searched one by one, so that many would
+/// take the square of their number; no field of glTF needs more than a few.
+constexpr std::size_t mostMembers = 1000;
+
+/// Bytes that a JSON value takes in all forms that it gets, its text aside.
+constexpr std::size_t bytesPerValue = 256;
+
+/// What of JSON text can be told before it is parsed.
+struct JsonShape {
+    std::size_t depth = 0;   ///< how deep brackets and braces outside of strings are nested
+    std::size_t members = 0; ///< of the object that has most
+    std::size_t values = 1;
+};
+
+JsonShape shapeOf(std::string_view text) {
+    JsonShape shape;
+    std::size_t depth = 0;
+    std::array<std::size_t, deepestNesting + 1> members{}; // of the object at that depth
+    for (std::size_t i = 0; i < text.size() && shape.depth <= deepestNesting; ++i) {
         const char c = text[i];
-        if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
-        if ((c == ']' || c == '}') && depth > 0) --depth;
-        if (c != '"') continue;
-        for (i = text.find_first_of("\"\\", i + 1); i < text.size() && text[i] == '\\';)
-            i = text.find_first_of("\"\\", i + 2);
-        if (i >= text.size()) break;
+        if (c == '[' || c == '{') {
+            shape.depth = std::max(shape.depth, ++depth);
+            ++shape.values;
+            if (depth <= deepestNesting) members[depth] = 0;
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        } else if (c == ',') {
+            ++shape.values;
+        } else if (c == ':') {
+            shape.members = std::max(shape.members, ++members[depth]);
+        } else if (c == '"') {
+            for (i = text.find_first_of("\"\\", i + 1); i < text.size() && text[i] == '\\';)
+                i = text.find_first_of("\"\\", i + 2);
+            if (i >= text.size()) break;
+        }
     }
-    return deepest;
+    return shape;
 }
 
 /// "2.1" as (2, 1).
@@ -349,11 +373,17 @@ void checkSections(const JsonField& root) {
 
 } // namespace
 
-nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::path& path) {
+nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::path& path,
+                                 MemoryBudget& memory) {
     const std::string file = "'" + path.string() + "'";
-    if (nestingOf(text) > deepestNesting)
+    const JsonShape shape = shapeOf(text);
+    if (shape.depth > deepestNesting)
         throw InputError(file + " nests its JSON more than " + std::to_string(deepestNesting) +
                          " levels deep.");
+    if (shape.members > mostMembers)
+        throw InputError(file + " has a JSON object of " + std::to_string(shape.members) +
+                         " members; at most " + std::to_string(mostMembers) + " are read.");
+    memory.take(text.size() + bytesPerValue * shape.values, 1, file + ": its JSON");
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
@@ -368,6 +398,22 @@ void requireSoundGltf(const nlohmann::ordered_json& json, const std::filesystem:
     checkAsset(root.member("asset"));
     checkExtensions(root);
     checkSections(root);
+}
+
+void requireWithinLimits(const nlohmann::ordered_json& json, const std::filesystem::path& path,
+                         MemoryBudget& memory) {
+    constexpr std::size_t bytesPerItem = 2048; // a typed material has 1,500
+    const JsonField root(path, json);
+    root.ifPresent("nodes", [&](const JsonField& nodes) {
+        if (nodes.size() > memory.limits().nodes)
+            nodes.fail(" has " + std::to_string(nodes.size()) +
+                       " items, but the limit of nodes is " +
+                       std::to_string(memory.limits().nodes));
+    });
+    root.forEachMember([&](const JsonField& section) {
+        if (section.value().is_array())
+            memory.take(section.size(), bytesPerItem, "'" + path.string() + "': " + section.name());
+    });
 }
 
 } // namespace edgeshade

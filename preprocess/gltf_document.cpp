@@ -7,7 +7,9 @@
 #include "preprocess/meshopt_view.hpp"
 #include "preprocess/tinygltf_model.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <string_view>
 
 namespace edgeshade {
 namespace {
@@ -32,24 +34,41 @@ std::string percentDecoded(const std::string& uri) {
     return decoded;
 }
 
-/// Where `uri` lies, if that is inside the asset's folder.
+/// Whether the decoded uri says a place in its folder or below: no root, no way up, and no
+/// character that means more than a name on some system.
+bool namesPlaceInside(const std::string& decoded) {
+    constexpr std::string_view special("\\:\0", 3);
+    const std::filesystem::path relative = decoded;
+    return !decoded.empty() && relative.is_relative() &&
+           decoded.find_first_of(special) == std::string::npos &&
+           std::find(relative.begin(), relative.end(), "..") == relative.end();
+}
+
+/// Where `uri` lies, links followed, if that is inside the asset's folder.
 std::filesystem::path pathOfUri(const GltfDocument& document, const std::string& field,
                                 const std::string& uri) {
-    const std::filesystem::path relative = percentDecoded(uri);
-    bool inside = !uri.empty() && relative.is_relative() && uri.find(':') == std::string::npos &&
-                  uri.find('\\') == std::string::npos &&
-                  relative.string().find('\0') == std::string::npos;
-    for (const auto& part : relative)
-        if (part == "..") inside = false;
-    if (!inside)
-        throw InputError(document.where(field) + " is '" + uri.substr(0, 80) +
-                         "', but only files in the asset's own folder and data URIs are read.");
-    return document.path.parent_path() / relative;
+    const std::string said = document.where(field) + " is '" + uri.substr(0, 80) + "', but ";
+    const std::string decoded = percentDecoded(uri);
+    if (!namesPlaceInside(decoded))
+        throw InputError(said + "only files in the asset's own folder and data URIs are read.");
+    const std::filesystem::path path = document.path.parent_path() / decoded;
+    std::error_code missing;
+    const auto file = std::filesystem::canonical(path, missing);
+    if (missing) return path; // reading it says what is wrong
+    const auto folder = std::filesystem::canonical(
+        path.parent_path().empty() ? std::filesystem::path(".") : document.path.parent_path() / ".",
+        missing);
+    if (missing || *file.lexically_relative(folder).begin() == "..")
+        throw InputError(said + "that is a link out of the asset's own folder.");
+    if (!std::filesystem::is_directory(file) && !std::filesystem::is_regular_file(file))
+        throw InputError(said + "that is no regular file.");
+    return file;
 }
 
 /// The bytes behind a data URI or a file name.
 Bytes resolveUri(const GltfDocument& document, const std::string& field, const std::string& uri) {
-    if (!uri.starts_with("data:")) return readFile(pathOfUri(document, field, uri));
+    if (!uri.starts_with("data:"))
+        return readFile(pathOfUri(document, field, uri), document.memory.limits().fileBytes);
     Bytes bytes;
     std::string mimeType;
     if (!tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))
@@ -79,22 +98,26 @@ void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
         if (bytes.size() < length)
             throw InputError(document.where(field) + ".byteLength is " + std::to_string(length) +
                              ", but there are " + std::to_string(bytes.size()) + " bytes.");
+        document.memory.take(bytes.size(), 1, document.where(field));
         bytes.resize(static_cast<std::size_t>(length));
         document.buffers.push_back(std::move(bytes));
     }
 }
 
-GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
+GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                          const ReadingLimits& limits) {
     GltfDocument document;
     document.path = path;
+    document.memory = MemoryBudget(limits);
     if (bytes.empty()) throw InputError("'" + path.string() + "' is empty.");
     GlbChunks chunks;
     if (isGlb(bytes))
         chunks = splitGlb(bytes, path);
     else
         chunks.json.assign(bytes.begin(), bytes.end());
-    document.json = parseJson(chunks.json, path);
+    document.json = parseJson(chunks.json, path, document.memory);
     requireSoundGltf(document.json, path);
+    requireWithinLimits(document.json, path, document.memory);
     document.model = typedModel(document.json, path);
     resolveBuffers(document, std::move(chunks.binary));
     document.decodedViews.resize(document.model.bufferViews.size());
@@ -104,12 +127,13 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
 
 } // namespace
 
-GltfDocument readGltf(const std::filesystem::path& path) {
-    return parseGltf(readFile(path), path);
+GltfDocument readGltf(const std::filesystem::path& path, const ReadingLimits& limits) {
+    return parseGltf(readFile(path, limits.fileBytes), path, limits);
 }
 
-GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path) {
-    return withJsonErrors(path, [&] { return parseChecked(bytes, path); });
+GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                       const ReadingLimits& limits) {
+    return withJsonErrors(path, [&] { return parseChecked(bytes, path, limits); });
 }
 
 std::span<const std::uint8_t> bufferViewBytes(const GltfDocument& document, int view) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/file_io.hpp"
+#include "preprocess/limits.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@ struct GltfDocument {
     tinygltf::Model model;       ///< the same, typed
     std::vector<Bytes> buffers;  ///< one a glTF buffer; empty for meshopt fallbacks
     std::vector<std::optional<Bytes>> decodedViews; ///< EXT_meshopt_compression views, decoded
+    MemoryBudget memory; ///< what parsing took; whoever makes more of it goes on with a copy
 
     /// An error message's start: the file's name and the field.
     std::string where(const std::string& field) const {
@@ -30,11 +32,13 @@ struct GltfDocument {
 };
 
 /// Reads a .gltf with its files or a .glb. External files are taken from the asset's own folder
-/// (or below it) alone. Safe on untrusted input. Throws InputError.
-GltfDocument readGltf(const std::filesystem::path& path);
+/// (or below it) alone, links that lead out of it not followed. Safe on untrusted input. Throws
+/// InputError.
+GltfDocument readGltf(const std::filesystem::path& path, const ReadingLimits& limits = {});
 
 /// The same from bytes; `path` gives the folder of external files and the name in messages.
-GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
+GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesystem::path& path,
+                       const ReadingLimits& limits = {});
 
 /// The bytes of a buffer view, decoded if it was compressed. Throws InputError if the index or the
 /// range is invalid.

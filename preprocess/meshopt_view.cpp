@@ -107,13 +107,16 @@ void applyFilter(const CompressedView& view, Bytes& decoded) {
 }
 
 /// The bytes of the view, if it is compressed.
-std::optional<Bytes> decodedView(const GltfDocument& document, const JsonField& viewField) {
+std::optional<Bytes> decodedView(GltfDocument& document, const JsonField& viewField) {
     const auto extensions = viewField.find("extensions");
     const auto extension = extensions ? extensions->find(extensionName) : std::nullopt;
     if (!extension) return std::nullopt;
     const CompressedView view = readFields(document, *extension);
     requireSupported(view, *extension);
     requirePlausible(view, viewField.member("byteLength").wholeNumber(), *extension);
+    document.memory.take(view.count, view.stride,
+                         document.where(extension->name()) + ".count is " +
+                             std::to_string(view.count) + ", which");
     Bytes decoded(view.count * view.stride);
     if (!decodeMode(view, decoded)) extension->fail(" holds data that can't be decoded");
     applyFilter(view, decoded);

@@ -55,6 +55,7 @@ void requireAllReached(const GltfDocument& document, const std::vector<bool>& re
 struct Visit {
     int node;
     int mover;
+    std::uint64_t depth; ///< 1: a root
     glm::dmat4 moverFromParent;
     glm::dmat4 worldFromParent;
 };
@@ -68,12 +69,13 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
     walk.worldFromNode.assign(nodes.size(), glm::dmat4(1.0));
     std::vector<bool> reached(nodes.size(), false);
     std::vector<Visit> open;
-    const auto openAll = [&open](const std::vector<int>& children, int mover,
+    const auto openAll = [&open](const std::vector<int>& children, int mover, std::uint64_t depth,
                                  const glm::dmat4& moverFrom, const glm::dmat4& worldFrom) {
         for (auto child = children.rbegin(); child != children.rend(); ++child)
-            open.push_back({*child, mover, moverFrom, worldFrom});
+            open.push_back({*child, mover, depth, moverFrom, worldFrom});
     };
-    openAll(rootNodes(document), -1, glm::dmat4(1.0), glm::dmat4(1.0));
+    const std::uint64_t deepest = document.memory.limits().nodeDepth;
+    openAll(rootNodes(document), -1, 1, glm::dmat4(1.0), glm::dmat4(1.0));
     while (!open.empty()) {
         const Visit visit = open.back();
         open.pop_back();
@@ -84,6 +86,10 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
         if (reached[visit.node])
             throw InputError(document.where(field) +
                              " is reached twice; the nodes must be a tree.");
+        if (visit.depth > deepest)
+            throw InputError(document.where(field) + " lies on level " +
+                             std::to_string(visit.depth) + " of the nodes, but the limit is " +
+                             std::to_string(deepest) + ".");
         reached[visit.node] = true;
 
         const tinygltf::Node& node = nodes[visit.node];
@@ -105,7 +111,7 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
             }
         }
         if (node.mesh >= 0) walk.meshNodes.push_back({visit.node, mover, moverFromNode});
-        openAll(node.children, mover, moverFromNode, worldFromNode);
+        openAll(node.children, mover, visit.depth + 1, moverFromNode, worldFromNode);
     }
     requireAllReached(document, reached);
     return walk;

@@ -23,7 +23,8 @@ struct NodeWalk {
 };
 
 /// Walks the default scene (the first if none is named; all roots if there are no scenes). Throws
-/// InputError for a missing node, a node reached twice, or a transform that is not finite.
+/// InputError for a missing node, a node reached twice or too deep, or a transform that is not
+/// finite.
 NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings);
 
 } // namespace edgeshade

@@ -6,6 +6,8 @@
 #include "preprocess/stopwatch.hpp"
 #include "shaders_es2/record_layout.glsl"
 
+#include <limits>
+
 namespace edgeshade {
 
 nlohmann::ordered_json toJson(const PackReport& report) {
@@ -57,9 +59,10 @@ nlohmann::ordered_json toJson(const PackReport& report) {
     };
 }
 
-PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings) {
+PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings,
+                         const ReadingLimits& limits) {
     Stopwatch watch;
-    GltfDocument document = readGltf(path);
+    GltfDocument document = readGltf(path, limits);
     const double readSeconds = watch.lap();
     PackInput input = readForPacking(std::move(document), settings, false);
     input.report.readSeconds += readSeconds;
@@ -104,7 +107,9 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
 Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings) {
     Stopwatch watch;
     Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding, settings);
-    const GltfDocument packed = parseGltf(bytes, input.document.path);
+    ReadingLimits none = input.document.memory.limits(); // of bytes made here
+    none.memoryBytes = std::numeric_limits<std::uint64_t>::max();
+    const GltfDocument packed = parseGltf(bytes, input.document.path, none);
     input.report.storedBytes = storedShadowBytes(packed);
     input.report.fileBytes = bytes.size();
     input.report.build.pack = watch.lap();

@@ -34,7 +34,8 @@ struct PackInput {
 };
 
 /// read -> flatten -> simplify -> weld -> edges -> count. Throws InputError.
-PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings);
+PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings,
+                         const ReadingLimits& limits = {});
 
 /// The same of a file that was read already; reading is not in its times. `useStored`: simplified
 /// casters of a file that was packed with these settings are taken as they are.

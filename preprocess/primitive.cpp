@@ -14,9 +14,9 @@ namespace {
 class AttributeReader {
   public:
     AttributeReader(const GltfDocument& document, const tinygltf::Primitive& primitive,
-                    std::string field)
-        : document_(document), primitive_(primitive), field_(std::move(field)),
-          draco_(readDracoPrimitive(document, primitive, field_)) {}
+                    std::string field, MemoryBudget& memory)
+        : document_(document), primitive_(primitive), field_(std::move(field)), memory_(memory),
+          draco_(readDracoPrimitive(document, primitive, field_, memory)) {}
 
     bool has(const std::string& name) const { return primitive_.attributes.contains(name); }
 
@@ -29,6 +29,7 @@ class AttributeReader {
     /// number), all finite.
     FloatArray read(const std::string& name, int least, int most, std::size_t count) const {
         const bool compressed = draco_ && draco_->attributes.contains(name);
+        if (!compressed) take(primitive_.attributes.at(name), "attributes." + name);
         FloatArray array = compressed ? draco_->attributes.at(name)
                                       : readFloats(document_, primitive_.attributes.at(name),
                                                    field_ + ".attributes." + name);
@@ -53,8 +54,10 @@ class AttributeReader {
         if (draco_) return draco_->indices;
         std::vector<std::uint32_t> indices;
         if (primitive_.indices >= 0) {
+            take(primitive_.indices, "indices");
             indices = readIndices(document_, primitive_.indices, field_ + ".indices");
         } else {
+            memory_.take(vertexCount, sizeof(std::uint32_t), document_.where(field_));
             indices.resize(vertexCount);
             std::iota(indices.begin(), indices.end(), 0u);
         }
@@ -64,9 +67,15 @@ class AttributeReader {
     bool isTriangleListAlready() const { return draco_.has_value(); }
 
   private:
+    void take(int accessor, const std::string& name) const {
+        memory_.take(readBytesOf(accessorAt(document_, accessor, field_ + "." + name)), 1,
+                     document_.where(field_ + "." + name));
+    }
+
     const GltfDocument& document_;
     const tinygltf::Primitive& primitive_;
     std::string field_;
+    MemoryBudget& memory_;
     std::optional<DracoPrimitive> draco_;
 };
 
@@ -99,11 +108,14 @@ std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> sequence, i
 /// Adds weight * delta of every target that has the attribute (glTF 2.0, 3.7.2.2).
 void blendMorphTargets(const GltfDocument& document, const tinygltf::Primitive& primitive,
                        const std::string& field, const std::string& name,
-                       const std::vector<double>& weights, std::vector<glm::vec3>& values) {
+                       const std::vector<double>& weights, std::vector<glm::vec3>& values,
+                       MemoryBudget& memory) {
     for (std::size_t t = 0; t < primitive.targets.size() && t < weights.size(); ++t) {
         const auto target = primitive.targets[t].find(name);
         if (target == primitive.targets[t].end() || weights[t] == 0.0) continue;
         const std::string targetField = field + ".targets[" + std::to_string(t) + "]." + name;
+        memory.take(readBytesOf(accessorAt(document, target->second, targetField)), 1,
+                    document.where(targetField));
         const FloatArray deltas = readFloats(document, target->second, targetField);
         if (deltas.components != 3 || deltas.count() != values.size())
             throw InputError(document.where(targetField) + " does not match POSITION.");
@@ -122,7 +134,7 @@ bool isTriangleMode(int mode) {
 
 Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::size_t primitiveIndex,
                         const std::vector<double>& morphWeights, int texcoordSet,
-                        Warnings& warnings) {
+                        Warnings& warnings, MemoryBudget& memory) {
     const tinygltf::Primitive& source = document.model.meshes[mesh].primitives[primitiveIndex];
     const std::string field =
         "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(primitiveIndex) + "]";
@@ -138,7 +150,7 @@ Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::siz
         return primitive;
     }
 
-    const AttributeReader reader(document, source, field);
+    const AttributeReader reader(document, source, field, memory);
     const FloatArray positions = reader.read("POSITION", 3, 0);
     primitive.positions = asVectors<3>(positions);
     const std::size_t count = primitive.positions.size();
@@ -159,8 +171,10 @@ Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::siz
     }
     if (!source.targets.empty()) {
         warnings.add("Morph targets are taken at their default weights.");
-        blendMorphTargets(document, source, field, "POSITION", morphWeights, primitive.positions);
-        blendMorphTargets(document, source, field, "NORMAL", morphWeights, primitive.normals);
+        blendMorphTargets(document, source, field, "POSITION", morphWeights, primitive.positions,
+                          memory);
+        blendMorphTargets(document, source, field, "NORMAL", morphWeights, primitive.normals,
+                          memory);
     }
 
     primitive.indices = reader.readIndexSequence(count);

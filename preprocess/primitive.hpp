@@ -23,10 +23,10 @@ struct Primitive {
 
 /// Reads a primitive: accessors or KHR_draco_mesh_compression, triangles, strips or fans, morph
 /// targets blended with `morphWeights`. Points and lines give an empty primitive and a warning.
-/// `texcoordSet` picks TEXCOORD_n. Safe on untrusted input. Throws InputError, also for values that
-/// are NaN or infinite, naming the accessor.
+/// `texcoordSet` picks TEXCOORD_n; `memory` counts what is read. Safe on untrusted input. Throws
+/// InputError, also for values that are NaN or infinite, naming the accessor.
 Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::size_t primitive,
                         const std::vector<double>& morphWeights, int texcoordSet,
-                        Warnings& warnings);
+                        Warnings& warnings, MemoryBudget& memory);
 
 } // namespace edgeshade

@@ -40,10 +40,16 @@ class BatchReader {
                  std::to_string(node) + ". Pack the file again");
     }
 
-    std::vector<std::uint32_t> readSimplified(std::size_t vertexCount) const {
+    /// `mostTriangles`: as many as there are to simplify.
+    std::vector<std::uint32_t> readSimplified(std::size_t vertexCount,
+                                              std::size_t mostTriangles) const {
         if (!batch_.contains("simplifiedTriangles")) fail(".simplifiedTriangles is missing");
         const auto triangles = batch_["simplifiedTriangles"].get<std::size_t>();
         if (triangles == 0) return {};
+        if (triangles > mostTriangles)
+            fail(".simplifiedTriangles is " + std::to_string(triangles) +
+                 ", but there are no more than " + std::to_string(mostTriangles) + " to simplify");
+        requireAtMost("simplifiedCasters", 3 * mostTriangles);
         std::vector<std::uint32_t> corners = integers("simplifiedCasters");
         if (corners.size() % 3 != 0 || corners.size() / 3 != triangles)
             fail(".simplifiedCasters holds " + std::to_string(corners.size()) +
@@ -61,6 +67,9 @@ class BatchReader {
         shadow.groups = mesh.groups;
         shadow.sides.maxMultiplicity = maxMultiplicity;
         if (capCount == 0) return shadow;
+        // An edge has as many records as triangles at most, and a triangle has three edges.
+        requireAtMost("sides", 3 * capCount * shadow.sides.vectorsPerRecord());
+        requireAtMost("caps", capCount * CapsData::vectorsPerRecord);
         shadow.sides.records = vectors("sides");
         shadow.caps.records = vectors("caps");
         if (shadow.sides.records.size() % shadow.sides.vectorsPerRecord() != 0)
@@ -82,6 +91,9 @@ class BatchReader {
         if (edgeCount < 1 || edgeCount > opposites)
             fail(".edgeCount is " + std::to_string(edgeCount) + ", but there are " +
                  std::to_string(mesh.triangles.size()) + " casting triangles");
+        requireAtMost("edgeVertices", largestStream(edgeCount, 2));
+        requireAtMost("oppositeCounts", largestStream(edgeCount, 1));
+        requireAtMost("oppositeVertices", largestStream(opposites, 1));
         DecodedEdges decoded =
             decodeEdges({bytes("edgeVertices"), bytes("oppositeCounts"), bytes("oppositeVertices")},
                         edgeCount, opposites, mesh.positions.size());
@@ -101,6 +113,14 @@ class BatchReader {
         if (!batch_.contains(key) || !batch_[key].is_number_integer())
             fail(std::string(".") + key + " is missing");
         return batch_[key].get<int>();
+    }
+
+    /// Refuses an accessor of more elements before they are read.
+    void requireAtMost(const char* key, std::size_t most) const {
+        const std::size_t count = accessorAt(document_, accessorOf(key), field_ + "." + key).count;
+        if (count > most)
+            fail("." + std::string(key) + " has " + std::to_string(count) +
+                 " elements, but at most " + std::to_string(most) + " can be of use");
     }
 
     std::vector<glm::vec4> vectors(const char* key) const {
@@ -167,7 +187,8 @@ void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene
         reader.requireHash(positionsHash(
             batch, castingSurfacesOf(batch, scene.materials, header.settings.castMasked)));
         if (header.settings.casterError > 0.0)
-            batch.simplifiedCasters = reader.readSimplified(batch.positions.size());
+            batch.simplifiedCasters =
+                reader.readSimplified(batch.positions.size(), batch.indices.size() / 3);
     }
 }
 

@@ -6,13 +6,18 @@
 namespace edgeshade {
 
 std::vector<glm::dmat4> skinMatrices(const GltfDocument& document, int skin,
-                                     const std::vector<glm::dmat4>& worldFromNode) {
+                                     const std::vector<glm::dmat4>& worldFromNode,
+                                     MemoryBudget& memory) {
     const std::string field = "skins[" + std::to_string(skin) + "]";
     if (skin < 0 || static_cast<std::size_t>(skin) >= document.model.skins.size())
         throw InputError(document.where(field) + " does not exist.");
     const tinygltf::Skin& source = document.model.skins[skin];
     FloatArray inverseBind;
+    memory.take(source.joints.size(), sizeof(glm::dmat4), document.where(field));
     if (source.inverseBindMatrices >= 0) {
+        const std::string bindField = field + ".inverseBindMatrices";
+        memory.take(readBytesOf(accessorAt(document, source.inverseBindMatrices, bindField)), 1,
+                    document.where(bindField));
         inverseBind =
             readFloats(document, source.inverseBindMatrices, field + ".inverseBindMatrices");
         if (inverseBind.components != 16 || inverseBind.count() < source.joints.size())

@@ -29,11 +29,12 @@ void replaceBuffers(Json& buffers) {
 /// It wants a view behind every index accessor, which KHR_draco_mesh_compression does not have.
 void addViews(Json& json, std::vector<std::size_t>& standIns) {
     Json none = Json::array();
+    // Before the accessors are looked up: a new member moves all others of its object.
+    if (json.contains("accessors") && itemsOf(json, "bufferViews", none).empty())
+        json["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
     Json& accessors = itemsOf(json, "accessors", none);
     for (std::size_t i = 0; i < accessors.size(); ++i) {
         if (accessors[i].contains("bufferView")) continue;
-        if (!json.contains("bufferViews") || json["bufferViews"].empty())
-            json["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
         accessors[i]["bufferView"] = 0;
         standIns.push_back(i);
     }

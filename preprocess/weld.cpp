@@ -1,6 +1,7 @@
 #include "preprocess/weld.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <meshoptimizer.h>
 #include <numeric>
@@ -17,7 +18,7 @@ std::vector<glm::vec3> withoutNegativeZero(std::span<const glm::vec3> positions)
     return result;
 }
 
-/// A cell of the snapping grid; far-off cells clamp together, which costs time only.
+/// A cell of the snapping grid.
 struct Cell {
     std::int64_t x, y, z;
     bool operator==(const Cell&) const = default;
@@ -32,11 +33,19 @@ struct CellHash {
     }
 };
 
-Cell cellOf(const glm::dvec3& position, double size) {
-    const glm::dvec3 cell =
-        glm::clamp(glm::floor(position / size), glm::dvec3(-9e15), glm::dvec3(9e15));
-    return {static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
-            static_cast<std::int64_t>(cell.z)};
+/// Which cell of the axis. So far out that floats lie farther apart than cells are wide, only equal
+/// coordinates are close: each has a cell of its own there, so that no cell fills up.
+std::int64_t cellOf(float coordinate, double size) {
+    constexpr double farthest = 0x1p52;
+    const double cell = std::floor(static_cast<double>(coordinate) / size);
+    if (std::abs(cell) < farthest) return static_cast<std::int64_t>(cell);
+    // Neighbours of other floats are not neighbours here.
+    const std::int64_t bits = std::bit_cast<std::int32_t>(coordinate);
+    return (std::int64_t{1} << 60) + 4 * bits;
+}
+
+Cell cellOf(const glm::vec3& position, double size) {
+    return {cellOf(position.x, size), cellOf(position.y, size), cellOf(position.z, size)};
 }
 
 } // namespace

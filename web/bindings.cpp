@@ -111,8 +111,9 @@ class SceneReader {
   public:
     std::string read(const std::string& name, emscripten::val onStage) {
         return sentenceOfFailure([&] {
-            const LoadedScene loaded = loadScene(
-                name, std::nullopt, [&](LoadStage stage) { onStage(std::string(nameOf(stage))); });
+            const LoadedScene loaded =
+                loadScene(name, std::nullopt, ReadingLimits(),
+                          [&](LoadStage stage) { onStage(std::string(nameOf(stage))); });
             onStage(std::string("hand over"));
             warnings_ = nlohmann::ordered_json(loaded.scene.warnings.sentences()).dump();
             triangles_ = loaded.scene.triangleCount();

@@ -3,6 +3,7 @@
 #include "src/cli/bench_report.hpp"
 #include "src/cli/caster_variants.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/synthetic_report.hpp"
@@ -24,8 +25,9 @@ struct BenchOptions {
     std::optional<gl::Timing> timing;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits limits = gl::Limits::device;
+    gl::Limits glLimits = gl::Limits::device;
     int samples = 0;
     std::vector<std::string> against;
 };
@@ -51,7 +53,7 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);
@@ -71,7 +73,7 @@ void benchScene(const BenchOptions& options) {
         task.width = view.width;
         task.height = view.height;
         task.samples = options.samples;
-        task.limits = options.limits;
+        task.limits = options.glLimits;
         task.frames = options.frames > 0 ? options.frames : defaultFrames;
         task.warmUp = options.warmUp;
         task.cameraAt = flightFor(view, loaded.scene);
@@ -166,9 +168,10 @@ void addBenchCommand(CLI::App& program) {
     addViewOptions(*verb, options->view);
     sizes->excludes(verb->get_option("--size"));
     addDrawOptions(*verb, options->settings);
-    addGlLimitsOption(*verb, options->limits);
+    addGlLimitsOption(*verb, options->glLimits);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, verb] {
         resolve(options->settings);

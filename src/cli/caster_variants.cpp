@@ -10,7 +10,8 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
     const auto found = std::find_if(others_.begin(), others_.end(),
                                     [&](const auto& other) { return other->settings == wanted; });
     if (found != others_.end()) return *found;
-    return others_.emplace_back(std::make_shared<const LoadedScene>(loadScene(path_, wanted)));
+    return others_.emplace_back(std::make_shared<const LoadedScene>(
+        loadScene(path_, wanted, own_.document.memory.limits())));
 }
 
 nlohmann::ordered_json casterJson(const CasterSettings& settings) {

@@ -1,6 +1,7 @@
 #include "preprocess/error.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 
@@ -26,8 +27,9 @@ struct CompareOptions {
     int views = 16;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits limits = gl::Limits::device;
+    gl::Limits glLimits = gl::Limits::device;
     std::vector<std::string> against;
 };
 
@@ -89,12 +91,12 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     std::vector<DrawSettings> settings = {options.settings};
     for (const std::string& text : options.against)
         settings.push_back(settingsFrom(options.settings, text));
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     printWarnings(loaded.scene.warnings.sentences());
 
     lab::CompareTask task;
     lookAt(task, options.view, loaded.scene, options.views, viewsTyped);
-    task.limits = options.limits;
+    task.limits = options.glLimits;
     task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0], nullptr));
     CasterVariants variants(options.input, loaded);
     for (std::size_t i = 0; i < options.against.size(); ++i)
@@ -110,7 +112,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     const auto jsonOf = [&](std::size_t i) {
         Json json = resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
                                task.views);
-        json["settings"]["gl-limits"] = glLimitsName(options.limits);
+        json["settings"]["gl-limits"] = glLimitsName(options.glLimits);
         return json;
     };
     Json json = jsonOf(0);
@@ -159,7 +161,8 @@ void addCompareCommand(CLI::App& program) {
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
     addCasterOptions(*verb, options->casters);
-    addGlLimitsOption(*verb, options->limits);
+    addGlLimitsOption(*verb, options->glLimits);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         resolve(options->settings);

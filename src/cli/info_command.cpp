@@ -1,6 +1,7 @@
 #include "preprocess/pack.hpp"
 #include "preprocess/stopwatch.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/summary.hpp"
@@ -14,11 +15,12 @@ struct InfoOptions {
     std::string input;
     std::string report;
     CasterOptions casters;
+    ReadingLimits limits;
 };
 
 void info(const InfoOptions& options) {
     Stopwatch watch;
-    GltfDocument document = readGltf(options.input);
+    GltfDocument document = readGltf(options.input, options.limits);
     const auto header = readShadowHeader(document);
     const double readSeconds = watch.lap();
     const CasterSettings settings =
@@ -42,6 +44,7 @@ void addInfoCommand(CLI::App& program) {
     const auto options = std::make_shared<InfoOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb")->required();
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options] { info(*options); });
 }

@@ -1,6 +1,7 @@
 #include "preprocess/error.hpp"
 #include "src/cli/commands.hpp"
 
+#include <csignal>
 #include <iostream>
 #include <new>
 
@@ -61,6 +62,8 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    // A file that passes the allowed size is an error of writing, no reason to die half way.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return run(argc, argv);
     } catch (const edgeshade::Error& error) {

@@ -1,5 +1,6 @@
 #include "preprocess/pack.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/summary.hpp"
@@ -15,10 +16,11 @@ struct PackOptions {
     std::string report;
     Encoding encoding = Encoding::none;
     CasterOptions casters;
+    ReadingLimits limits;
 };
 
 void pack(const PackOptions& options) {
-    PackInput input = readForPacking(options.input, options.casters.settings());
+    PackInput input = readForPacking(options.input, options.casters.settings(), options.limits);
     printWarnings(input.report.warnings);
     writeFile(options.output, packBytes(input, options.encoding, options.casters.settings()));
     printResult(summaryOf(input.report), options.report);
@@ -40,6 +42,7 @@ void addPackCommand(CLI::App& program) {
               "none: edges are found at load, which is as quick as reading them; published "
               "records for --layout published: expanded, GPU-ready, or indexed (none)");
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options] { pack(*options); });
 }

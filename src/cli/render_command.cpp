@@ -3,6 +3,7 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/explanation.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/gl/headless_context.hpp"
@@ -20,8 +21,9 @@ struct RenderOptions {
     std::string report;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits limits = gl::Limits::device;
+    gl::Limits glLimits = gl::Limits::device;
     bool mask = false;
     bool explain = false;
     bool debugVolumes = false;
@@ -63,7 +65,7 @@ void tintVolumes(const GpuScene& scene, const FrameView& view, const RenderSetti
 
 void render(const RenderOptions& options) {
     Stopwatch watch;
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     const auto& warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);
@@ -72,7 +74,7 @@ void render(const RenderOptions& options) {
     view.mask = options.mask;
 
     const gl::HeadlessContext context(
-        {view.width, view.height, options.samples, 24, options.limits});
+        {view.width, view.height, options.samples, 24, options.glLimits});
     const gl::Capabilities& capabilities = context.capabilities();
     RenderSettings settings = options.settings.render;
     settings.layout = layoutFor(options.settings.instancing, capabilities);
@@ -143,9 +145,10 @@ void addRenderCommand(CLI::App& program) {
         "sides orange, with caps red, drawn twice green; caps blue (none)");
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
-    addGlLimitsOption(*verb, options->limits);
+    addGlLimitsOption(*verb, options->glLimits);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options] {
         resolve(options->settings);

@@ -1,5 +1,6 @@
 #include "preprocess/error.hpp"
 #include "src/cli/commands.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 
 #include <memory>
@@ -25,7 +26,7 @@ namespace edgeshade::cli {
 namespace {
 
 struct TradeoffOptions {
-    gl::Limits limits = gl::Limits::device;
+    gl::Limits glLimits = gl::Limits::device;
     std::string input;
     std::string report;
     std::string plot;
@@ -40,6 +41,7 @@ struct TradeoffOptions {
     std::vector<std::string> against;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
 };
 
 #ifdef EDGESHADE_HAS_LAB
@@ -88,7 +90,7 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
     for (const std::string& text : options.against)
         all.push_back({text, text});
     CasterVariants variants(options.input, loaded);
-    const gl::HeadlessContext context({16, 16, 0, 24, options.limits});
+    const gl::HeadlessContext context({16, 16, 0, 24, options.glLimits});
     std::vector<Row> rows;
     for (const TradeSetting& setting : all) {
         Row row;
@@ -115,7 +117,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
     bench::Task task;
     task.width = options.view.width;
     task.height = options.view.height;
-    task.limits = options.limits;
+    task.limits = options.glLimits;
     task.frames = options.frames;
     task.cameraAt = flightFor(options.view, loaded.scene);
     task.lights = requestFor(options.view, loaded.scene).lights;
@@ -229,14 +231,14 @@ std::string limitsOf(const TradeoffOptions& options) {
 
 void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted());
+    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     std::vector<Row> rows = possibleRows(options, loaded, warnings);
     const bool demanding = options.budgetMs || options.maxWrongPercent;
     printWarnings(warnings);
 
     lab::CompareTask compared;
-    compared.limits = options.limits;
+    compared.limits = options.glLimits;
     lookAt(compared, options.view, loaded.scene, options.views, options.viewsTyped);
     const bench::Report measured = measureCosts(options, loaded, rows);
     if (measured.device.isSoftware()) {
@@ -328,8 +330,9 @@ void addTradeoffCommand(CLI::App& program) {
                    "for every frame; without, they are kept");
     addTimingOption(*verb, options->timing);
     addViewOptions(*verb, options->view);
-    addGlLimitsOption(*verb, options->limits);
+    addGlLimitsOption(*verb, options->glLimits);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         options->viewsTyped = views->count() > 0;

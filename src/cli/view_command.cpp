@@ -4,6 +4,7 @@
 
 #ifdef EDGESHADE_HAS_WINDOW
 #include "src/cli/draw_settings.hpp"
+#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/desktop/app.hpp"
@@ -22,8 +23,9 @@ struct WindowOptions {
     std::string screenshot;
     ViewOptions view;
     CasterOptions casters;
+    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits limits = gl::Limits::device;
+    gl::Limits glLimits = gl::Limits::device;
     int samples = 0;
 };
 
@@ -45,7 +47,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
 
 void view(const WindowOptions& options) {
     const auto load = [&](const std::filesystem::path& path) {
-        LoadedScene loaded = loadScene(path, options.casters.wanted());
+        LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits);
         printWarnings(loaded.scene.warnings.sentences());
         return loaded;
     };
@@ -64,7 +66,7 @@ void view(const WindowOptions& options) {
         settings.layout = layoutFor(options.settings.instancing, {});
     const std::string name = std::filesystem::path(options.input).filename().string();
     desktop::App app({name.empty() ? "edgeshade" : name + " - edgeshade", options.view.width,
-                      options.view.height, options.samples, options.limits},
+                      options.view.height, options.samples, options.glLimits},
                      settings, load);
     if (loaded) {
         app.viewer().show(std::move(*loaded));
@@ -91,9 +93,10 @@ void addViewCommand(CLI::App& program) {
         ->needs(verb->get_option("FILE"));
     addViewOptions(*verb, options->view);
     addDrawOptions(*verb, options->settings);
-    addGlLimitsOption(*verb, options->limits);
+    addGlLimitsOption(*verb, options->glLimits);
     addSamplesOption(*verb, options->samples);
     addCasterOptions(*verb, options->casters);
+    addLimitOptions(*verb, options->limits);
     verb->callback([options] {
         resolve(options->settings);
         view(*options);

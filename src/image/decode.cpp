@@ -1,17 +1,31 @@
 #include "src/image/decode.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/image/allocation_bound.hpp"
+#include "src/image/jpeg_checks.hpp"
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <memory>
 #include <stb_image.h>
 #include <stb_image_resize.h>
 
 namespace edgeshade {
 
-Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
+Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
+                  MemoryBudget& memory) {
     constexpr int largest = 16384;
+    // What a byte can stand for: deflate 1,032 others, each up to 8 pixels of PNG; JPEG a bit for
+    // a block of 64 pixels.
+    constexpr std::uint64_t mostPixelsPerByte = 8 * 1032;
+    constexpr std::uint64_t bytesPerPixel = 12; // decoded, as RGBA, and the copy that is returned
+    if (bytes.size() > std::numeric_limits<int>::max())
+        throw InputError(name + " has " + std::to_string(bytes.size()) +
+                         " bytes; at most 2147483647 are read.");
+    if (const auto codes = oversizedHuffmanTable(bytes))
+        throw InputError(name + " has a Huffman table of " + std::to_string(*codes) +
+                         " codes; there can't be more than 256.");
     const auto size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
@@ -19,12 +33,30 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) 
     if (width > largest || height > largest)
         throw InputError(name + " has " + std::to_string(width) + "x" + std::to_string(height) +
                          " pixels; at most " + std::to_string(largest) + " a side are read.");
+    const std::uint64_t pixelCount = std::uint64_t(width) * static_cast<std::uint64_t>(height);
+    const std::string said =
+        name + " has " + std::to_string(width) + "x" + std::to_string(height) + " pixels";
+    if (pixelCount / mostPixelsPerByte > bytes.size())
+        throw InputError(said + ", which can't come from " + std::to_string(bytes.size()) +
+                         " bytes.");
+    memory.take(pixelCount, bytesPerPixel, said + ", which");
+    // Twice its bytes; 16 bits a channel, twice; and some for what is small.
+    const AllocationBound bound(2 * bytes.size() + static_cast<std::size_t>(16 * pixelCount) +
+                                (std::size_t{1} << 20));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-    if (!pixels) throw InputError(name + " can't be decoded: " + stbi_failure_reason() + ".");
-    const std::size_t count =
-        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + count)};
+    const std::string reason = pixels ? "" : clauseOf(stbi_failure_reason());
+    if (!pixels)
+        throw InputError(name + " can't be decoded: " +
+                         (reason == "outofmem" ? "its data are larger than its pixels" : reason) +
+                         ".");
+    const std::size_t size4 = std::size_t{4} * static_cast<std::size_t>(pixelCount);
+    return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + size4)};
+}
+
+Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
+    MemoryBudget memory;
+    return decodeImage(bytes, name, memory);
 }
 
 Image toPowersOfTwo(const Image& image, int largest) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "preprocess/limits.hpp"
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -14,8 +16,12 @@ struct Image {
     std::vector<std::uint8_t> rgba;
 };
 
-/// Decodes PNG or JPEG of at most 16384 x 16384. Safe on untrusted input. `name` is for messages.
-/// Throws InputError.
+/// Decodes PNG or JPEG of at most 16384 x 16384, and of no more pixels than its bytes can hold or
+/// `memory` has bytes for. Safe on untrusted input. `name` is for messages. Throws InputError.
+Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
+                  MemoryBudget& memory);
+
+/// The same of one image by itself, within the usual limits.
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// The image scaled up to powers of two, for devices whose textures need that, or down to the

@@ -1,4 +1,31 @@
-// stb's image libraries, compiled once.
+// stb's image libraries, compiled once. Reading takes its memory through an AllocationBound.
+#include "src/image/allocation_bound.hpp"
+
+#include <cstdlib>
+#include <limits>
+
+namespace {
+
+constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
+thread_local std::size_t largestPiece = unbounded; // stb_image has no other way to tell it
+
+void* boundedRealloc(void* memory, std::size_t size) {
+    return size > largestPiece ? nullptr : std::realloc(memory, size);
+}
+
+} // namespace
+
+edgeshade::AllocationBound::AllocationBound(std::size_t bytes) {
+    largestPiece = bytes;
+}
+
+edgeshade::AllocationBound::~AllocationBound() {
+    largestPiece = unbounded;
+}
+
+#define STBI_MALLOC(size) boundedRealloc(nullptr, size)
+#define STBI_REALLOC(memory, size) boundedRealloc(memory, size)
+#define STBI_FREE(memory) std::free(memory)
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
 #define STBI_ONLY_PNG

@@ -12,6 +12,7 @@ namespace {
 /// The texel that a coordinate falls on, repeated beyond 0..1.
 int texelOf(double coordinate, int size) {
     const double wrapped = coordinate - std::floor(coordinate);
+    if (!std::isfinite(wrapped)) return 0;
     return std::min(size - 1, static_cast<int>(wrapped * size));
 }
 
@@ -19,13 +20,15 @@ int texelOf(double coordinate, int size) {
 
 AlphaAt textureAlpha(const LoadedScene& loaded) {
     const auto images = std::make_shared<std::map<int, Image>>();
+    MemoryBudget memory = loaded.document.memory;
     for (const Material& material : loaded.scene.materials)
         if (material.alphaMode == AlphaMode::mask && material.image >= 0 &&
             !images->contains(material.image))
-            images->emplace(material.image,
-                            decodeImage(encodedImageBytes(loaded.document, material.image),
-                                        loaded.document.where("images[") +
-                                            std::to_string(material.image) + "]"));
+            images->emplace(
+                material.image,
+                decodeImage(encodedImageBytes(loaded.document, material.image),
+                            loaded.document.where("images[") + std::to_string(material.image) + "]",
+                            memory));
     const Scene* scene = &loaded.scene;
     return [images, scene](const EyeTriangle& triangle, double u, double v) {
         const Material& material = scene->materials[triangle.material];

@@ -21,14 +21,14 @@ const char* nameOf(LoadStage stage) {
 }
 
 LoadedScene loadScene(const std::filesystem::path& path,
-                      const std::optional<CasterSettings>& wanted,
+                      const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
                       const std::function<void(LoadStage)>& onStage) {
     const auto enter = [&](LoadStage stage) {
         if (onStage) onStage(stage);
     };
     enter(LoadStage::read);
     LoadedScene loaded;
-    loaded.document = readGltf(path);
+    loaded.document = readGltf(path, limits);
     const auto header = readShadowHeader(loaded.document);
     const bool usePacked = header && (!wanted || *wanted == header->settings);
     loaded.settings = usePacked ? header->settings : wanted.value_or(CasterSettings());

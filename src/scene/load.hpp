@@ -24,10 +24,10 @@ enum class LoadStage { read, flatten, shadows };
 const char* nameOf(LoadStage stage);
 
 /// Reads a file, packed or not. `wanted`: what the user asked for, if anything; shadow data packed
-/// with other settings are left aside and made anew, with a warning. `onStage` is called at the
-/// start of each stage. Throws InputError.
+/// with other settings are left aside and made anew, with a warning. What passes `limits` is
+/// refused. `onStage` is called at the start of each stage. Throws InputError.
 LoadedScene loadScene(const std::filesystem::path& path,
-                      const std::optional<CasterSettings>& wanted,
+                      const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
                       const std::function<void(LoadStage)>& onStage = {});
 
 /// What tells the holes of a batch's published caps: three vec4s a cap, one a corner of the sorted

@@ -11,12 +11,13 @@ Textures::Textures(const GltfDocument& document, const std::vector<Material>& ma
                    const gl::Capabilities& capabilities) {
     constexpr std::array<std::uint8_t, 4> whiteTexel = {255, 255, 255, 255};
     white_ = gl::makeTexture(whiteTexel, 1, 1, GL_REPEAT, GL_REPEAT);
+    MemoryBudget memory = document.memory;
     for (const Material& material : materials) {
         const Key key{material.image, material.wrapS, material.wrapT};
         if (material.image < 0 || textures_.contains(key)) continue;
         const std::string name = document.where("images[") + std::to_string(material.image) + "]";
         const Image image =
-            toPowersOfTwo(decodeImage(encodedImageBytes(document, material.image), name),
+            toPowersOfTwo(decodeImage(encodedImageBytes(document, material.image), name, memory),
                           capabilities.largestTexture);
         textures_.emplace(key, gl::makeTexture(image.rgba, image.width, image.height,
                                                material.wrapS, material.wrapT));

@@ -1,6 +1,8 @@
 // Buffers: lengths, URIs and views.
 #include "tests/cli/bad_input.hpp"
 
+#include <sys/stat.h>
+
 namespace edgeshade::test {
 namespace {
 
@@ -13,6 +15,19 @@ BadInput withUri(const std::string& name, const std::string& uri,
                 return folder.write("below/bad.gltf", std::string_view(soundScene().gltf(uri)));
             },
             words};
+}
+
+/// The sound scene as .gltf whose buffer has this uri, the first part of which is a link to
+/// `target`. There is a good buffer in the folder above.
+BadInput withLink(const std::string& name, const std::string& uri, const std::string& target,
+                  const std::vector<std::string>& words) {
+    BadInput row = withUri(name, uri, words);
+    row.make = [make = row.make, uri, target](const TempFolder& folder) {
+        const auto path = make(folder);
+        std::filesystem::create_symlink(target, path.parent_path() / uri.substr(0, uri.find('/')));
+        return path;
+    };
+    return row;
 }
 
 /// The sound scene with a key of the view of its positions changed.
@@ -54,6 +69,22 @@ std::vector<BadInput> badFiles() {
         withUri("HttpUri", "http://example.com/scene.bin", {"buffers[0].uri", "http:"}),
         withUri("UriOfADrive", "C:\\scene.bin", {"buffers[0].uri"}),
         withUri("UriWithAZero", "a%00b.bin", {"buffers[0].uri"}),
+        withUri("EncodedAbsoluteUri", "%2Fetc%2Fhostname", {"buffers[0].uri", "%2Fetc"}),
+        withUri("UriOfTheFolderAboveWithBackslashes", "..\\scene.bin", {"buffers[0].uri"}),
+        withUri("EncodedBackslashes", "..%5Cscene.bin", {"buffers[0].uri", "%5C"}),
+        withUri("EncodedUriOfADrive", "C%3Ascene.bin", {"buffers[0].uri", "%3A"}),
+        withUri("UriOfAnotherHost", "//example.com/scene.bin", {"buffers[0].uri"}),
+        withUri("UriWithoutText", "?", {"?"}),
+        withLink("LinkOutOfTheFolder", "link.bin", "../scene.bin", {"link.bin", "link out"}),
+        withLink("LinkToAnAbsolutePlace", "link.bin", "/etc/hostname", {"link.bin", "link out"}),
+        withLink("FolderThatIsALinkOut", "folder/scene.bin", "..",
+                 {"folder/scene.bin", "link out"}),
+        {"PipeInPlaceOfAFile",
+         [](const TempFolder& folder) {
+             ::mkfifo((folder / "pipe.bin").c_str(), S_IRUSR | S_IWUSR);
+             return folder.write("bad.gltf", std::string_view(soundScene().gltf("pipe.bin")));
+         },
+         {"buffers[0].uri", "pipe.bin", "no regular file"}},
         withUri("UriOfTheFolder", ".", {}),
         withUri("MissingBinaryFile", "gone.bin", {"gone.bin"}),
         withUri("BadBase64", "data:application/octet-stream;base64,@@@@====@@@@", {"buffers[0]"}),

@@ -23,17 +23,35 @@ BadInput embedded(const std::string& name, const Bytes& bytes) {
         {"images[0]"});
 }
 
-Bytes cutOffPng() {
+Bytes cutOff(Bytes image, std::size_t size) {
+    image.resize(size);
+    return image;
+}
+
+/// A PNG whose header claims this many pixels a side: bits 16 to 23, and 8 to 15.
+Bytes pngOfSize(std::uint8_t high, std::uint8_t low = 0) {
     Bytes png = smallPng();
-    png.resize(50);
+    png[17] = png[21] = high;
+    png[18] = png[22] = low;
     return png;
 }
 
-/// A PNG whose header claims this many pixels a side.
-Bytes pngOfSize(std::uint8_t high) {
+/// A PNG of 2x2 pixels whose data has this many times 16 MiB by its own account.
+Bytes pngOfClaimedData(std::uint8_t high) {
     Bytes png = smallPng();
-    png[17] = png[21] = high; // bits 16 to 23 of width and height
+    png[33] = high; // bits 24 to 31 of the length of IDAT
     return png;
+}
+
+/// A JPEG that begins with `segments` and a table of 300 codes, and ends there.
+Bytes crowdedJpeg(const Bytes& segments = {}) {
+    Bytes jpeg = {0xFF, 0xD8};
+    jpeg.insert(jpeg.end(), segments.begin(), segments.end());
+    jpeg.insert(jpeg.end(), {0xFF, 0xC4, 319 >> 8, 319 & 0xFF, 0});
+    for (int length = 1; length <= 16; ++length)
+        jpeg.push_back(length == 8 || length == 9 ? 150 : 0);
+    jpeg.resize(jpeg.size() + 300);
+    return jpeg;
 }
 
 std::vector<std::string> packAndRender() {
@@ -46,9 +64,14 @@ std::vector<BadInput> badImages() {
     std::vector<BadInput> rows = {
         embedded("ImageOfGarbage", Bytes(100, 0x5A)),
         embedded("ImageWithoutBytes", Bytes()),
-        embedded("ImageCutOff", cutOffPng()),
+        embedded("ImageCutOff", cutOff(smallPng(), 50)),
         embedded("ImageTooLarge", pngOfSize(1)),
         embedded("ImageFarTooLarge", pngOfSize(0x7F)),
+        embedded("ImageOfMorePixelsThanItsBytesHold", pngOfSize(0, 0x3F)),
+        embedded("PngOfMoreDataThanItsBytes", pngOfClaimedData(0x30)),
+        embedded("JpegOfTooManyHuffmanCodes", crowdedJpeg()),
+        embedded("JpegCutOffInACrowdedTable", cutOff(crowdedJpeg(), 16)),
+        embedded("JpegOfTooManyHuffmanCodesLater", crowdedJpeg({0xFF, 0xFE, 0, 4, 0xFF, 0xD9})),
         withImage(
             "ImageMissing",
             [](GltfBuilder&) {

@@ -19,6 +19,7 @@ struct BadInput {
     Make make;
     std::vector<std::string> words; ///< what the message says beside the file's name
     std::vector<std::string> verbs = {"info", "pack", "render"};
+    std::vector<std::string> options = {}; ///< of each verb
 };
 
 /// A row whose input is these bytes.
@@ -44,6 +45,7 @@ Json& primitiveOf(GltfBuilder& gltf);
 /// The table, a part a file.
 std::vector<BadInput> badContainers();
 std::vector<BadInput> badJson();
+std::vector<BadInput> badLimits();
 std::vector<BadInput> badFiles();
 std::vector<BadInput> badAccessors();
 std::vector<BadInput> badNodes();

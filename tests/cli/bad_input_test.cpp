@@ -1,11 +1,11 @@
 // Bad inputs, run through the real program: it says what is wrong in one sentence that names the
 // file, ends with status 2, and leaves nothing behind.
 #include "tests/cli/bad_input.hpp"
+#include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
 #include "tests/support/child_process.hpp"
 
 #include <gtest/gtest.h>
-#include <iostream>
 
 namespace edgeshade::test {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::size_t mostMemory = std::size_t{1} << 30; // a small file must no
 std::vector<BadInput> wholeTable() {
     std::vector<BadInput> table;
     for (const auto& part : {badContainers, badJson, badFiles, badAccessors, badNodes,
-                             badAnimations, badImages, badCompression, badShadowData})
+                             badAnimations, badImages, badCompression, badShadowData, badLimits})
         for (BadInput& row : part())
             table.push_back(std::move(row));
     return table;
@@ -23,18 +23,23 @@ std::vector<BadInput> wholeTable() {
 
 class BadInputTest : public testing::TestWithParam<BadInput> {};
 
+/// Runs the verb on the row's input, which lies in the folder.
+ProcessResult run(const BadInput& row, const std::string& verb, const TempFolder& folder,
+                  const std::filesystem::path& input) {
+    std::vector<std::string> arguments = {verb, input};
+    if (verb != "info") arguments.push_back(folder / "output");
+    if (verb == "render") arguments.insert(arguments.end(), {"--size", "16x16"});
+    arguments.insert(arguments.end(), row.options.begin(), row.options.end());
+    return runEdgeshade(arguments);
+}
+
 void expectRefused(const BadInput& row, const std::string& verb) {
     SCOPED_TRACE(verb);
     const TempFolder folder;
     const std::filesystem::path input = row.make(folder);
-    std::vector<std::string> arguments = {verb, input};
-    if (verb != "info") arguments.push_back(folder / "output");
-    if (verb == "render") arguments.insert(arguments.end(), {"--size", "16x16"});
     const auto before = folder.names();
 
-    const ProcessResult result = runEdgeshade(arguments);
-    std::cout << row.name << " | " << verb << " | " << result.status << " | " << messageOf(result)
-              << "\n";
+    const ProcessResult result = run(row, verb, folder, input);
     ASSERT_NE(result.status, 0) << "it was accepted";
     ASSERT_EQ(result.signal, 0);
     EXPECT_EQ(result.status, 2);
@@ -47,6 +52,18 @@ void expectRefused(const BadInput& row, const std::string& verb) {
         EXPECT_NE(messageOf(result).find(word), std::string::npos) << "'" << word << "' is missing";
     EXPECT_EQ(folder.names(), before) << "something was left behind";
     EXPECT_EQ(result.out, "");
+}
+
+/// The row as the table in the documentation has it: of its first verb, the folder left out.
+std::string documentedRow(const BadInput& row) {
+    const TempFolder folder;
+    const ProcessResult result = run(row, row.verbs.front(), folder, row.make(folder));
+    std::string message = messageOf(result);
+    const std::string place = folder.path().string();
+    for (std::size_t at; (at = message.find(place)) != std::string::npos;)
+        message.replace(at, place.size() + (message[at + place.size()] == '/'), "");
+    return "| " + row.name + " | " + row.verbs.front() + " | " + std::to_string(result.status) +
+           " | " + cellOf(message.substr(std::string("edgeshade: ").size())) + " |";
 }
 
 } // namespace
@@ -62,6 +79,14 @@ void PrintTo(const BadInput& row, std::ostream* stream) {
 
 INSTANTIATE_TEST_SUITE_P(Table, BadInputTest, testing::ValuesIn(wholeTable()),
                          [](const auto& row) { return row.param.name; });
+
+TEST(BadInput, TheTableIsDocumented) {
+    std::vector<std::string> rows;
+    for (const BadInput& row : wholeTable())
+        rows.push_back(documentedRow(row));
+    EXPECT_GE(rows.size(), 60u);
+    expectDocumented("inputs", rows);
+}
 
 TEST(BadInput, TheSceneOfTheTableIsSound) {
     const TempFolder folder;

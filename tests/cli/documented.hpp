@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace edgeshade::test {
+
+/// Expects that docs/bad-inputs.md holds exactly these table rows between the comments
+/// "<section>: begin" and "<section>: end". With EDGESHADE_UPDATE_DOCS in the environment it writes
+/// them there instead.
+void expectDocumented(const std::string& section, const std::vector<std::string>& rows);
+
+/// A cell of a table: on one line, no longer than reads well, without what Markdown would take for
+/// markup.
+std::string cellOf(std::string text);
+
+} // namespace edgeshade::test
