@@ -17,8 +17,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t deepestNesting = 500; // far more than glTF needs, far less than a stack holds
 
 /// Members of one object. Objects keep their order and are searched one by one, so that many would
-/// take the square of their number; no field of glTF needs more than a few.
-constexpr std::size_t mostMembers = 1000;
+/// take the square of their number; tables in extras are large, fields of glTF are not.
+constexpr std::size_t mostMembers = 10000;
 
 /// Bytes that a JSON value takes in all forms that it gets, its text aside.
 constexpr std::size_t bytesPerValue = 256;

@@ -24,7 +24,8 @@ struct ReadingLimits {
 /// Counts the bytes that reading one document makes.
 class MemoryBudget {
   public:
-    explicit MemoryBudget(const ReadingLimits& limits = {}) : limits_(limits) {}
+    MemoryBudget() = default;
+    explicit MemoryBudget(const ReadingLimits& limits) : limits_(limits) {}
 
     const ReadingLimits& limits() const { return limits_; }
     std::uint64_t taken() const { return taken_; }
