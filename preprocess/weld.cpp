@@ -1,8 +1,8 @@
 #include "preprocess/weld.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <meshoptimizer.h>
 #include <numeric>
 #include <unordered_map>
@@ -40,8 +40,9 @@ std::int64_t cellOf(float coordinate, double size) {
     const double cell = std::floor(static_cast<double>(coordinate) / size);
     if (std::abs(cell) < farthest) return static_cast<std::int64_t>(cell);
     // Neighbours of other floats are not neighbours here.
-    const std::int64_t bits = std::bit_cast<std::int32_t>(coordinate);
-    return (std::int64_t{1} << 60) + 4 * bits;
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof bits);
+    return (std::int64_t{1} << 60) + std::int64_t{4} * bits;
 }
 
 Cell cellOf(const glm::vec3& position, double size) {
