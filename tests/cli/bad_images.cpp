@@ -46,7 +46,8 @@ Bytes pngOfClaimedData(std::uint8_t high) {
 /// A JPEG that begins with `segments` and a table of 300 codes, and ends there.
 Bytes crowdedJpeg(const Bytes& segments = {}) {
     Bytes jpeg = {0xFF, 0xD8};
-    jpeg.insert(jpeg.end(), segments.begin(), segments.end());
+    for (const std::uint8_t byte : segments)
+        jpeg.push_back(byte);
     jpeg.insert(jpeg.end(), {0xFF, 0xC4, 319 >> 8, 319 & 0xFF, 0});
     for (int length = 1; length <= 16; ++length)
         jpeg.push_back(length == 8 || length == 9 ? 150 : 0);
