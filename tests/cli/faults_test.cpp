@@ -28,6 +28,7 @@ struct Fault {
     std::string what;
     std::string ends; ///< "status 4", "signal", ...
     std::function<void()> check;
+    friend void PrintTo(const Fault& row, std::ostream* stream) { *stream << row.name; }
 };
 
 /// Runs a line of the shell, in which $IN is a scene, $OUT a file with old content in an otherwise
@@ -244,10 +245,6 @@ std::vector<Fault> faults() {
 class FaultTest : public testing::TestWithParam<Fault> {};
 
 } // namespace
-
-void PrintTo(const Fault& fault, std::ostream* stream) {
-    *stream << fault.name;
-}
 
 TEST_P(FaultTest, LeavesTheOldFileOrTheNewOne) {
     GetParam().check();
