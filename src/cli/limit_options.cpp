@@ -13,8 +13,9 @@ std::uint64_t limitFrom(const std::string& text, const std::string& option, bool
     const char* end = text.data() + text.size();
     const auto number = std::from_chars(text.data(), end, value);
     const std::string_view unit(number.ptr, static_cast<std::size_t>(end - number.ptr));
-    const std::size_t power = unit.empty() ? 0 : std::string_view("KMG").find(unit) + 1;
-    const bool isUnit = unit.size() <= 1 && power <= 3 && (isBytes || power == 0);
+    constexpr std::string_view units("KMG");
+    const std::size_t power = unit.empty() ? 0 : units.find(unit) + 1; // 0: no such unit
+    const bool isUnit = unit.empty() || (isBytes && unit.size() == 1 && power > 0);
     if (number.ec != std::errc() || !isUnit || value == 0 ||
         value > std::numeric_limits<std::uint64_t>::max() >> 10 * power)
         throw CLI::ValidationError(option, "'" + text + "' is no whole number above 0" +
