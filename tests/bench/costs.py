@@ -17,8 +17,7 @@ from edgeshade_runs import (RESULTS, ROOT, SCENES, figure, machine, replace_betw
 from near_ratio import framing
 
 TIMING = ["--timing", os.environ["TIMING"]] if "TIMING" in os.environ else []
-FLIGHT_SCENES = {"city.draco": "city", "hospital-electrical": "hospital, electrical",
-                 "garden.draco": "garden"}
+FLIGHT_SCENES = {"city.draco": "city", "garden.draco": "garden"}
 FLIGHT_SIZE, FLIGHT_FRAMES = "640x360", 10
 REPEAT_SCENE = "city.draco"
 SIZES_SCENE, SIZES_FRAMES = "garden.draco", 3
