@@ -157,6 +157,15 @@ void forEachElement(const GltfDocument& document, const tinygltf::Accessor& acce
     }
 }
 
+/// Counts what the accessor takes once it is read, a float or an index a component.
+void takeFor(const GltfDocument& document, int index, const std::string& field,
+             MemoryBudget& memory) {
+    const tinygltf::Accessor& accessor = accessorAt(document, index, field);
+    memory.take(std::uint64_t{accessor.count} * sizeof(float) *
+                    static_cast<unsigned>(std::max(componentsOf(accessor.type), 1)),
+                1, document.where(field));
+}
+
 } // namespace
 
 const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
@@ -170,11 +179,6 @@ const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
                          "].count is " + std::to_string(accessors[accessor].count) +
                          ", which is too many.");
     return accessors[accessor];
-}
-
-std::uint64_t readBytesOf(const tinygltf::Accessor& accessor) {
-    return std::uint64_t{accessor.count} * sizeof(float) *
-           static_cast<unsigned>(std::max(componentsOf(accessor.type), 1));
 }
 
 FloatArray readFloats(const GltfDocument& document, int index, const std::string& field) {
@@ -234,6 +238,18 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int index,
                        indices[element] = loadIndex(at, accessor.componentType);
                    });
     return indices;
+}
+
+FloatArray readFloats(const GltfDocument& document, int index, const std::string& field,
+                      MemoryBudget& memory) {
+    takeFor(document, index, field, memory);
+    return readFloats(document, index, field);
+}
+
+std::vector<std::uint32_t> readIndices(const GltfDocument& document, int index,
+                                       const std::string& field, MemoryBudget& memory) {
+    takeFor(document, index, field, memory);
+    return readIndices(document, index, field);
 }
 
 } // namespace edgeshade

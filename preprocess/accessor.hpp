@@ -27,8 +27,11 @@ void requireFinite(const GltfDocument& document, const FloatArray& array, const 
 std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessor,
                                        const std::string& field);
 
-/// Bytes that readFloats() or readIndices() take for the accessor, if they can read it.
-std::uint64_t readBytesOf(const tinygltf::Accessor& accessor);
+/// The same, counted in `memory` before anything is read.
+FloatArray readFloats(const GltfDocument& document, int accessor, const std::string& field,
+                      MemoryBudget& memory);
+std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accessor,
+                                       const std::string& field, MemoryBudget& memory);
 
 /// The accessor with that index. Throws InputError naming `field` if there is none.
 const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,

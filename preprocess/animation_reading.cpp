@@ -110,7 +110,7 @@ class AnimationReader {
         Floats& times = times_[accessor];
         if (times) return times;
         requireKind(accessor, TINYGLTF_TYPE_SCALAR, false, "SCALAR floats", field);
-        const FloatArray array = readCounted(accessor, field);
+        const FloatArray array = readFloats(document_, accessor, field, memory_);
         requireFinite(document_, array, field);
         if (array.values.empty()) throw InputError(document_.where(field) + " has no elements.");
         if (array.values[0] < 0.0f)
@@ -132,7 +132,7 @@ class AnimationReader {
                         "VEC4 floats or normalized bytes or shorts", field);
         else
             requireKind(accessor, TINYGLTF_TYPE_VEC3, false, "VEC3 floats", field);
-        const FloatArray array = readCounted(accessor, field);
+        const FloatArray array = readFloats(document_, accessor, field, memory_);
         requireFinite(document_, array, field);
         if (isRotation) requireNoZeroQuaternion(array, isSpline, field);
         return values = std::make_shared<const std::vector<float>>(array.values);
@@ -166,12 +166,6 @@ class AnimationReader {
                 throw InputError(document_.where(field) + " holds (0, 0, 0, 0) at element " +
                                  std::to_string(e) + ", which is no rotation.");
         }
-    }
-
-    FloatArray readCounted(int accessor, const std::string& field) {
-        memory_.take(readBytesOf(accessorAt(document_, accessor, field)), 1,
-                     document_.where(field));
-        return readFloats(document_, accessor, field);
     }
 
     const GltfDocument& document_;

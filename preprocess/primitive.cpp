@@ -29,10 +29,9 @@ class AttributeReader {
     /// number), all finite.
     FloatArray read(const std::string& name, int least, int most, std::size_t count) const {
         const bool compressed = draco_ && draco_->attributes.contains(name);
-        if (!compressed) take(primitive_.attributes.at(name), "attributes." + name);
         FloatArray array = compressed ? draco_->attributes.at(name)
                                       : readFloats(document_, primitive_.attributes.at(name),
-                                                   field_ + ".attributes." + name);
+                                                   field_ + ".attributes." + name, memory_);
         if (array.components < least || array.components > most)
             throw InputError(document_.where(fieldOf(name)) + " has " +
                              std::to_string(array.components) + " components, not " +
@@ -54,8 +53,7 @@ class AttributeReader {
         if (draco_) return draco_->indices;
         std::vector<std::uint32_t> indices;
         if (primitive_.indices >= 0) {
-            take(primitive_.indices, "indices");
-            indices = readIndices(document_, primitive_.indices, field_ + ".indices");
+            indices = readIndices(document_, primitive_.indices, field_ + ".indices", memory_);
         } else {
             memory_.take(vertexCount, sizeof(std::uint32_t), document_.where(field_));
             indices.resize(vertexCount);
@@ -67,11 +65,6 @@ class AttributeReader {
     bool isTriangleListAlready() const { return draco_.has_value(); }
 
   private:
-    void take(int accessor, const std::string& name) const {
-        memory_.take(readBytesOf(accessorAt(document_, accessor, field_ + "." + name)), 1,
-                     document_.where(field_ + "." + name));
-    }
-
     const GltfDocument& document_;
     const tinygltf::Primitive& primitive_;
     std::string field_;
@@ -114,9 +107,7 @@ void blendMorphTargets(const GltfDocument& document, const tinygltf::Primitive& 
         const auto target = primitive.targets[t].find(name);
         if (target == primitive.targets[t].end() || weights[t] == 0.0) continue;
         const std::string targetField = field + ".targets[" + std::to_string(t) + "]." + name;
-        memory.take(readBytesOf(accessorAt(document, target->second, targetField)), 1,
-                    document.where(targetField));
-        const FloatArray deltas = readFloats(document, target->second, targetField);
+        const FloatArray deltas = readFloats(document, target->second, targetField, memory);
         if (deltas.components != 3 || deltas.count() != values.size())
             throw InputError(document.where(targetField) + " does not match POSITION.");
         requireFinite(document, deltas, targetField);

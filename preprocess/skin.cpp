@@ -15,11 +15,8 @@ std::vector<glm::dmat4> skinMatrices(const GltfDocument& document, int skin,
     FloatArray inverseBind;
     memory.take(source.joints.size(), sizeof(glm::dmat4), document.where(field));
     if (source.inverseBindMatrices >= 0) {
-        const std::string bindField = field + ".inverseBindMatrices";
-        memory.take(readBytesOf(accessorAt(document, source.inverseBindMatrices, bindField)), 1,
-                    document.where(bindField));
-        inverseBind =
-            readFloats(document, source.inverseBindMatrices, field + ".inverseBindMatrices");
+        inverseBind = readFloats(document, source.inverseBindMatrices,
+                                 field + ".inverseBindMatrices", memory);
         if (inverseBind.components != 16 || inverseBind.count() < source.joints.size())
             throw InputError(document.where(field) + ".inverseBindMatrices does not hold a 4x4 "
                                                      "matrix for every joint.");
