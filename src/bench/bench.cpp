@@ -114,7 +114,7 @@ struct Contender {
 class Course {
   public:
     Course(const LoadedScene& loaded, const Task& task)
-        : task_(task), context_({task.width, task.height, task.samples, 24, task.limits}),
+        : task_(task), context_({task.width, task.height, task.samples, task.limits}),
           bounds_(worldBounds(loaded.scene)),
           timer_(task.timing.value_or(gl::bestTiming(context_.capabilities())),
                  context_.capabilities()) {

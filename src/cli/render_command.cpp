@@ -73,8 +73,7 @@ void render(const RenderOptions& options) {
     FrameView view = makeFrameView(loaded, request);
     view.mask = options.mask;
 
-    const gl::HeadlessContext context(
-        {view.width, view.height, options.samples, 24, options.glLimits});
+    const gl::HeadlessContext context({view.width, view.height, options.samples, options.glLimits});
     const gl::Capabilities& capabilities = context.capabilities();
     RenderSettings settings = options.settings.render;
     settings.layout = layoutFor(options.settings.instancing, capabilities);

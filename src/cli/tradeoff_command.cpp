@@ -90,7 +90,7 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
     for (const std::string& text : options.against)
         all.push_back({text, text});
     CasterVariants variants(options.input, loaded);
-    const gl::HeadlessContext context({16, 16, 0, 24, options.glLimits});
+    const gl::HeadlessContext context({16, 16, 0, options.glLimits});
     std::vector<Row> rows;
     for (const TradeSetting& setting : all) {
         Row row;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/gl/entry_points.hpp"
 #include "src/gl/instancing.hpp"
 #include "src/gl/timer_queries.hpp"
 
@@ -42,9 +43,7 @@ struct Capabilities {
     /// Whether the processor draws: Mesa's llvmpipe and softpipe, SwiftShader.
     bool isSoftware() const;
 
-    bool has(const std::string& extension) const {
-        return (" " + extensions + " ").find(" " + extension + " ") != std::string::npos;
-    }
+    bool has(const std::string& extension) const { return listsExtension(extensions, extension); }
 };
 
 /// Asks the current context. `lookUp` maps a GL function's name to its address or null.

@@ -2,6 +2,10 @@
 
 namespace edgeshade::gl {
 
+bool listsExtension(const std::string& extensions, const std::string& name) {
+    return (" " + extensions + " ").find(" " + name + " ") != std::string::npos;
+}
+
 std::optional<std::string> entryPointSuffix(const std::string& version,
                                             const std::string& extensions,
                                             const std::string& feature) {
@@ -10,9 +14,7 @@ std::optional<std::string> entryPointSuffix(const std::string& version,
         version[prefix.size()] >= '3')
         return "";
     for (const std::string vendor : {"EXT", "ANGLE", "NV"})
-        if ((" " + extensions + " ").find(" GL_" + vendor + "_" + feature + " ") !=
-            std::string::npos)
-            return vendor;
+        if (listsExtension(extensions, "GL_" + vendor + "_" + feature)) return vendor;
     return std::nullopt;
 }
 

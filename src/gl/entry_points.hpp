@@ -5,6 +5,9 @@
 
 namespace edgeshade::gl {
 
+/// Whether the name is among the space-separated extensions.
+bool listsExtension(const std::string& extensions, const std::string& name);
+
 /// The suffix of the entry points of a feature that ES 3.0 made core: "" from there on, "EXT",
 /// "ANGLE" or "NV" where GL_<suffix>_<feature> is among the space-separated extensions, nothing
 /// where there is no such feature. `version` is GL_VERSION.

@@ -2,6 +2,7 @@
 
 #include "preprocess/error.hpp"
 #include "src/gl/depth_precision.hpp"
+#include "src/gl/entry_points.hpp"
 #include "src/gl/objects.hpp"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ namespace {
 }
 
 bool lists(const char* extensions, const std::string& name) {
-    return extensions &&
-           (" " + std::string(extensions) + " ").find(" " + name + " ") != std::string::npos;
+    return extensions && listsExtension(extensions, name);
 }
 
 template <class Function>

@@ -21,9 +21,9 @@ class HeadlessContext {
     struct Request {
         int width = 1;
         int height = 1;
-        int samples = 0;    ///< 0: no antialiasing
-        int depthBits = 24; ///< at least; 16 if there is no more
+        int samples = 0; ///< 0: no antialiasing
         Limits limits = Limits::device;
+        int depthBits = 24; ///< at least; 16 if there is no more
     };
 
     /// Throws Error(unavailable) that says what is missing.

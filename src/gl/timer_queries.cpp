@@ -1,5 +1,7 @@
 #include "src/gl/timer_queries.hpp"
 
+#include "src/gl/entry_points.hpp"
+
 #include <GLES2/gl2.h>
 #include <GLES2/gl2ext.h>
 
@@ -16,8 +18,7 @@ bool take(Function& function, void* (*lookUp)(const char*), const char* name) {
 
 std::optional<TimerQueries> TimerQueries::find(const std::string& extensions,
                                                void* (*lookUp)(const char*)) {
-    if ((" " + extensions + " ").find(" GL_EXT_disjoint_timer_query ") == std::string::npos)
-        return std::nullopt;
+    if (!listsExtension(extensions, "GL_EXT_disjoint_timer_query")) return std::nullopt;
     TimerQueries queries;
     GetParameter getParameter = nullptr;
     const bool complete = take(queries.make_, lookUp, "glGenQueriesEXT") &&

@@ -17,7 +17,7 @@ constexpr std::size_t tuningViews = 3;
 class Studio {
   public:
     explicit Studio(const CompareTask& task)
-        : context_({task.width, task.height, 0, 24, task.limits}) {}
+        : context_({task.width, task.height, 0, task.limits}) {}
 
     /// A renderer for this studio's context.
     Renderer rendererFor(const RenderSettings& settings) const {

@@ -22,7 +22,8 @@ void coarsenDepth(int bits, const gl::Capabilities& capabilities) {
 
 lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
                            MultiplicityMethod method, double& near) {
-    const gl::HeadlessContext context({extreme.width, extreme.height, 0, extreme.depthBits});
+    const gl::HeadlessContext context(
+        {extreme.width, extreme.height, 0, gl::Limits::device, extreme.depthBits});
     const gl::Capabilities& capabilities = context.capabilities();
     coarsenDepth(extreme.depthBits, capabilities);
     RenderSettings shadows, plain;

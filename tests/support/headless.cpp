@@ -13,7 +13,7 @@ gl::Limits testLimits() {
 }
 
 gl::HeadlessContext::Request testPicture(int width, int height, int samples) {
-    return {width, height, samples, 24, testLimits()};
+    return {width, height, samples, testLimits()};
 }
 
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
