@@ -1,5 +1,7 @@
 #include "src/render/light_reach.hpp"
 
+#include "src/render/interval.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,16 +9,6 @@ namespace edgeshade {
 namespace {
 
 constexpr double widening = 1.0 + 1e-5; // of a range, against rounding
-
-struct Interval {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-
-    void add(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-};
 
 /// Bounds of x / depth over the part of a disc at depth >= near. The part is convex, so that they
 /// are taken where a line through the eye touches the circle, or at the ends of the near plane's

@@ -1,5 +1,8 @@
 #include "src/render/separation.hpp"
 
+#include "src/render/box_plane.hpp"
+#include "src/render/interval.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,21 +11,8 @@
 namespace edgeshade {
 namespace {
 
-/// Gaps below this share of the coordinates may be rounding: GL places things in floats.
-constexpr double leastGap = 4e-6;
-
 /// What a sun's direction may be turned by rounding it to floats, with room to spare.
 constexpr double leastTurn = 1e-6;
-
-struct Interval {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-
-    void add(double value) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-};
 
 /// What a pyramid covers of an axis, and how large its coordinates are there.
 struct Shade {
@@ -44,7 +34,7 @@ Shade shadeOf(const LightPyramid& pyramid, const glm::dvec3& axis) {
         return shade;
     }
     const double along = glm::dot(axis, light);
-    const double rounding = leastGap * glm::dot(glm::abs(axis), glm::abs(light));
+    const double rounding = placingError * glm::dot(glm::abs(axis), glm::abs(light));
     if (along > -rounding) shade.interval.high = std::numeric_limits<double>::infinity();
     if (along < rounding) shade.interval.low = -std::numeric_limits<double>::infinity();
     return shade;
@@ -55,7 +45,7 @@ bool separates(const LightPyramid& pyramid, const glm::dvec3& axis, const Interv
                double size) {
     const Shade shade = shadeOf(pyramid, axis);
     const double gap = std::max(shade.interval.low - other.high, other.low - shade.interval.high);
-    return gap > leastGap * std::max(size, shade.size);
+    return gap > placingError * std::max(size, shade.size);
 }
 
 /// Calls `separate` for axes of unit length until it says yes. Separating axes of convex sets are
@@ -156,7 +146,8 @@ bool PyramidFaces::separate(const std::array<glm::dvec3, 3>& triangle) const {
             highest = std::max(highest, glm::dot(glm::dvec3(face.plane), corner) + face.plane.w);
             size = std::max(size, glm::dot(glm::abs(glm::dvec3(face.plane)), glm::abs(corner)));
         }
-        if (highest < -leastGap * size - turnAt(triangle[0], triangle[1], triangle[2])) return true;
+        if (highest < -placingError * size - turnAt(triangle[0], triangle[1], triangle[2]))
+            return true;
     }
     const glm::dvec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     const double length = glm::length(normal);
@@ -171,15 +162,12 @@ bool PyramidFaces::separate(const std::array<glm::dvec3, 3>& triangle) const {
 }
 
 bool PyramidFaces::separate(const Box& box) const {
-    const glm::dvec3 center = box.center();
-    const glm::dvec3 half = box.high - center;
     const glm::dvec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
     return std::any_of(faces_.begin(), faces_.begin() + count_, [&](const Face& face) {
-        const glm::dvec3 normal(face.plane);
-        const double highest =
-            glm::dot(normal, center) + glm::dot(glm::abs(normal), half) + face.plane.w;
-        return highest < -leastGap * std::max(face.size, glm::dot(glm::abs(normal), largest)) -
-                             turnAt(box.low, box.high, box.high);
+        const double size =
+            std::max(face.size, glm::dot(glm::abs(glm::dvec3(face.plane)), largest));
+        return largestOver(box, face.plane) <
+               -placingError * size - turnAt(box.low, box.high, box.high);
     });
 }
 
@@ -189,7 +177,7 @@ bool PyramidFaces::areBeforeRectangle(const std::array<glm::dvec3, 3>& triangle)
     return std::all_of(triangle.begin(), triangle.end(), [&](const glm::dvec3& corner) {
         const glm::dvec3 normal(face.plane);
         const double size = std::max(face.size, glm::dot(glm::abs(normal), glm::abs(corner)));
-        return glm::dot(normal, corner) + face.plane.w > leastGap * size;
+        return glm::dot(normal, corner) + face.plane.w > placingError * size;
     });
 }
 

@@ -1,7 +1,7 @@
 #include "src/render/volume_plan.hpp"
 
+#include "src/render/box_plane.hpp"
 #include "src/render/light_reach.hpp"
-#include "src/render/view_planes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,18 +75,13 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
            !mayOverlap(cluster.bounds, boxAround(glm::dvec3(view.light) / view.light.w));
 }
 
-bool mayMeet(const LightPyramid& pyramid, const ShadowCluster& cluster,
-             const AdaptedShadow& shadow) {
-    return anyCapTouches(pyramid, cluster, shadow);
-}
-
 /// How the cluster's triangles count, by winding numbers at eye and light (method, section 6.4).
 /// They are 0 outside of its bounds; else their difference is told by the triangles on the way from
 /// near rectangle to light, `touched`. Nothing where that is not 0: everything visible is in its
 /// shadow.
 std::optional<Counted> countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow,
                                  const PlanView& view, const Touched& touched) {
-    if (!cluster.closed || mayMeet(view.beforeNearest, cluster, shadow)) return Counted::all;
+    if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
     if (touched.caps.empty() || areOutside(cluster, view)) return Counted::lightFacing;
     if (touched.tooMany) return Counted::all;
     const auto layers = layersFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);

@@ -92,8 +92,7 @@ glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
 
 /// Decides how each cluster is drawn, if at all. A pure function:
 /// - not at all where it is out of the light's range, or its volume, the cluster's box away from
-/// the light, certainly misses the view
-///   or begins behind everything visible;
+///   the light, certainly misses the view or begins behind everything visible;
 /// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
 ///   same number of its volumes: none where the hull of rectangle and light is apart from all of
 ///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.

@@ -2,6 +2,7 @@
 
 #include "src/render/view_planes.hpp"
 
+#include "src/render/box_plane.hpp"
 #include "tests/support/hard_lights.hpp"
 
 #include <algorithm>
