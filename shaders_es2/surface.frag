@@ -1,9 +1,9 @@
 // Base colour times ambient light or, with LIT, times the Lambert term of one light as far as it
 // reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. Variants: MASK,
-// the lit mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials with holes; BLENDED, see-through
-// ones; SLICED, nothing deeper than u_farthest. Of LIT: RANGED, a light that doesn't reach
-// everywhere; MAP, lit as far as the light's shadow map says, with MAP_SUN and PCF as in
-// shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of lower resolution says.
+// the lit mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials
+// with holes; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: RANGED, a
+// light that doesn't reach everywhere; MAP, lit as far as the light's shadow map says, with MAP_SUN
+// and PCF as in shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of lower resolution says.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -101,8 +101,10 @@ void main() {
 #ifdef ALPHA_TEST
     if (base.a < u_alphaCutoff) discard;
 #endif
-#ifdef LIT
+#if defined(LIT)
     float share = shareOfLight(lit);
+#elif defined(MASK)
+    float share = 1.0;
 #else
     float share = u_ambient;
 #endif
@@ -112,9 +114,6 @@ void main() {
     float alpha = 1.0;
 #endif
 #ifdef MASK
-#ifndef LIT
-    share = 1.0;
-#endif
     gl_FragColor = vec4(vec3(u_maskValue * share), alpha);
 #else
     gl_FragColor = vec4(base.rgb * share, alpha);

@@ -45,13 +45,14 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
                                 (std::size_t{1} << 20));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
-    const std::string reason = pixels ? "" : clauseOf(stbi_failure_reason());
-    if (!pixels)
+    if (!pixels) {
+        const std::string reason = clauseOf(stbi_failure_reason());
         throw InputError(name + " can't be decoded: " +
                          (reason == "outofmem" ? "its data are larger than its pixels" : reason) +
                          ".");
-    const std::size_t size4 = std::size_t{4} * static_cast<std::size_t>(pixelCount);
-    return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + size4)};
+    }
+    const std::size_t count = std::size_t{4} * static_cast<std::size_t>(pixelCount);
+    return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + count)};
 }
 
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include "shaders_es2.hpp"
 #include "src/render/attributes.hpp"
+#include "src/render/box_plane.hpp"
 #include "src/scene/srgb.hpp"
 
 #include <algorithm>
@@ -65,21 +66,19 @@ void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool cast
     program.set("u_casts", casts ? 1.0f : 0.0f);
 }
 
-/// In the order in which drawChunk() binds them.
-std::vector<std::string> attributesOf(bool textured, bool colored, bool lit) {
-    std::vector<std::string> names = {"a_position"};
-    if (textured) names.push_back("a_texcoord");
-    if (colored) names.push_back("a_color");
-    if (lit) names.push_back("a_normal");
-    return names;
-}
-
 bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
     return std::none_of(view.planes.begin(), view.planes.end(),
                         [&](const glm::dvec4& plane) { return isOutside(chunk.bounds, plane); });
 }
 
 } // namespace
+
+const std::array<SurfacePass::Attribute, 4> SurfacePass::attributes_ = {{
+    {"a_position", 3, GL_FLOAT, offsetof(SurfaceVertex, position), nullptr},
+    {"a_texcoord", 2, GL_FLOAT, offsetof(SurfaceVertex, texcoord), &Variant::textured},
+    {"a_color", 4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, color), &Variant::colored},
+    {"a_normal", 3, GL_FLOAT, offsetof(SurfaceVertex, normal), &Variant::lit},
+}};
 
 SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
                                             const SurfaceShading& shading) {
@@ -118,13 +117,14 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     }
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.coarse || variant.planes) defines.push_back("PLANE");
-    const std::vector<std::string> attributes =
-        attributesOf(variant.textured, variant.colored, variant.lit);
+    std::vector<std::string> names;
+    for (const Attribute& attribute : attributes_)
+        if (attribute.isOf(variant)) names.push_back(attribute.name);
     return programs_
         .emplace(variant,
                  gl::Program(shaders::surface_vert,
                              variant.planes ? shaders::coarse_surface_frag : shaders::surface_frag,
-                             defines, attributes))
+                             defines, names))
         .first->second;
 }
 
@@ -164,18 +164,11 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
     }
 
     AttributeBinding binding(nullptr);
-    constexpr std::size_t stride = sizeof(SurfaceVertex);
-    binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, position),
-                false);
-    if (variant.textured)
-        binding.add(chunk.vertices, 2, GL_FLOAT, false, stride, offsetof(SurfaceVertex, texcoord),
-                    false);
-    if (variant.colored)
-        binding.add(chunk.vertices, 4, GL_UNSIGNED_BYTE, true, stride,
-                    offsetof(SurfaceVertex, color), false);
-    if (variant.lit)
-        binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, normal),
-                    false);
+    for (const Attribute& attribute : attributes_)
+        if (attribute.isOf(variant))
+            binding.add(chunk.vertices, attribute.components, attribute.type,
+                        attribute.type == GL_UNSIGNED_BYTE, sizeof(SurfaceVertex), attribute.offset,
+                        false);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
     glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);

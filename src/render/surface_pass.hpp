@@ -7,6 +7,7 @@
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/light.hpp"
 
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -73,6 +74,18 @@ class SurfacePass {
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };
+    /// Of SurfaceVertex, as the variants that need it read it.
+    struct Attribute {
+        const char* name;
+        int components;
+        unsigned type; ///< GL enum; bytes are normalised
+        std::size_t offset;
+        bool Variant::*needed; ///< null: by all
+
+        bool isOf(const Variant& variant) const { return !needed || variant.*needed; }
+    };
+    static const std::array<Attribute, 4> attributes_; ///< in the order of their locations
+
     static Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
                              const SurfaceShading& shading);
     gl::Program& program(const Variant& variant);
