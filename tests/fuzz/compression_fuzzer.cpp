@@ -1,7 +1,6 @@
 // KHR_draco_mesh_compression and EXT_meshopt_compression: the compressed bytes and the extensions'
 // fields change, the rest of the file stays sound.
 #include "tests/fuzz/glb_mutation.hpp"
-#include "tests/fuzz/read_everything.hpp"
 
 using namespace edgeshade::test;
 
@@ -40,13 +39,6 @@ std::vector<Json*> compressedRanges(Json& json) {
 
 } // namespace
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t mostSize, unsigned seed) {
-    static const MutationScope scope{extensionsOf, compressedRanges, false};
-    return mutateGlb(data, size, mostSize, seed, scope);
-}
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    readEverything({data, size});
-    return 0;
+MutationScope edgeshade::test::mutationScope() {
+    return {extensionsOf, compressedRanges, false};
 }

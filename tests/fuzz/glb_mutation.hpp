@@ -20,6 +20,9 @@ struct MutationScope {
     bool container = false;
 };
 
+/// What the fuzzer at hand changes; each of them defines it.
+MutationScope mutationScope();
+
 /// libFuzzer's LLVMFuzzerCustomMutator() for GLBs: changes one value of the JSON, or the bytes of
 /// one range, and puts the file together again with all lengths and offsets right. Whatever is no
 /// GLB is changed byte by byte.

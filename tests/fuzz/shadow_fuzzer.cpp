@@ -2,7 +2,6 @@
 // bytes change; the geometry, and with it the hash, stays what was packed.
 #include "preprocess/shadow_extension.hpp"
 #include "tests/fuzz/glb_mutation.hpp"
-#include "tests/fuzz/read_everything.hpp"
 
 using namespace edgeshade::test;
 
@@ -56,13 +55,6 @@ std::vector<Json*> extensionAndAccessors(Json& json) {
 
 } // namespace
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
-                                               std::size_t mostSize, unsigned seed) {
-    static const MutationScope scope{extensionAndAccessors, viewsOf, false};
-    return mutateGlb(data, size, mostSize, seed, scope);
-}
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    readEverything({data, size});
-    return 0;
+MutationScope edgeshade::test::mutationScope() {
+    return {extensionAndAccessors, viewsOf, false};
 }

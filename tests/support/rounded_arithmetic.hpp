@@ -81,25 +81,7 @@ struct Shaders {
 
     // GLSL's float is the poorer one.
 #define float Scalar
-    struct ReferenceEdge {
-#include "shaders_es2/multiplicity.glsl"
-    };
-
-#define MULTIPLICITY_THREE_EDGE
-    struct ThreeEdge {
-#include "shaders_es2/multiplicity.glsl"
-    };
-#undef MULTIPLICITY_THREE_EDGE
-
-#define MULTIPLICITY_SINGLE_EDGE
-    struct SingleEdge {
-#include "shaders_es2/multiplicity.glsl"
-    };
-#undef MULTIPLICITY_SINGLE_EDGE
-
-    struct Plane {
-#include "shaders_es2/plane_side.glsl"
-    };
+#include "tests/support/shader_methods.inc"
 #undef float
 };
 

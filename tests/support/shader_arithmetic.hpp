@@ -19,25 +19,7 @@ using glm::vec4;
 #pragma GCC diagnostic ignored "-Wconversion" // GLSL's literals are floats, C++'s doubles
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
 
-struct ReferenceEdge {
-#include "shaders_es2/multiplicity.glsl"
-};
-
-#define MULTIPLICITY_THREE_EDGE
-struct ThreeEdge {
-#include "shaders_es2/multiplicity.glsl"
-};
-#undef MULTIPLICITY_THREE_EDGE
-
-#define MULTIPLICITY_SINGLE_EDGE
-struct SingleEdge {
-#include "shaders_es2/multiplicity.glsl"
-};
-#undef MULTIPLICITY_SINGLE_EDGE
-
-struct Plane {
-#include "shaders_es2/plane_side.glsl"
-};
+#include "tests/support/shader_methods.inc"
 
 #pragma GCC diagnostic pop
 
