@@ -131,6 +131,11 @@ TEST(LightReach, ScaledHoldsTheSamePixels) {
     EXPECT_EQ(whole.height, 45);
 }
 
+/// Masks of lower resolution take derivatives, which the least that ES 2.0 guarantees has not.
+bool hasCoarseMasks() {
+    return test::testLimits() == gl::Limits::device;
+}
+
 /// Expects the lit mask to be that of casting rays.
 void expectRight(const Camera& camera, const Light& light, RenderSettings settings,
                  double tolerated = 0.0, std::optional<int> slices = {}) {
@@ -171,6 +176,7 @@ TEST(LightRange, MasksAreThoseOfRays) {
 }
 
 TEST(LightRange, CoarseMasksAreThoseOfRaysAsFarAsTheyGo) {
+    if (!hasCoarseMasks()) GTEST_SKIP() << "without derivatives there are none";
     RenderSettings settings;
     settings.maskScale = 2;
     for (const Camera& camera : {outside, within})
@@ -245,8 +251,10 @@ TEST(LightRange, WhatIsOutOfItCostsNothing) {
     const std::size_t near = runsWith(lamp({0, 3, 0}, 6.0));
     EXPECT_GT(near, 0u);
     EXPECT_LT(near, all / 3);
-    EXPECT_EQ(runsWith(lamp({0, 3, 40}, 6.0)), 0u); // behind the eye
-    EXPECT_EQ(runsWith(lamp({0, 3, 40}, 6.0), 2), 0u);
+    for (const int scale : {1, 2})
+        if (scale == 1 || hasCoarseMasks()) {
+            EXPECT_EQ(runsWith(lamp({0, 3, 40}, 6.0), scale), 0u); // behind the eye
+        }
     EXPECT_EQ(runsWith(lamp({0, 3, 40}, 6.0), 1, MultiplicityMethod::referenceEdge), 0u);
 }
 
@@ -268,6 +276,7 @@ TEST(LightRange, GoesWithGroupsOfCasters) {
     };
     const Light light = lamp({0.4, 4, 0.3}, 5.0);
     for (const int scale : {1, 2}) {
+        if (scale > 1 && !hasCoarseMasks()) continue;
         const auto drawn = maskOf(light, ShadowMethod::volumes, scale);
         const auto reached = maskOf(light, ShadowMethod::none, 1);
         const auto endless = maskOf({light.position}, ShadowMethod::volumes, scale);
