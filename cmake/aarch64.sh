@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # cmake/aarch64.sh [FOLDER]   Debian's arm64 libraries for the preset aarch64, unpacked into FOLDER
 #                             (build/aarch64-sysroot). Nothing is installed for it: the machine's own
-#                             packages and lists stay as they are, and no root is needed.
+#                             packages and lists stay as they are, and no root is needed. The
+#                             sources of Draco and meshoptimizer come into build/sources.
 # ./test sources it for --long.
 # shellcheck shell=bash
 
 # The compiler and what runs its programs here: ordinary packages of this machine.
-aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user)
-aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libdraco-dev libdraco7
-    libmeshoptimizer-dev libmeshoptimizer2d libcli11-dev libgtest-dev librapidcheck-dev
-    libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
+aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user dpkg-dev)
+aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libcli11-dev
+    libgtest-dev librapidcheck-dev libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
 
 # What ./test --long builds and runs.
 aarch64_targets=(preprocess_test closed_chain_test closed_chain_precision_test pack_hashes)
@@ -47,5 +47,8 @@ unpack_aarch64() {
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
     set -euo pipefail
     cd "$(dirname "$0")/.."
+    source cmake/packages.sh
+    source cmake/sources.sh
+    fetch_sources build/sources
     unpack_aarch64 "${1:-build/aarch64-sysroot}"
 fi

@@ -31,10 +31,11 @@ def machine():
 
 
 def told_of_models(program, variable, names):
-    """The JSON that one of the tests' programs tells of models; the environment's `variable` may
-    name another build of it."""
-    path = os.environ.get(variable, str(ROOT / "build" / "release" / "tests" / "bench" / program))
-    done = subprocess.run([path, *(str(SCENES / f"{name}.glb") for name in names)], check=True,
+    """The JSON that one of the tests' programs, a path in build/, tells of models; the
+    environment's `variable` may name another build of it. Programs for node end in .cjs."""
+    path = os.environ.get(variable, str(ROOT / "build" / program))
+    run = ["node", path] if path.endswith(".cjs") else [path]
+    done = subprocess.run([*run, *(str(SCENES / f"{name}.glb") for name in names)], check=True,
                           stdout=subprocess.PIPE)
     return json.loads(done.stdout)
 

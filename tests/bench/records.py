@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What the adapted records leave of the published ones, and proposals of them, on every model in
-../shared/scenes: the tables of docs/adapted.md.
+"""What the adapted records leave of the published ones, and proposals of them, beside cube maps, on
+every model in ../shared/scenes: the tables of docs/adapted.md.
 
     tests/bench/records.py           measures, then the tables
     tests/bench/records.py --table   the tables from the results that are there
@@ -19,13 +19,19 @@ FRAME_KEPT = ("frame_ms", "stage_ms", "vertex_runs", "bytes_gpu")
 FRAME_SIZE, FRAMES = "960x540", 8
 
 
-WAYS = ("proposed", "all", "published")  # in the order in which bench is asked
+MAP_SIZES = (1024, 2048, 4096, 8192)
+
+# What the proposed records are measured against, as bench is asked for it.
+AGAINST = {"all": "silhouette=all", "published": "layout=published"} | {
+    f"map {size}": f"shadows=map,map-size={size}" for size in MAP_SIZES}
+WAYS = ("proposed", *AGAINST)
 
 
 def frames_of(path, *more):
-    """Frames by each of WAYS."""
+    """Frames by each of WAYS, in one run."""
+    others = [word for words in AGAINST.values() for word in ("--against", words)]
     told = report("bench", path, "--size", FRAME_SIZE, "--frames", FRAMES, "--timing", "processor",
-                  "--against", "silhouette=all", "--against", "layout=published", *more)
+                  *others, *more)
     frames = {way: {key: result[key] for key in FRAME_KEPT}
               for way, result in zip(WAYS, told["results"])}
     return frames | {"device": told["results"][0]["device"]["renderer"],
@@ -80,6 +86,26 @@ def frame_table(results, light):
     return "\n".join(lines)
 
 
+def map_table(results):
+    """Whole frames with cube maps over those with proposed records, a light at rest and a moving
+    one."""
+    lines = ["| scene | " + " | ".join(f"{size} x {size}" for size in MAP_SIZES) + " |",
+             "|" + " --- |" * (1 + len(MAP_SIZES))]
+    columns = [[] for _ in MAP_SIZES]
+    for scene, of in results["scenes"].items():
+        cells = []
+        for column, size in zip(columns, MAP_SIZES):
+            pair = [1 / of[light]["ratios"][f"map {size}"]["median"]
+                    for light in ("resting", "moving")]
+            column.append(pair)
+            cells.append("{:.2f}, {:.2f}".format(*pair))
+        lines.append(f"| {NAMES[scene]} | " + " | ".join(cells) + " |")
+    means = [[mean(values) for values in zip(*column)] for column in columns]
+    lines.append("| geometric mean | "
+                 + " | ".join("{:.2f}, {:.2f}".format(*pair) for pair in means) + " |")
+    return "\n".join(lines)
+
+
 def stage_table(results):
     """Where a frame's time goes."""
     lines = ["| scene | frame, ms | ambient | silhouette | rasterise | lit | the same of published "
@@ -109,6 +135,7 @@ def main():
     replace_between("docs/adapted.md", "frames", conditions(results)
                     + "The light at rest:\n\n" + frame_table(results, "resting")
                     + "\n\nA light that moves in every frame:\n\n" + frame_table(results, "moving"))
+    replace_between("docs/adapted.md", "maps", map_table(results))
     replace_between("docs/adapted.md", "stages", stage_table(results))
 
 

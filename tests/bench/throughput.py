@@ -35,7 +35,8 @@ def table(results):
 
 
 def main():
-    results = results_of("throughput", lambda: told_of_models("preprocess_throughput", "THROUGHPUT", NAMES))
+    results = results_of("throughput", lambda: told_of_models(
+        "release/tests/bench/preprocess_throughput", "THROUGHPUT", NAMES))
     replace_between("docs/adapted.md", "throughput", table(results))
 
 

@@ -1,0 +1,50 @@
+# Draco and meshoptimizer from source, without fused multiply-adds: the floats that they decode and
+# compute are then the same on every processor, and so are packed files (docs/platforms.md).
+include(FetchContent)
+add_compile_options(-ffp-contract=off)
+
+# Debian's source packages where cmake/sources.sh has fetched them, else the same versions from
+# upstream.
+foreach(library draco meshoptimizer)
+  string(TOUPPER ${library} upper)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/build/sources/${library})
+    set(FETCHCONTENT_SOURCE_DIR_${upper} ${PROJECT_SOURCE_DIR}/build/sources/${library})
+  endif()
+endforeach()
+FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco GIT_TAG 1.5.5
+  GIT_SUBMODULES "")
+FetchContent_Declare(meshoptimizer GIT_REPOSITORY https://github.com/zeux/meshoptimizer
+  GIT_TAG v0.18)
+
+FetchContent_GetProperties(draco)
+if(NOT draco_POPULATED)
+  FetchContent_Populate(draco)
+  if(EMSCRIPTEN)
+    set(DRACO_WASM ON CACHE BOOL "" FORCE)
+    set(DRACO_JS_GLUE OFF CACHE BOOL "" FORCE)
+    get_filename_component(emscripten_folder ${CMAKE_CXX_COMPILER} REALPATH)
+    get_filename_component(emscripten_folder ${emscripten_folder} DIRECTORY)
+    set(ENV{EMSCRIPTEN} ${emscripten_folder}) # its CMake asks for it
+  endif()
+  add_subdirectory(${draco_SOURCE_DIR} ${draco_BINARY_DIR} EXCLUDE_FROM_ALL)
+  target_include_directories(draco_static SYSTEM INTERFACE
+    $<BUILD_INTERFACE:${draco_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}>)
+  if(EMSCRIPTEN)
+    # Only what decodes: the rest would be compiled to be thrown away by the linker.
+    get_target_property(draco_parts draco_static SOURCES)
+    list(FILTER draco_parts EXCLUDE
+      REGEX "_(enc|encode|enc_config|options|io|animation|animation_dec)>")
+    set_property(TARGET draco_static PROPERTY SOURCES ${draco_parts})
+  endif()
+endif()
+
+FetchContent_GetProperties(meshoptimizer)
+if(NOT meshoptimizer_POPULATED)
+  FetchContent_Populate(meshoptimizer)
+  set(part ${meshoptimizer_SOURCE_DIR}/src)
+  add_library(meshoptimizer_part STATIC EXCLUDE_FROM_ALL ${part}/allocator.cpp
+    ${part}/indexcodec.cpp ${part}/indexgenerator.cpp ${part}/simplifier.cpp
+    ${part}/vertexcodec.cpp ${part}/vertexfilter.cpp)
+  target_include_directories(meshoptimizer_part SYSTEM PUBLIC ${part})
+  add_library(meshoptimizer::meshoptimizer ALIAS meshoptimizer_part)
+endif()
