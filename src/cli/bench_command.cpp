@@ -3,7 +3,6 @@
 #include "src/cli/bench_report.hpp"
 #include "src/cli/caster_variants.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/synthetic_report.hpp"
@@ -14,8 +13,7 @@
 namespace edgeshade::cli {
 namespace {
 
-struct BenchOptions {
-    std::string input;
+struct BenchOptions : SceneOptions {
     std::string report;
     bool synthetic = false;
     int frames = 0; ///< 0: defaultFrames, or defaultRepeats
@@ -23,11 +21,7 @@ struct BenchOptions {
     std::vector<std::pair<int, int>> sizes; ///< of --sizes; else view's
     bool lightMoves = false;
     std::optional<gl::Timing> timing;
-    ViewOptions view;
-    CasterOptions casters;
-    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits glLimits = gl::Limits::device;
     int samples = 0;
     std::vector<std::string> against;
 };
@@ -53,7 +47,7 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
+    const LoadedScene loaded = options.load();
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);
@@ -165,13 +159,10 @@ void addBenchCommand(CLI::App& program) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     addTimingOption(*verb, options->timing);
-    addViewOptions(*verb, options->view);
+    addSceneOptions(*verb, *options);
     sizes->excludes(verb->get_option("--size"));
     addDrawOptions(*verb, options->settings);
-    addGlLimitsOption(*verb, options->glLimits);
     addSamplesOption(*verb, options->samples);
-    addCasterOptions(*verb, options->casters);
-    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, verb] {
         resolve(options->settings);

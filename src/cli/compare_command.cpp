@@ -1,7 +1,6 @@
 #include "preprocess/error.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
-#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 
@@ -20,16 +19,11 @@
 namespace edgeshade::cli {
 namespace {
 
-struct CompareOptions {
-    std::string input;
+struct CompareOptions : SceneOptions {
     std::string report;
     std::string heatmap;
     int views = 16;
-    ViewOptions view;
-    CasterOptions casters;
-    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits glLimits = gl::Limits::device;
     std::vector<std::string> against;
 };
 
@@ -91,7 +85,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     std::vector<DrawSettings> settings = {options.settings};
     for (const std::string& text : options.against)
         settings.push_back(settingsFrom(options.settings, text));
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
+    const LoadedScene loaded = options.load();
     printWarnings(loaded.scene.warnings.sentences());
 
     lab::CompareTask task;
@@ -158,11 +152,8 @@ void addCompareCommand(CLI::App& program) {
         ->type_name("SETTING")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    addViewOptions(*verb, options->view);
+    addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
-    addCasterOptions(*verb, options->casters);
-    addGlLimitsOption(*verb, options->glLimits);
-    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         resolve(options->settings);

@@ -1,6 +1,7 @@
 #include "src/cli/options.hpp"
 
 #include "preprocess/error.hpp"
+#include "src/cli/limit_options.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -42,33 +43,6 @@ template <class Use>
 void addTextOption(CLI::App& verb, const std::string& name, const std::string& type,
                    const std::string& help, Use use) {
     verb.add_option_function<std::string>(name, use, help)->type_name(type);
-}
-
-} // namespace
-
-std::pair<int, int> sizeFrom(const std::string& text, const std::string& option) {
-    int values[2] = {};
-    const char* at = text.data();
-    const char* end = text.data() + text.size();
-    for (int i = 0; i < 2; ++i) {
-        const auto result = std::from_chars(at, end, values[i]);
-        const bool separated = i == 1 ? result.ptr == end : result.ptr != end && *result.ptr == 'x';
-        if (result.ec != std::errc() || !separated || values[i] < 1 || values[i] > 65536)
-            throw CLI::ValidationError(option, "'" + text +
-                                                   "' is not of the form WIDTHxHEIGHT with "
-                                                   "numbers from 1 to 65536");
-        at = result.ptr + 1;
-    }
-    return {values[0], values[1]};
-}
-
-CLI::Validator finite() {
-    return CLI::Validator(
-        [](const std::string& text) {
-            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
-                                                                     : text + " is not finite";
-        },
-        "");
 }
 
 void addViewOptions(CLI::App& verb, ViewOptions& options) {
@@ -134,6 +108,33 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
         ->needs(verb.get_option("--light"));
 }
 
+} // namespace
+
+std::pair<int, int> sizeFrom(const std::string& text, const std::string& option) {
+    int values[2] = {};
+    const char* at = text.data();
+    const char* end = text.data() + text.size();
+    for (int i = 0; i < 2; ++i) {
+        const auto result = std::from_chars(at, end, values[i]);
+        const bool separated = i == 1 ? result.ptr == end : result.ptr != end && *result.ptr == 'x';
+        if (result.ec != std::errc() || !separated || values[i] < 1 || values[i] > 65536)
+            throw CLI::ValidationError(option, "'" + text +
+                                                   "' is not of the form WIDTHxHEIGHT with "
+                                                   "numbers from 1 to 65536");
+        at = result.ptr + 1;
+    }
+    return {values[0], values[1]};
+}
+
+CLI::Validator finite() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return std::isfinite(std::strtod(text.c_str(), nullptr)) ? std::string()
+                                                                     : text + " is not finite";
+        },
+        "");
+}
+
 CasterSettings CasterChanges::on(CasterSettings settings) const {
     settings.weldTolerance = weldTolerance.value_or(settings.weldTolerance);
     settings.flatTolerance = flatTolerance.value_or(settings.flatTolerance);
@@ -175,10 +176,13 @@ void addSamplesOption(CLI::App& verb, int& samples) {
         ->type_name("N");
 }
 
-void addGlLimitsOption(CLI::App& verb, gl::Limits& limits) {
-    addChoice(verb, "--gl-limits", limits, limitNames,
+void addSceneOptions(CLI::App& verb, SceneOptions& options) {
+    addViewOptions(verb, options.view);
+    addCasterOptions(verb, options.casters);
+    addChoice(verb, "--gl-limits", options.glLimits, limitNames,
               "What is used of the GL: all that the device has, or only what every OpenGL ES 2.0 "
               "has: no extensions, 8 attributes, 16 bits of depth (device)");
+    addLimitOptions(verb, options.limits);
 }
 
 std::string glLimitsName(gl::Limits limits) {

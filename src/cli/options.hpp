@@ -42,6 +42,17 @@ struct CasterOptions {
     }
 };
 
+/// What every verb that draws a scene is told of it. `FILE` itself each adds in its own words.
+struct SceneOptions {
+    std::string input;
+    ViewOptions view;
+    CasterOptions casters;
+    ReadingLimits limits;
+    gl::Limits glLimits = gl::Limits::device;
+
+    LoadedScene load() const { return loadScene(input, casters.wanted(), limits); }
+};
+
 /// The words that an option takes, in the order in which help and messages list them.
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
@@ -78,12 +89,11 @@ std::pair<int, int> sizeFrom(const std::string& text, const std::string& option)
 CLI::Validator finite();
 
 /// Adds the options to a verb; `options` must outlive parsing.
-void addViewOptions(CLI::App& verb, ViewOptions& options);
 void addCasterOptions(CLI::App& verb, CasterOptions& options);
 void addCasterChanges(CLI::App& verb, CasterChanges& changes);
 void addReportOption(CLI::App& verb, std::string& path);
 void addSamplesOption(CLI::App& verb, int& samples);
-void addGlLimitsOption(CLI::App& verb, gl::Limits& limits);
+void addSceneOptions(CLI::App& verb, SceneOptions& options);
 
 /// The word that the option has for them.
 std::string glLimitsName(gl::Limits limits);

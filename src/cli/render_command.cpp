@@ -3,7 +3,6 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/explanation.hpp"
-#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/gl/headless_context.hpp"
@@ -15,15 +14,10 @@
 namespace edgeshade::cli {
 namespace {
 
-struct RenderOptions {
-    std::string input;
+struct RenderOptions : SceneOptions {
     std::string output;
     std::string report;
-    ViewOptions view;
-    CasterOptions casters;
-    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits glLimits = gl::Limits::device;
     bool mask = false;
     bool explain = false;
     bool debugVolumes = false;
@@ -65,7 +59,7 @@ void tintVolumes(const GpuScene& scene, const FrameView& view, const RenderSetti
 
 void render(const RenderOptions& options) {
     Stopwatch watch;
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
+    const LoadedScene loaded = options.load();
     const auto& warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);
@@ -142,12 +136,9 @@ void addRenderCommand(CLI::App& program) {
         *verb, "--debug", options->debugVolumes, {{"none", false}, {"volumes", true}},
         "Tint the picture by what is drawn of the shadow volumes, and say what --explain says: "
         "sides orange, with caps red, drawn twice green; caps blue (none)");
-    addViewOptions(*verb, options->view);
+    addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
-    addGlLimitsOption(*verb, options->glLimits);
     addSamplesOption(*verb, options->samples);
-    addCasterOptions(*verb, options->casters);
-    addLimitOptions(*verb, options->limits);
     addReportOption(*verb, options->report);
     verb->callback([options] {
         resolve(options->settings);

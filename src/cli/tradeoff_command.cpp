@@ -1,6 +1,5 @@
 #include "preprocess/error.hpp"
 #include "src/cli/commands.hpp"
-#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 
 #include <memory>
@@ -25,9 +24,7 @@
 namespace edgeshade::cli {
 namespace {
 
-struct TradeoffOptions {
-    gl::Limits glLimits = gl::Limits::device;
-    std::string input;
+struct TradeoffOptions : SceneOptions {
     std::string report;
     std::string plot;
     int frames = 40;
@@ -39,9 +36,6 @@ struct TradeoffOptions {
     std::optional<double> maxWrongPercent;
     std::optional<gl::Timing> timing;
     std::vector<std::string> against;
-    ViewOptions view;
-    CasterOptions casters;
-    ReadingLimits limits;
 };
 
 #ifdef EDGESHADE_HAS_LAB
@@ -231,7 +225,7 @@ std::string limitsOf(const TradeoffOptions& options) {
 
 void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
-    const LoadedScene loaded = loadScene(options.input, options.casters.wanted(), options.limits);
+    const LoadedScene loaded = options.load();
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     std::vector<Row> rows = possibleRows(options, loaded, warnings);
     const bool demanding = options.budgetMs || options.maxWrongPercent;
@@ -329,10 +323,7 @@ void addTradeoffCommand(CLI::App& program) {
                    "Lights draw small circles while times are taken, so shadow maps are drawn anew "
                    "for every frame; without, they are kept");
     addTimingOption(*verb, options->timing);
-    addViewOptions(*verb, options->view);
-    addGlLimitsOption(*verb, options->glLimits);
-    addCasterOptions(*verb, options->casters);
-    addLimitOptions(*verb, options->limits);
+    addSceneOptions(*verb, *options);
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         options->viewsTyped = views->count() > 0;

@@ -4,7 +4,6 @@
 
 #ifdef EDGESHADE_HAS_WINDOW
 #include "src/cli/draw_settings.hpp"
-#include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/desktop/app.hpp"
@@ -18,14 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct WindowOptions {
-    std::string input; ///< empty: none yet
+struct WindowOptions : SceneOptions {
     std::string screenshot;
-    ViewOptions view;
-    CasterOptions casters;
-    ReadingLimits limits;
     DrawSettings settings;
-    gl::Limits glLimits = gl::Limits::device;
     int samples = 0;
 };
 
@@ -91,12 +85,9 @@ void addViewCommand(CLI::App& program) {
                      "Draw one picture in the window, save it and end")
         ->type_name("OUT.png")
         ->needs(verb->get_option("FILE"));
-    addViewOptions(*verb, options->view);
+    addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
-    addGlLimitsOption(*verb, options->glLimits);
     addSamplesOption(*verb, options->samples);
-    addCasterOptions(*verb, options->casters);
-    addLimitOptions(*verb, options->limits);
     verb->callback([options] {
         resolve(options->settings);
         view(*options);

@@ -4,6 +4,7 @@
 
 #include "src/render/light_facings.hpp"
 #include "tests/support/small_soups.hpp"
+#include "tests/support/soup_shadow.hpp"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -12,15 +13,8 @@ namespace edgeshade {
 namespace {
 
 using test::Random;
+using test::shadowOf;
 using test::Soup;
-
-AdaptedShadow shadowOf(const Soup& soup) {
-    CasterMesh mesh;
-    mesh.welded = weld(soup.positions, soup.indices);
-    const auto count = static_cast<std::uint32_t>(mesh.welded.triangles.size());
-    if (count > 0) mesh.groups = {{0, 0, count}};
-    return buildAdapted(mesh, buildEdges(mesh.welded), {Material()});
-}
 
 /// All triangles on the way, by barycentric coordinates.
 int trianglesOnTheWay(const AdaptedShadow& shadow, const ShadowCluster& cluster,

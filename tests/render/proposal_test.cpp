@@ -5,6 +5,7 @@
 #include "tests/support/adapted_chain.hpp"
 #include "tests/support/rounded_arithmetic.hpp"
 #include "tests/support/small_soups.hpp"
+#include "tests/support/soup_shadow.hpp"
 
 #include <gtest/gtest.h>
 #include <iostream>
@@ -13,15 +14,8 @@ namespace edgeshade {
 namespace {
 
 using test::Random;
+using test::shadowOf;
 using test::Soup;
-
-AdaptedShadow shadowOf(const Soup& soup) {
-    CasterMesh mesh;
-    mesh.welded = weld(soup.positions, soup.indices);
-    const auto count = static_cast<std::uint32_t>(mesh.welded.triangles.size());
-    if (count > 0) mesh.groups = {{0, 0, count}};
-    return buildAdapted(mesh, buildEdges(mesh.welded), {Material()});
-}
 
 Proposal proposalFor(const AdaptedShadow& shadow, const LightBall& ball, int mantissaBits = 23) {
     Proposal proposal;
