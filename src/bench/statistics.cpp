@@ -41,6 +41,25 @@ Ratios ratiosOf(std::span<const double> own, std::span<const double> other) {
     return {median(ratios), *least, *most};
 }
 
+std::vector<std::optional<double>>
+leastTimes(std::size_t count, int quietTurns,
+           const std::function<std::optional<double>(std::size_t)>& measure) {
+    constexpr double matters = 0.99;
+    std::vector<std::optional<double>> least(count);
+    int quiet = 0;
+    for (int turn = 0; quiet < quietTurns && turn < 10 * quietTurns; ++turn) {
+        bool lowered = false;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::optional<double> time = measure(i);
+            if (!time || (least[i] && *time >= *least[i])) continue;
+            lowered |= !least[i] || *time < matters * *least[i];
+            least[i] = time;
+        }
+        quiet = lowered ? 0 : quiet + 1;
+    }
+    return least;
+}
+
 Line fittedLine(std::span<const double> x, std::span<const double> y) {
     const double meanX = meanOf(x), meanY = meanOf(y);
     double xx = 0.0, xy = 0.0, yy = 0.0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +30,14 @@ struct Ratios {
 };
 /// own[i] / other[i]; as many of both, `other` above 0.
 Ratios ratiosOf(std::span<const double> own, std::span<const double> other);
+
+/// The least of what `measure` says of each of `count` things: what disturbs only ever adds. The
+/// things take turns, so that it hits all alike, and turns go on until `quietTurns` in a row have
+/// lowered none by more than a hundredth, ten times as many at the most. Nothing from `measure`:
+/// this one failed; nothing in the result: all did.
+std::vector<std::optional<double>>
+leastTimes(std::size_t count, int quietTurns,
+           const std::function<std::optional<double>(std::size_t)>& measure);
 
 /// The line that least squares put through points (x, y), and how well it fits.
 struct Line {

@@ -18,27 +18,30 @@ const char* nameOf(Silhouette silhouette) {
     return silhouette == Silhouette::all ? "all silhouette" : "none silhouette";
 }
 
-/// The least times by number of edges: what disturbs only ever adds. The numbers take turns, so
-/// that it hits all alike.
+/// Milliseconds, by number of edges.
 std::map<std::size_t, double> timesOf(SyntheticSubject& subject, const SyntheticTask& task,
                                       gl::SpanTimer& timer) {
-    std::map<std::size_t, double> least;
-    for (int repeat = -1; repeat < task.repeats; ++repeat)
-        for (const std::size_t edges : task.edges) {
-            timer.begin(0);
-            subject.draw(edges);
-            timer.end();
-            const auto spans = timer.takeAll();
-            if (repeat < 0 || spans.front().disturbed) continue;
-            const double ms = spans.front().milliseconds;
-            const auto [found, isNew] = least.emplace(edges, ms);
-            if (!isNew) found->second = std::min(found->second, ms);
-        }
+    const auto measure = [&](std::size_t i) -> std::optional<double> {
+        timer.begin(0);
+        subject.draw(task.edges[i]);
+        timer.end();
+        const auto spans = timer.takeAll();
+        if (spans.front().disturbed) return std::nullopt;
+        return spans.front().milliseconds;
+    };
+    for (std::size_t i = 0; i < task.edges.size(); ++i)
+        measure(i); // to warm up
+    const auto least = leastTimes(task.edges.size(), task.quietTurns, measure);
     gl::requireNoError("evaluating synthetic edges");
-    if (least.size() < task.edges.size())
-        throw Error(ExitStatus::unavailable,
-                    "The GPU's clock is disturbed in every draw; '--timing finish' does without.");
-    return least;
+    std::map<std::size_t, double> times;
+    for (std::size_t i = 0; i < task.edges.size(); ++i) {
+        if (!least[i])
+            throw Error(ExitStatus::unavailable,
+                        "The GPU's clock is disturbed in every draw; '--timing finish' does "
+                        "without.");
+        times[task.edges[i]] = *least[i];
+    }
+    return times;
 }
 
 SyntheticFit fitOf(const std::vector<SyntheticRow>& rows, const SyntheticTask& task) {

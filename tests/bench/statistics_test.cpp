@@ -50,4 +50,28 @@ TEST(Statistics, WhatIsNoLineIsNotExplainedByOne) {
     EXPECT_NEAR(fittedLine(x, y).rSquared, 0.0, 1e-12);
 }
 
+TEST(Statistics, LeastTimesWaitForTheDisturbanceToEnd) {
+    int turn = 0;
+    const auto least = leastTimes(3, 4, [&](std::size_t i) -> std::optional<double> {
+        turn += i == 0;
+        if (i == 1) return std::nullopt;
+        const double disturbance = turn < 9 ? 30.0 - turn : 0.0;
+        return 10.0 + disturbance + 0.01 * (turn % 3);
+    });
+    EXPECT_EQ(turn, 13) << "quiet from the ninth on";
+    EXPECT_EQ(least[0], 10.0);
+    EXPECT_FALSE(least[1]);
+    EXPECT_EQ(least[2], 10.0);
+}
+
+TEST(Statistics, LeastTimesEndWhereTheyNeverSettle) {
+    double time = 1e6;
+    int measured = 0;
+    leastTimes(2, 3, [&](std::size_t) {
+        ++measured;
+        return std::optional(time *= 0.9);
+    });
+    EXPECT_EQ(measured, 2 * 30);
+}
+
 } // namespace edgeshade::bench
