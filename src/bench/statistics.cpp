@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace edgeshade::bench {
@@ -41,23 +42,25 @@ Ratios ratiosOf(std::span<const double> own, std::span<const double> other) {
     return {median(ratios), *least, *most};
 }
 
-std::vector<std::optional<double>>
-leastTimes(std::size_t count, int quietTurns,
-           const std::function<std::optional<double>(std::size_t)>& measure) {
-    constexpr double matters = 0.99;
-    std::vector<std::optional<double>> least(count);
-    int quiet = 0;
-    for (int turn = 0; quiet < quietTurns && turn < 10 * quietTurns; ++turn) {
-        bool lowered = false;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::optional<double> time = measure(i);
-            if (!time || (least[i] && *time >= *least[i])) continue;
-            lowered |= !least[i] || *time < matters * *least[i];
-            least[i] = time;
-        }
-        quiet = lowered ? 0 : quiet + 1;
+std::vector<double> timesInTurns(std::size_t count, int turns,
+                                 const std::function<std::optional<double>(std::size_t)>& measure) {
+    std::vector<std::vector<double>> shares(count); // one a turn
+    double quickest = std::numeric_limits<double>::infinity();
+    for (int turn = 0; turn < turns; ++turn) {
+        std::vector<double> times;
+        for (std::size_t i = 0; i < count; ++i)
+            if (const auto time = measure(i)) times.push_back(*time);
+        if (times.size() < count) continue;
+        const double whole = std::reduce(times.begin(), times.end());
+        quickest = std::min(quickest, whole);
+        for (std::size_t i = 0; i < count; ++i)
+            shares[i].push_back(times[i] / whole);
     }
-    return least;
+    if (!std::isfinite(quickest)) return {};
+    std::vector<double> times;
+    for (std::vector<double>& share : shares)
+        times.push_back(median(std::move(share)) * quickest);
+    return times;
 }
 
 Line fittedLine(std::span<const double> x, std::span<const double> y) {

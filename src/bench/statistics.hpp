@@ -31,13 +31,13 @@ struct Ratios {
 /// own[i] / other[i]; as many of both, `other` above 0.
 Ratios ratiosOf(std::span<const double> own, std::span<const double> other);
 
-/// The least of what `measure` says of each of `count` things: what disturbs only ever adds. The
-/// things take turns, so that it hits all alike, and turns go on until `quietTurns` in a row have
-/// lowered none by more than a hundredth, ten times as many at the most. Nothing from `measure`:
-/// this one failed; nothing in the result: all did.
-std::vector<std::optional<double>>
-leastTimes(std::size_t count, int quietTurns,
-           const std::function<std::optional<double>(std::size_t)>& measure);
+/// What each of `count` things takes, measured in turns of all of them: the median of its shares of
+/// a turn, times the quickest turn. Where a machine is slower for a while it is so for all of a
+/// turn, and what disturbs a thing in less than half of the turns doesn't count. Best for things
+/// that take about as long as each other. `measure` says nothing where it failed, and the turn is
+/// left out; nothing is returned where none is left.
+std::vector<double> timesInTurns(std::size_t count, int turns,
+                                 const std::function<std::optional<double>(std::size_t)>& measure);
 
 /// The line that least squares put through points (x, y), and how well it fits.
 struct Line {

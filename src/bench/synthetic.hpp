@@ -16,7 +16,7 @@ struct SyntheticTask {
     std::vector<std::size_t> edges{10'000, 20'000, 30'000, 40'000, 50'000,
                                    60'000, 70'000, 80'000, 90'000};
     std::vector<int> multiplicities{1, 2, 3, 4, 5, 6, 7, 8, 9}; ///< opposite vertices an edge
-    int quietTurns = 9; ///< so many draws in a row that are no quicker end a measurement
+    int turns = 9; ///< of drawing as many edges as there are: see timesInTurns()
     MultiplicityMethod method = MultiplicityMethod::referenceEdge; ///< of the published layouts
     std::optional<gl::Timing> timing;                              ///< nothing: bestTiming()
 };

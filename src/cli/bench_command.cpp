@@ -92,7 +92,7 @@ void benchScene(const BenchOptions& options) {
 
 void benchSynthetic(const BenchOptions& options) {
     bench::SyntheticTask task;
-    if (options.frames > 0) task.quietTurns = options.frames;
+    if (options.frames > 0) task.turns = options.frames;
     task.method = options.settings.multiplicity.value_or(task.method);
     if (task.method == MultiplicityMethod::plane)
         throw Error(ExitStatus::usage, "--multiplicity: with --synthetic it is that of the "
@@ -135,10 +135,9 @@ void addBenchCommand(CLI::App& program) {
         "--synthetic", options->synthetic,
         "No scene: 10,000 to 90,000 edges of multiplicity 1 to 9 in every layout, vertex "
         "work alone, with the thesis' Equation 6.10 fitted");
-    verb->add_option(
-            "--frames", options->frames,
-            "Frames of the flight, 1 to 100000 (120); with a camera of yours it stays there. "
-            "With --synthetic: draws without a quicker one that end a cell (9)")
+    verb->add_option("--frames", options->frames,
+                     "Frames of the flight, 1 to 100000 (120); turns with --synthetic (9). With a "
+                     "camera of yours it stays there")
         ->check(CLI::Range(1, 100000))
         ->type_name("N");
     verb->add_option("--warm-up", options->warmUp, "Frames before that are not measured (3)")

@@ -113,7 +113,7 @@ def by_edges(rows):
 
 
 def measure_synthetic():
-    full = condensed(report("bench", "--synthetic", "--frames", 6, *TIMING))
+    full = condensed(report("bench", "--synthetic", "--frames", 7, *TIMING))
     full["rows"] = by_edges(full["rows"])
     write_results("bench_synthetic", with_device(full, full))
 

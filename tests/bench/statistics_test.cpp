@@ -50,28 +50,33 @@ TEST(Statistics, WhatIsNoLineIsNotExplainedByOne) {
     EXPECT_NEAR(fittedLine(x, y).rSquared, 0.0, 1e-12);
 }
 
-TEST(Statistics, LeastTimesWaitForTheDisturbanceToEnd) {
-    int turn = 0;
-    const auto least = leastTimes(3, 4, [&](std::size_t i) -> std::optional<double> {
-        turn += i == 0;
-        if (i == 1) return std::nullopt;
-        const double disturbance = turn < 9 ? 30.0 - turn : 0.0;
-        return 10.0 + disturbance + 0.01 * (turn % 3);
+// A machine that is up to three times slower in some turns, and disturbs one thing here and there.
+TEST(Statistics, TimesInTurnsAreThoseOfTheQuickestTurn) {
+    const std::vector<double> truth = {3.0, 4.0, 5.0};
+    int measured = 0;
+    const auto times = timesInTurns(3, 7, [&](std::size_t i) {
+        const int turn = measured++ / 3;
+        const double slow = turn == 4 ? 1.0 : 1.0 + (turn * 5 % 7) / 3.0;
+        const bool hit = turn % 3 == static_cast<int>(i) && turn != 4;
+        return std::optional(truth[i] * slow * (hit ? 1.02 : 1.0));
     });
-    EXPECT_EQ(turn, 13) << "quiet from the ninth on";
-    EXPECT_EQ(least[0], 10.0);
-    EXPECT_FALSE(least[1]);
-    EXPECT_EQ(least[2], 10.0);
+    EXPECT_EQ(measured, 3 * 7);
+    ASSERT_EQ(times.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(times[i], truth[i], 0.01 * truth[i]);
 }
 
-TEST(Statistics, LeastTimesEndWhereTheyNeverSettle) {
-    double time = 1e6;
+TEST(Statistics, TurnsThatFailAreLeftOut) {
     int measured = 0;
-    leastTimes(2, 3, [&](std::size_t) {
-        ++measured;
-        return std::optional(time *= 0.9);
-    });
-    EXPECT_EQ(measured, 2 * 30);
+    const auto fails = [&](int turns) {
+        measured = 0;
+        return timesInTurns(2, turns, [&](std::size_t i) -> std::optional<double> {
+            if (measured++ < 3) return std::nullopt;
+            return i == 0 ? 1.0 : 2.0;
+        });
+    };
+    EXPECT_EQ(fails(3), (std::vector<double>{1.0, 2.0}));
+    EXPECT_TRUE(fails(1).empty());
 }
 
 } // namespace edgeshade::bench

@@ -41,7 +41,7 @@ TEST(Synthetic, EveryCellHasATimeAndEveryLayoutAFit) {
     SyntheticTask task;
     task.edges = {100, 200};
     task.multiplicities = {1, 2, 6};
-    task.quietTurns = 2;
+    task.turns = 2;
     const SyntheticReport report = measureSynthetic(task, [](double, const std::string&) {});
     const std::size_t layouts = report.device.instancing ? 5 : 2;
     EXPECT_EQ(report.rows.size(), layouts * 2 * 2 * 3);
