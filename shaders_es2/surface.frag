@@ -1,5 +1,6 @@
 // Base colour times ambient light or, with LIT, times the Lambert term of one light as far as it
-// reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. Variants: MASK,
+// reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. WITH_AMBIENT,
+// of LIT, both at once, and the ambient share of their sum in alpha. Other variants: MASK,
 // the lit mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials
 // with holes; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: RANGED, a
 // light that doesn't reach everywhere; MAP, lit as far as the light's shadow map says, with MAP_SUN
@@ -32,7 +33,8 @@ uniform float u_diffuse;
 uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
 varying vec3 v_normal;
 varying vec3 v_towardsLight;
-#else
+#endif
+#if !defined(LIT) || defined(WITH_AMBIENT)
 uniform float u_ambient;
 #endif
 #ifdef RANGED
@@ -108,8 +110,11 @@ void main() {
 #else
     float share = u_ambient;
 #endif
-#ifdef BLENDED
+#if defined(BLENDED)
     float alpha = base.a;
+#elif defined(WITH_AMBIENT)
+    share += u_ambient;
+    float alpha = share > 0.0 ? u_ambient / share : 1.0;
 #else
     float alpha = 1.0;
 #endif

@@ -112,7 +112,6 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
         const Pass pass{scene, view, view.slices[s], s == 0, clock, counted};
-        drawDepthAndAmbient(pass);
         std::vector<gl::PixelRectangle> reaches(lights); // empty: nothing to draw
         gl::PixelRectangle reach;
         for (std::size_t i = 0; i < lights; ++i) {
@@ -120,12 +119,16 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
             reaches[i] = gl::intersection(open, lightReach(view, pass.slice, view.lights[i]));
             reach = gl::united(reach, reaches[i]);
         }
+        const auto withAmbient = lightWithAmbient(view, groups, reaches);
+        drawDepthAndAmbient(pass, withAmbient ? &view.lights[*withAmbient] : nullptr);
         if (coarse_ && !reach.empty()) drawCoarseSurfaces(pass, reach);
         for (std::size_t i = 0; i < lights; ++i) {
             if (reaches[i].empty()) continue;
-            const bool grouped = i < groups.size() && !groups[i].empty() &&
-                                 settings_.shadows == ShadowMethod::volumes;
-            drawShadowedLight(pass, i, grouped ? &groups[i] : nullptr, reaches[i]);
+            const GroupedShadow* grouped = groupsOf(groups, i);
+            if (i == withAmbient)
+                drawShadow(pass, i, reaches[i]);
+            else
+                drawShadowedLight(pass, i, grouped, reaches[i]);
             marked = marked || (grouped && !coarse_);
         }
         if (!view.mask && view.drawBlended) drawBlended(pass);
@@ -147,7 +150,25 @@ std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shadi
     return runs;
 }
 
-void Renderer::drawDepthAndAmbient(const Pass& pass) {
+const GroupedShadow* Renderer::groupsOf(const std::vector<GroupedShadow>& groups,
+                                        std::size_t light) const {
+    const bool grouped = settings_.shadows == ShadowMethod::volumes && light < groups.size() &&
+                         !groups[light].empty();
+    return grouped ? &groups[light] : nullptr;
+}
+
+std::optional<std::size_t>
+Renderer::lightWithAmbient(const FrameView& view, const std::vector<GroupedShadow>& groups,
+                           const std::vector<gl::PixelRectangle>& reaches) const {
+    if (view.mask || coarse_ || sides_) return std::nullopt;
+    for (std::size_t i = 0; i < reaches.size(); ++i)
+        if (!reaches[i].empty() && !groupsOf(groups, i)) return i;
+    return std::nullopt;
+}
+
+void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light) {
+    std::optional<ShadowMapLookup> map;
+    if (light && settings_.shadows == ShadowMethod::map) map = drawMap(pass, *light);
     const StageScope stage(pass.clock, FrameStage::ambient);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
@@ -162,10 +183,29 @@ void Renderer::drawDepthAndAmbient(const Pass& pass) {
     glClear(GL_DEPTH_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
     SurfaceShading shading;
+    if (light) {
+        shading = litShading(pass, *light);
+        shading.withAmbient = true;
+        shading.map = map ? &*map : nullptr;
+        // Alpha, which is 1, is the volumes'.
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, settings_.shadows == ShadowMethod::volumes);
+    }
     shading.ambient = settings_.ambient;
     shading.mask = pass.view.mask;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
-    drawSurfaces(pass, shading);
+    drawSurfaces(pass, shading, shading.map);
+}
+
+void Renderer::drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach) {
+    if (settings_.shadows != ShadowMethod::volumes) return;
+    std::optional<gl::ScissorScope> cut;
+    if (pass.view.lights[light].hasRange()) cut.emplace(reach);
+    countAndMark(pass, light, nullptr, reach);
+    const StageScope stage(pass.clock, FrameStage::lit);
+    mark_.darkenCounted();
+    mark_.clear();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDisable(GL_STENCIL_TEST);
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.
@@ -332,16 +372,21 @@ ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
     return map;
 }
 
-void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map) {
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_EQUAL);
+SurfaceShading Renderer::litShading(const Pass& pass, const Light& light) const {
     SurfaceShading shading;
     shading.light = light;
     shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
     shading.mask = pass.view.mask;
     shading.maskValue = 1.0f;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
+    return shading;
+}
+
+void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map) {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    SurfaceShading shading = litShading(pass, light);
     shading.map = map;
     CoarseMaskLookup mask;
     if (coarse_) {

@@ -49,6 +49,10 @@ struct RenderSettings {
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps, or
 /// with none, in place of volumes.
 ///
+/// But where its shadows need no alpha of their own the first light is drawn with ambient light,
+/// which saves it a pass over the surfaces, and alpha holds the ambient share, which is what is
+/// left in shadow. Published records keep to the method's passes.
+///
 /// Depth slices are drawn from far to near, each with a depth range of its own: caps are cut at a
 /// slice's near plane, and what is nearer lies in front of everything visible there; nearer slices
 /// draw over the surfaces that they hold. Where more volumes may lie around a point than the
@@ -117,7 +121,15 @@ class Renderer {
     };
     using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
 
-    void drawDepthAndAmbient(const Pass& pass);
+    /// Its casters in groups, or null.
+    const GroupedShadow* groupsOf(const std::vector<GroupedShadow>& groups,
+                                  std::size_t light) const;
+    /// The light that is drawn with ambient light, of those that reach something; nothing if none
+    /// is.
+    std::optional<std::size_t>
+    lightWithAmbient(const FrameView& view, const std::vector<GroupedShadow>& groups,
+                     const std::vector<gl::PixelRectangle>& reaches) const;
+    void drawDepthAndAmbient(const Pass& pass, const Light* light);
     /// What counting volumes came to.
     struct VolumeCount {
         std::size_t vertexRuns = 0;
@@ -127,6 +139,9 @@ class Renderer {
     void drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& reach);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups,
                            const gl::PixelRectangle& reach);
+    /// Takes the light that was drawn with ambient light from where it is in shadow.
+    void drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach);
+    SurfaceShading litShading(const Pass& pass, const Light& light) const;
     /// These two return whether anything may be lit.
     bool countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
                       const gl::PixelRectangle& reach);

@@ -20,6 +20,18 @@ void ShadowMark::clear() {
 
 void ShadowMark::markCounted() {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    drawCounted();
+}
+
+void ShadowMark::darkenCounted() {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_DST_ALPHA);
+    drawCounted();
+    glDisable(GL_BLEND);
+}
+
+void ShadowMark::drawCounted() {
     glDisable(GL_DEPTH_TEST);
     glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);

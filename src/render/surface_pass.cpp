@@ -89,6 +89,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.textured = scene.textures.has(material);
     variant.colored = chunk.colored;
     variant.lit = shading.light.has_value();
+    variant.withAmbient = variant.lit && shading.withAmbient;
     variant.ranged = variant.lit && shading.light->hasRange();
     variant.mask = shading.mask;
     variant.sliced = std::isfinite(shading.farthest);
@@ -106,6 +107,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.textured) defines.push_back("TEXTURED");
     if (variant.colored) defines.push_back("COLORED");
     if (variant.lit) defines.push_back("LIT");
+    if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
     if (variant.ranged) defines.push_back("RANGED");
     if (variant.mask) defines.push_back("MASK");
     if (variant.sliced) defines.push_back("SLICED");

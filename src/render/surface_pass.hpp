@@ -15,10 +15,11 @@
 
 namespace edgeshade {
 
-/// What the surfaces write: base colour times ambient light or times that of one light, or, for the
-/// lit mask, `maskValue`.
+/// What the surfaces write: base colour times ambient light or times that of one light or both, or,
+/// for the lit mask, `maskValue`.
 struct SurfaceShading {
     std::optional<Light> light; ///< nothing: ambient light
+    bool withAmbient = false;   ///< light and ambient light, whose share of both is in alpha
     float ambient = 0.0f;
     float diffuse = 0.0f; ///< of the light, times its Lambert term
     bool mask = false;
@@ -62,15 +63,16 @@ class SurfacePass {
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
-        bool ranged; ///< lit by a light that doesn't reach everywhere
-        bool mask;   ///< draws the lit mask
-        bool sliced; ///< has a farthest depth
-        bool coarse; ///< looks up a mask of lower resolution
-        bool planes; ///< draws what such a mask stores of surfaces
+        bool withAmbient; ///< with ambient light, too
+        bool ranged;      ///< lit by a light that doesn't reach everywhere
+        bool mask;        ///< draws the lit mask
+        bool sliced;      ///< has a farthest depth
+        bool coarse;      ///< looks up a mask of lower resolution
+        bool planes;      ///< draws what such a mask stores of surfaces
 
         auto key() const {
-            return std::tie(alphaMode, map, textured, colored, lit, ranged, mask, sliced, coarse,
-                            planes);
+            return std::tie(alphaMode, map, textured, colored, lit, withAmbient, ranged, mask,
+                            sliced, coarse, planes);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

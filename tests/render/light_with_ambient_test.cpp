@@ -1,0 +1,107 @@
+// The light that is drawn together with ambient light: what shadow leaves of both is the ambient
+// share, to a unit of the picture's bytes, and nothing stays in the picture's alpha.
+#include "tests/support/hard_lights.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::pointLight;
+using test::sun;
+using test::TestView;
+using Picture = std::vector<std::uint8_t>;
+
+constexpr int width = 240, height = 180;
+const Camera outside{{5, 4, 6}, {0, 0.5, 0}, 50.0};
+
+Picture draw(const TestView& view, ShadowMethod shadows, float ambient) {
+    RenderSettings settings;
+    settings.shadows = shadows;
+    settings.ambient = ambient;
+    return test::drawScene(test::yard().scene(), view, settings);
+}
+
+/// Expects the picture to be what ambient light and each light make by themselves, the light where
+/// its mask says that it comes.
+void expectSum(const std::vector<Light>& lights, float ambient, std::optional<int> slices = {}) {
+    TestView view{outside, lights, width, height};
+    view.depth.slices = slices;
+    const Picture drawn = draw(view, ShadowMethod::volumes, ambient);
+    TestView part = view;
+    part.drawnLights = 0;
+    const Picture ambientAlone = draw(part, ShadowMethod::none, ambient);
+    std::vector<Picture> alone, masks;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        part.drawnLights = 1u << i;
+        alone.push_back(draw(part, ShadowMethod::none, ambient));
+        TestView mask = view;
+        mask.mask = true;
+        mask.lights = {lights[i]};
+        masks.push_back(draw(mask, ShadowMethod::volumes, ambient));
+    }
+    const int tolerated = static_cast<int>(lights.size()) + (lights.size() > 1);
+    int shaded = 0;
+    for (std::size_t at = 0; at < drawn.size(); at += 4) {
+        bool allLit = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+            int expected = ambientAlone[at + c];
+            for (std::size_t i = 0; i < lights.size(); ++i) {
+                const bool lit = masks[i][at] != 0 || masks[i][at + 3] == 0;
+                allLit &= lit;
+                if (lit) expected += alone[i][at + c] - ambientAlone[at + c];
+            }
+            ASSERT_NEAR(drawn[at + c], expected, allLit && lights.size() == 1 ? 0 : tolerated)
+                << "pixel " << at / 4 << ", channel " << c;
+        }
+        shaded += !allLit;
+        ASSERT_EQ(drawn[at + 3], 255) << "pixel " << at / 4;
+    }
+    EXPECT_GT(shaded, 300);
+}
+
+TEST(LightWithAmbient, IsTakenFromWhereItIsInShadow) {
+    for (const float ambient : {0.0f, 0.1f, 0.35f, 0.9f}) {
+        expectSum({pointLight({2.5, 4, 1.2})}, ambient);
+        expectSum({sun({0.5, 1.0, 0.4})}, ambient);
+    }
+}
+
+TEST(LightWithAmbient, GoesWithRangesSlicesAndMoreLights) {
+    Light lamp = pointLight({0.2, 2.5, 1.2});
+    lamp.range = 4.5;
+    expectSum({lamp}, 0.2f);
+    expectSum({lamp}, 0.2f, 3);
+    expectSum({sun({0.5, 1.0, 0.4})}, 0.35f, 4);
+    expectSum({lamp, sun({0.5, 1.0, 0.4}), pointLight({-3, 3, 2})}, 0.2f, 2);
+}
+
+// All that is visible is in the box's shadow: nothing is counted, and all is darkened.
+TEST(LightWithAmbient, LeavesAmbientLightWhereAllIsInShadow) {
+    const Scene scene = test::SceneBuilder().box({-9, -9, -9}, {9, 9, 9}).scene();
+    TestView view{{{0, 0, 0}, {1, 0.2, 0.1}, 60.0}, {pointLight({0, 40, 0})}, 64, 64};
+    RenderSettings settings;
+    settings.ambient = 0.3f;
+    const Picture drawn = test::drawScene(scene, view, settings);
+    view.drawnLights = 0;
+    const Picture ambientAlone = test::drawScene(scene, view, settings);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        ASSERT_NEAR(drawn[i], ambientAlone[i], 1);
+}
+
+TEST(LightWithAmbient, MapsAreDrawnSoToo) {
+    const TestView view{outside, {pointLight({2.5, 4, 1.2})}, width, height};
+    const Picture mapped = draw(view, ShadowMethod::map, 0.3f);
+    const Picture exact = draw(view, ShadowMethod::volumes, 0.3f);
+    int different = 0;
+    for (std::size_t at = 0; at < mapped.size(); at += 4) {
+        different += std::abs(mapped[at] - exact[at]) > 1;
+        ASSERT_EQ(mapped[at + 3], 255);
+    }
+    EXPECT_LT(different, width * height / 50);
+}
+
+} // namespace
+} // namespace edgeshade
