@@ -131,7 +131,7 @@ class Jury {
         pictures_.ambient = studio_.draw(renderer, loaded_, frame, {});
         pictures_.unshadowed.clear();
         for (std::size_t i = 0; i < frame.lights.size(); ++i) {
-            frame.drawnLights = 1u << i;
+            frame.drawnLights = 1u | 1u << i;
             pictures_.unshadowed.push_back(studio_.draw(renderer, loaded_, frame, {}));
         }
     }

@@ -57,11 +57,13 @@ class View {
     Color oracleColor(std::size_t i) const {
         Color color;
         for (std::size_t c = 0; c < 3; ++c) {
-            color[c] = pictures_.ambient[4 * i + c];
-            for (std::size_t light = 0; light < pictures_.unshadowed.size(); ++light)
+            const std::size_t at = 4 * i + c;
+            color[c] = pictures_.ambient[at];
+            for (std::size_t light = 0; light < pictures_.unshadowed.size(); ++light) {
+                const auto& without = light == 0 ? pictures_.ambient : pictures_.unshadowed[0];
                 if ((answers_[i].lit >> light & 1u) != 0)
-                    color[c] +=
-                        pictures_.unshadowed[light][4 * i + c] - pictures_.ambient[4 * i + c];
+                    color[c] += pictures_.unshadowed[light][at] - without[at];
+            }
             color[c] = std::min(color[c], 255);
         }
         return color;

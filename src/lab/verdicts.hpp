@@ -26,8 +26,9 @@ struct WrongCounts {
 struct Pictures {
     std::vector<std::uint8_t> mask;  ///< the program's lit mask of light 0
     std::vector<std::uint8_t> image; ///< the program's picture
-    /// The picture with no light, and with each light alone, all without shadows: what the
-    /// oracle's picture is put together from.
+    /// The picture with no light, with the first, and with the first and each other, all without
+    /// shadows: what the oracle's picture is put together from, rounded as the program does, which
+    /// draws the first light with ambient light.
     std::vector<std::uint8_t> ambient;
     std::vector<std::vector<std::uint8_t>> unshadowed;
 };

@@ -160,7 +160,7 @@ const GroupedShadow* Renderer::groupsOf(const std::vector<GroupedShadow>& groups
 std::optional<std::size_t>
 Renderer::lightWithAmbient(const FrameView& view, const std::vector<GroupedShadow>& groups,
                            const std::vector<gl::PixelRectangle>& reaches) const {
-    if (view.mask || coarse_ || sides_) return std::nullopt;
+    if (view.mask || coarse_) return std::nullopt;
     for (std::size_t i = 0; i < reaches.size(); ++i)
         if (!reaches[i].empty() && !groupsOf(groups, i)) return i;
     return std::nullopt;

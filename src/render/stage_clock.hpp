@@ -5,11 +5,11 @@ namespace edgeshade {
 /// The stages of a frame (thesis, 6.3.2). A stage can come several times: for each light, group of
 /// casters and depth slice.
 enum class FrameStage {
-    ambient,    ///< depth and ambient light
+    ambient,    ///< depth, ambient light, and the light that is drawn with it
     map,        ///< drawing a shadow map; nothing while a kept one is still right
     silhouette, ///< the volumes' vertex work alone, see StageClock
     volumes,    ///< the volumes as they are: that vertex work again, and rasterising
-    lit,        ///< lit surfaces, and see-through ones over them
+    lit, ///< shadow taken from the light in `ambient`; surfaces lit by others; see-through ones
 };
 
 /// Is told by a renderer where in a frame it is. Stages don't overlap.

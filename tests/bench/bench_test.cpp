@@ -60,7 +60,7 @@ TEST(Bench, EverySettingHasATimeForEveryFrame) {
         for (const double ms : result.frameMs)
             EXPECT_GT(ms, 0.0);
         EXPECT_GT(result.stageMs.ambient, 0.0);
-        EXPECT_GT(result.stageMs.lit, 0.0);
+        EXPECT_EQ(result.stageMs.lit > 0.0, result.name == "volumes") << result.name;
         EXPECT_GT(result.repeated, 0.0);
     }
 }
@@ -160,9 +160,9 @@ TEST(StageClock, IsToldTheStagesInTheirOrder) {
     EXPECT_EQ(plain.stages,
               (std::vector{FrameStage::ambient, FrameStage::volumes, FrameStage::lit}));
     pictureOf(ShadowMethod::map, &map);
-    EXPECT_EQ(map.stages, (std::vector{FrameStage::ambient, FrameStage::map, FrameStage::lit}));
+    EXPECT_EQ(map.stages, (std::vector{FrameStage::map, FrameStage::ambient}));
     pictureOf(ShadowMethod::none, &none);
-    EXPECT_EQ(none.stages, (std::vector{FrameStage::ambient, FrameStage::lit}));
+    EXPECT_EQ(none.stages, (std::vector{FrameStage::ambient}));
 }
 
 TEST(StageClock, ChangesNoPicture) {

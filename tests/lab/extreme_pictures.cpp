@@ -52,7 +52,7 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
     frame.drawnLights = 0;
     pictures.ambient = draw(plain);
     for (std::size_t i = 0; i < extreme.lights.size(); ++i) {
-        frame.drawnLights = 1u << i;
+        frame.drawnLights = 1u | 1u << i;
         pictures.unshadowed.push_back(draw(plain));
     }
     return pictures;
