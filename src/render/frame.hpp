@@ -49,10 +49,11 @@ struct RenderSettings {
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps, or
 /// with none, in place of volumes.
 ///
-/// But where its shadows need no alpha of their own, and there is no lit mask to draw, the first light
-/// is drawn with ambient light, which saves it a pass over the surfaces; alpha holds the ambient share
-/// of both, which is what is left in shadow. Colours in light are rounded once instead of twice then,
-/// surfaces that coincide are lit once, and colours in shadow are off by a unit of 255 at the most.
+/// But where its shadows need no alpha of their own, and there is no lit mask to draw, the first
+/// light is drawn with ambient light, which saves it a pass over the surfaces; alpha holds the
+/// ambient share of both, which is what is left in shadow. Colours in light are rounded once
+/// instead of twice then, surfaces that coincide are lit once, and colours in shadow are off by a
+/// unit of 255 at the most.
 ///
 /// Depth slices are drawn from far to near, each with a depth range of its own: caps are cut at a
 /// slice's near plane, and what is nearer lies in front of everything visible there; nearer slices
