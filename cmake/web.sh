@@ -1,5 +1,7 @@
-# Sourced by ./run and ./test after packages.sh and sources.sh: what the browser's build needs beyond packages.
+# Sourced by ./run and ./test after packages.sh: what the browser's build needs beyond packages.
 # shellcheck shell=bash
+
+source cmake/sources.sh
 
 web_packages=(emscripten cmake ninja-build dpkg-dev libglm-dev libtinygltf-dev libstb-dev
     nlohmann-json3-dev)

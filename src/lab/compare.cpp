@@ -127,13 +127,9 @@ class Jury {
         unshadowed_ = key;
         plain.shadows = ShadowMethod::none;
         Renderer renderer = studio_.rendererFor(plain);
-        frame.drawnLights = 0;
-        pictures_.ambient = studio_.draw(renderer, loaded_, frame, {});
-        pictures_.unshadowed.clear();
-        for (std::size_t i = 0; i < frame.lights.size(); ++i) {
-            frame.drawnLights = 1u | 1u << i;
-            pictures_.unshadowed.push_back(studio_.draw(renderer, loaded_, frame, {}));
-        }
+        pictures_.drawUnshadowed(std::move(frame), [&](const FrameView& view) {
+            return studio_.draw(renderer, loaded_, view, {});
+        });
     }
 
     const LoadedScene& loaded_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/lab/exact_judge.hpp"
+#include "src/lab/pictures.hpp"
 
 #include <cstdint>
 #include <span>
@@ -20,17 +21,6 @@ struct WrongCounts {
     std::size_t beyond1pxNotTied = 0; ///< wrong in the image beyond 1 px and no tie
 
     WrongCounts& operator+=(const WrongCounts& other);
-};
-
-/// One view's pictures, RGBA rows top to bottom, all of the question's size.
-struct Pictures {
-    std::vector<std::uint8_t> mask;  ///< the program's lit mask of light 0
-    std::vector<std::uint8_t> image; ///< the program's picture
-    /// The picture with no light, with the first, and with the first and each other, all without
-    /// shadows: what the oracle's picture is put together from, rounded as the program does, which
-    /// draws the first light with ambient light.
-    std::vector<std::uint8_t> ambient;
-    std::vector<std::vector<std::uint8_t>> unshadowed;
 };
 
 /// What a pixel is, for the heat map.

@@ -136,13 +136,13 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
     if (marked) restoreAlpha(scene, view);
 }
 
-std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading,
-                                   const ShadowMapLookup* map) {
+std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading) {
     std::size_t runs = 0;
     for (const GpuBatch& batch : pass.scene.batches) {
         if (batch.hidden) continue;
         BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
-        if (map) batchView.mapFromObject = glm::mat4(map->mapFromWorld * batch.worldFromBatch);
+        if (shading.map)
+            batchView.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             runs +=
                 surfaces_.draw(pass.scene, batch, batchView, pass.view.camera.from, shading, kind);
@@ -182,18 +182,15 @@ void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light) {
     }
     glClear(GL_DEPTH_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
-    SurfaceShading shading;
+    SurfaceShading shading = shadingOf(pass, light);
     if (light) {
-        shading = litShading(pass, *light);
         shading.withAmbient = true;
         shading.map = map ? &*map : nullptr;
         // Alpha, which is 1, is the volumes'.
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, settings_.shadows == ShadowMethod::volumes);
     }
     shading.ambient = settings_.ambient;
-    shading.mask = pass.view.mask;
-    shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
-    drawSurfaces(pass, shading, shading.map);
+    drawSurfaces(pass, shading);
 }
 
 void Renderer::drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach) {
@@ -218,9 +215,8 @@ void Renderer::drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& re
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const PlaneSpace planes = coarse_->space(pass.view, pass.slice);
-    SurfaceShading shading;
+    SurfaceShading shading = shadingOf(pass, nullptr);
     shading.planes = &planes;
-    shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     vertexRuns_ += drawSurfaces(pass, shading);
     glEnable(GL_DITHER);
     glViewport(0, 0, pass.view.width, pass.view.height);
@@ -372,13 +368,14 @@ ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
     return map;
 }
 
-SurfaceShading Renderer::litShading(const Pass& pass, const Light& light) const {
+SurfaceShading Renderer::shadingOf(const Pass& pass, const Light* light) const {
     SurfaceShading shading;
-    shading.light = light;
-    shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
     shading.mask = pass.view.mask;
-    shading.maskValue = 1.0f;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
+    if (!light) return shading;
+    shading.light = *light;
+    shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
+    shading.maskValue = 1.0f;
     return shading;
 }
 
@@ -386,14 +383,14 @@ void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLook
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
-    SurfaceShading shading = litShading(pass, light);
+    SurfaceShading shading = shadingOf(pass, &light);
     shading.map = map;
     CoarseMaskLookup mask;
     if (coarse_) {
         mask = coarse_->lookup(pass.view, pass.slice, light);
         shading.coarse = &mask;
     }
-    drawSurfaces(pass, shading, map);
+    drawSurfaces(pass, shading);
 }
 
 void Renderer::drawBlended(const Pass& pass) {

@@ -143,7 +143,8 @@ class Renderer {
                            const gl::PixelRectangle& reach);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
     void drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach);
-    SurfaceShading litShading(const Pass& pass, const Light& light) const;
+    /// By the light, or by nothing.
+    SurfaceShading shadingOf(const Pass& pass, const Light* light) const;
     /// These two return whether anything may be lit.
     bool countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
                       const gl::PixelRectangle& reach);
@@ -158,8 +159,7 @@ class Renderer {
     void drawBlended(const Pass& pass);
     void restoreAlpha(const GpuScene& scene, const FrameView& view);
     /// Returns vertex runs.
-    std::size_t drawSurfaces(const Pass& pass, const SurfaceShading& shading,
-                             const ShadowMapLookup* map = nullptr);
+    std::size_t drawSurfaces(const Pass& pass, const SurfaceShading& shading);
 
     RenderSettings settings_;
     int mantissaBits_; ///< of the vertex shader's floats

@@ -13,12 +13,8 @@ from edgeshade_runs import SCENES, mean, replace_between, report, results_of
 
 KEPT = ("triangles", "edges", "flat_edges_dropped", "records", "closed_oriented_triangles",
         "largest_opposite_count", "bytes", "vertex_runs", "seconds")
-
-
 FRAME_KEPT = ("frame_ms", "stage_ms", "vertex_runs", "bytes_gpu")
 FRAME_SIZE, FRAMES = "960x540", 8
-
-
 MAP_SIZES = (1024, 2048, 4096, 8192)
 
 # What the proposed records are measured against, as bench is asked for it.

@@ -34,27 +34,19 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
         scene, {extreme.camera, extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
     const GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
-    const auto draw = [&](const RenderSettings& settings,
-                          const std::vector<GroupedShadow>& groups = {}) {
-        Renderer(settings, capabilities).draw(gpu, frame, groups);
+    const auto draw = [&](const RenderSettings& settings, const FrameView& view,
+                          const std::vector<GroupedShadow>& groups) {
+        Renderer(settings, capabilities).draw(gpu, view, groups);
         gl::requireNoError("drawing an extreme");
         return context.readPixels();
     };
 
     lab::Pictures pictures;
-    {
-        const auto groups = uploadNeededGroups(scene, frame, shadows.records());
-        pictures.image = draw(shadows, groups);
-        frame.mask = true;
-        pictures.mask = draw(shadows, groups);
-    }
-    frame.mask = false;
-    frame.drawnLights = 0;
-    pictures.ambient = draw(plain);
-    for (std::size_t i = 0; i < extreme.lights.size(); ++i) {
-        frame.drawnLights = 1u | 1u << i;
-        pictures.unshadowed.push_back(draw(plain));
-    }
+    pictures.drawUnshadowed(frame, [&](const FrameView& view) { return draw(plain, view, {}); });
+    const auto groups = uploadNeededGroups(scene, frame, shadows.records());
+    pictures.image = draw(shadows, frame, groups);
+    frame.mask = true;
+    pictures.mask = draw(shadows, frame, groups);
     return pictures;
 }
 

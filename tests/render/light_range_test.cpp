@@ -131,11 +131,6 @@ TEST(LightReach, ScaledHoldsTheSamePixels) {
     EXPECT_EQ(whole.height, 45);
 }
 
-/// Masks of lower resolution take derivatives, which the least that ES 2.0 guarantees has not.
-bool hasCoarseMasks() {
-    return test::testLimits() == gl::Limits::device;
-}
-
 /// Expects the lit mask to be that of casting rays.
 void expectRight(const Camera& camera, const Light& light, RenderSettings settings,
                  double tolerated = 0.0, std::optional<int> slices = {}) {
@@ -176,7 +171,7 @@ TEST(LightRange, MasksAreThoseOfRays) {
 }
 
 TEST(LightRange, CoarseMasksAreThoseOfRaysAsFarAsTheyGo) {
-    if (!hasCoarseMasks()) GTEST_SKIP() << "without derivatives there are none";
+    if (!test::hasDerivatives()) GTEST_SKIP() << "without derivatives there is no coarse mask";
     RenderSettings settings;
     settings.maskScale = 2;
     for (const Camera& camera : {outside, within})
@@ -252,7 +247,7 @@ TEST(LightRange, WhatIsOutOfItCostsNothing) {
     EXPECT_GT(near, 0u);
     EXPECT_LT(near, all / 3);
     for (const int scale : {1, 2})
-        if (scale == 1 || hasCoarseMasks()) {
+        if (scale == 1 || test::hasDerivatives()) {
             EXPECT_EQ(runsWith(lamp({0, 3, 40}, 6.0), scale), 0u); // behind the eye
         }
     EXPECT_EQ(runsWith(lamp({0, 3, 40}, 6.0), 1, MultiplicityMethod::referenceEdge), 0u);
@@ -276,7 +271,7 @@ TEST(LightRange, GoesWithGroupsOfCasters) {
     };
     const Light light = lamp({0.4, 4, 0.3}, 5.0);
     for (const int scale : {1, 2}) {
-        if (scale > 1 && !hasCoarseMasks()) continue;
+        if (scale > 1 && !test::hasDerivatives()) continue;
         const auto drawn = maskOf(light, ShadowMethod::volumes, scale);
         const auto reached = maskOf(light, ShadowMethod::none, 1);
         const auto endless = maskOf({light.position}, ShadowMethod::volumes, scale);

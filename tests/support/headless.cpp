@@ -12,6 +12,10 @@ gl::Limits testLimits() {
                                                            : gl::Limits::device;
 }
 
+bool hasDerivatives() {
+    return testLimits() == gl::Limits::device;
+}
+
 gl::HeadlessContext::Request testPicture(int width, int height, int samples) {
     return {width, height, samples, testLimits()};
 }

@@ -11,6 +11,10 @@ inline constexpr const char* limitsVariable = "EDGESHADE_TEST_GL_LIMITS";
 /// The limits that the environment asks for.
 gl::Limits testLimits();
 
+/// Whether shaders have derivatives there, as masks of lower resolution need; not with the least
+/// that ES 2.0 guarantees.
+bool hasDerivatives();
+
 /// A picture for tests, with what the environment asks for.
 gl::HeadlessContext::Request testPicture(int width, int height, int samples = 0);
 
