@@ -260,8 +260,10 @@ class Course {
         for (const GroupedShadow& light : contender.stage.groupsFor(contender.needs))
             for (const auto& group : light)
                 std::for_each(group.begin(), group.end(), count);
-        result.sideBytes += contender.renderer.proposedSideBytes();
-        result.capBytes += contender.renderer.proposedCapBytes();
+        if (const Proposals* proposals = contender.renderer.proposals()) {
+            result.sideBytes += proposals->sideBytes();
+            result.capBytes += proposals->capBytes();
+        }
         result.mapBytes = contender.renderer.mapBytes();
         result.maskBytes = contender.renderer.maskBytes();
         const auto first = contender.frameMs.begin();

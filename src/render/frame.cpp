@@ -1,12 +1,9 @@
 #include "src/render/frame.hpp"
 
-#include "preprocess/error.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
-#include <glm/gtc/matrix_inverse.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace edgeshade {
 namespace {
@@ -14,49 +11,7 @@ namespace {
 /// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
 constexpr double sliceOverlap = 1.0001;
 
-const gl::Capabilities& requireInstancing(const RenderSettings& settings,
-                                          const gl::Capabilities& capabilities) {
-    if (settings.layout != SidesLayout::notInstanced && !capabilities.instancing)
-        throw Error(ExitStatus::unavailable,
-                    "This GL has no instanced drawing; '--instancing off' does without.");
-    return capabilities;
-}
-
-/// Counts volumes that begin before a surface and end behind it: by what of them is behind it
-/// (z-fail), or before it (z-pass). Volumes' triangles are seen counter-clockwise from outside. A
-/// mirroring transform turns every winding over.
-void countInStencil(bool zFail, bool mirrored) {
-    const GLenum front = mirrored ? GL_BACK : GL_FRONT;
-    const GLenum back = mirrored ? GL_FRONT : GL_BACK;
-    if (zFail) {
-        glStencilOpSeparate(front, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-        glStencilOpSeparate(back, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-    } else {
-        glStencilOpSeparate(front, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
-        glStencilOpSeparate(back, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
-    }
-}
-
-void clearStencil(int count) {
-    glClearStencil(count & 0xFF); // counts wrap
-    glClear(GL_STENCIL_BUFFER_BIT);
-}
-
 } // namespace
-
-BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice) {
-    const double aspect = static_cast<double>(view.width) / view.height;
-    const glm::dmat4 clipFromWorld =
-        clipFromView(view.camera, aspect, slice.near) * viewFromWorld(view.camera);
-    BatchView result;
-    result.clipFromObject = glm::mat4(clipFromWorld * batch.worldFromBatch);
-    result.eyeOffsetFromObject =
-        glm::mat4(glm::translate(glm::dmat4(1.0), -view.camera.from) * batch.worldFromBatch);
-    result.normalFromObject = glm::mat3(glm::inverseTranspose(glm::dmat3(batch.worldFromBatch)));
-    result.planes = viewPlanes(view, slice, batch.worldFromBatch);
-    result.mirrored = batch.mirrored();
-    return result;
-}
 
 SidesLayout bestLayout(const gl::Capabilities& capabilities) {
     return capabilities.instancing ? SidesLayout::instanced : SidesLayout::notInstanced;
@@ -77,27 +32,16 @@ std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const F
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings), mantissaBits_(capabilities.vertexHighpMantissaBits),
-      surfaces_(settings.map.pcf) {
-    const auto& instancing = requireInstancing(settings, capabilities).instancing;
-    const auto records = settings.records();
-    if (records && records->volumes == VolumeLayout::adapted) {
-        adapted_.emplace(settings.layout, instancing);
-        if (settings.silhouette == SilhouetteChoice::proposed)
-            proposals_.emplace(settings.layout, mantissaBits_);
-    }
-    if (records && records->volumes == VolumeLayout::published) {
-        sides_.emplace(settings.multiplicity, settings.layout, instancing);
-        caps_.emplace(settings.multiplicity, settings.layout, instancing);
-    }
+    : settings_(settings), counter_(settings, capabilities), surfaces_(settings.map.pcf) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
-    if (records && settings.maskScale > 1) coarse_.emplace(settings.maskScale, capabilities);
+    if (settings.records() && settings.maskScale > 1)
+        coarse_.emplace(settings.maskScale, capabilities);
 }
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view,
                     const std::vector<GroupedShadow>& groups, StageClock* clock) {
     vertexRuns_ = 0;
-    if (proposals_) proposals_->beginFrame(scene.identity);
+    counter_.beginFrame(scene);
     glm::ivec2 counted(view.width, view.height);
     if (coarse_) {
         const gl::FramebufferKeeper keeper;
@@ -287,76 +231,17 @@ bool Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfB
     glEnable(GL_STENCIL_TEST);
     glStencilMask(0xFF);
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
+    const CountTask task{pass.scene, pass.view, pass.slice, light, volumesOf};
     if (pass.clock && pass.clock->wantsSilhouette()) {
         const StageScope stage(pass.clock, FrameStage::silhouette);
         glViewport(0, 0, 1, 1);
-        countVolumes(pass, light, volumesOf);
+        counter_.count(task);
         glViewport(0, 0, pass.counted.x, pass.counted.y);
     }
     const StageScope stage(pass.clock, FrameStage::volumes);
-    const VolumeCount count = countVolumes(pass, light, volumesOf);
+    const VolumeCount count = counter_.count(task);
     vertexRuns_ += count.vertexRuns;
     return !count.sealed;
-}
-
-Renderer::VolumeCount Renderer::countVolumes(const Pass& pass, std::size_t light,
-                                             const VolumesOfBatch& volumesOf) {
-    return adapted_ ? countAdapted(pass, light, volumesOf) : countPublished(pass, light, volumesOf);
-}
-
-Renderer::VolumeCount Renderer::countAdapted(const Pass& pass, std::size_t lightIndex,
-                                             const VolumesOfBatch& volumesOf) {
-    const Light& light = pass.view.lights[lightIndex];
-    std::vector<PlacedShadow> casters;
-    for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
-        const GpuBatch& batch = pass.scene.batches[i];
-        if (!batch.hidden)
-            casters.push_back({i, volumesOf(i).adapted->shadow().get(), batch.worldFromBatch});
-    }
-    const LightPlan plan = planLight(casters, pass.view, pass.slice, light, mantissaBits_);
-    clearStencil(plan.sealed() ? 1 : plan.start());
-    if (plan.sealed()) return {0, true};
-    std::size_t runs = 0;
-    for (const auto& [index, planned, volumes] : plan.batches) {
-        const GpuBatch& batch = pass.scene.batches[index];
-        const AdaptedBuffers& buffers = *volumesOf(index).adapted;
-        const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
-        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        const ProposedRecords* proposed = nullptr;
-        if (proposals_ && !volumes.draws.empty())
-            proposed = &proposals_->of(buffers.shadow(), lightIndex, lightHere);
-        for (const VolumeDraw& draw : volumes.draws) {
-            countInStencil(draw.zFail(), batchView.mirrored);
-            adapted_->drawSides(buffers, proposed, draw, endOf(draw, planned), lightHere,
-                                batchView.clipFromObject);
-            adapted_->drawCaps(buffers, proposed, draw, pass.scene.materials, pass.scene.textures,
-                               lightHere, batchView.clipFromObject);
-        }
-        runs += edgeshade::vertexRuns(*buffers.shadow(), proposed, volumes.draws,
-                                      pass.scene.materials, light.position.w == 0.0);
-    }
-    return {runs, false};
-}
-
-Renderer::VolumeCount Renderer::countPublished(const Pass& pass, std::size_t lightIndex,
-                                               const VolumesOfBatch& volumesOf) {
-    const Light& light = pass.view.lights[lightIndex];
-    clearStencil(0);
-    std::size_t runs = 0;
-    for (std::size_t i = 0; i < pass.scene.batches.size(); ++i) {
-        const GpuBatch& batch = pass.scene.batches[i];
-        if (batch.hidden) continue;
-        const ShadowBuffers& shadow = *volumesOf(i).published;
-        const BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
-        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        countInStencil(true, batchView.mirrored);
-        sides_->draw(shadow, lightHere, batchView.clipFromObject);
-        const bool nearDiscard = pass.view.nearestDepths[i] <= pass.slice.near;
-        caps_->draw(shadow, pass.scene.materials, pass.scene.textures, lightHere,
-                    batchView.clipFromObject, nearDiscard);
-        runs += shadow.vertexRuns(pass.scene.materials);
-    }
-    return {runs, false};
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {

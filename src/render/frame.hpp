@@ -1,49 +1,19 @@
 #pragma once
 
 #include "src/gl/capabilities.hpp"
-#include "src/render/adapted_volumes.hpp"
-#include "src/render/caps_pass.hpp"
 #include "src/render/coarse_mask.hpp"
 #include "src/render/frame_view.hpp"
-#include "src/render/light_plan.hpp"
 #include "src/render/light_reach.hpp"
-#include "src/render/proposals.hpp"
+#include "src/render/render_settings.hpp"
 #include "src/render/shadow_map_pass.hpp"
 #include "src/render/shadow_mark.hpp"
-#include "src/render/sides_pass.hpp"
 #include "src/render/stage_clock.hpp"
 #include "src/render/surface_pass.hpp"
+#include "src/render/volume_counter.hpp"
 
-#include <functional>
 #include <optional>
 
 namespace edgeshade {
-
-enum class ShadowMethod { volumes, map, none };
-
-/// Which adapted records are offered to the vertex shader, the judge of their multiplicity.
-enum class SilhouetteChoice {
-    all,
-    proposed, ///< those that may be silhouettes, see Proposal
-};
-
-/// How frames are drawn; fixed for a renderer, but for `ambient` and `background`.
-struct RenderSettings {
-    ShadowMethod shadows = ShadowMethod::volumes;
-    MultiplicityMethod multiplicity = MultiplicityMethod::plane;
-    SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of adapted records
-    SidesLayout layout = SidesLayout::instanced;
-    ShadowMapSettings map; ///< where shadows are maps
-    int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
-    float ambient = 0.35f; ///< 0..1; the lights share the rest
-    glm::vec3 background{0.86f, 0.89f, 0.92f};
-
-    /// What volumes are drawn from; nothing where shadows are something else.
-    std::optional<VolumeRecords> records() const {
-        if (shadows != ShadowMethod::volumes) return std::nullopt;
-        return VolumeRecords{volumeLayoutOf(multiplicity), layout};
-    }
-};
 
 /// Draws frames by the three passes of the method (section 3): ambient light and depth; for each
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps, or
@@ -93,19 +63,16 @@ class Renderer {
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
-    /// Memory of the records that are proposed for the lights of late.
-    std::size_t proposedSideBytes() const { return proposals_ ? proposals_->sideBytes() : 0; }
-    std::size_t proposedCapBytes() const { return proposals_ ? proposals_->capBytes() : 0; }
-    std::size_t proposalBytes() const { return proposedSideBytes() + proposedCapBytes(); }
-
-    /// Lists of records that were proposed since the beginning.
-    std::size_t proposalsMade() const { return proposals_ ? proposals_->made() : 0; }
+    /// The records that are proposed for the lights of late; null where none are.
+    const Proposals* proposals() const { return counter_.proposals(); }
 
     /// Memory of the framebuffers for masks of lower resolution.
     std::size_t maskBytes() const { return coarse_ ? coarse_->bytes() : 0; }
 
     /// All memory on the GPU that it holds.
-    std::size_t bytes() const { return mapBytes() + proposalBytes() + maskBytes(); }
+    std::size_t bytes() const {
+        return mapBytes() + maskBytes() + (proposals() ? proposals()->bytes() : 0);
+    }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
     /// those of surfaces that a mask of lower resolution is made for.
@@ -121,7 +88,6 @@ class Renderer {
         StageClock* clock = nullptr;
         glm::ivec2 counted{0}; ///< size of the framebuffer that volumes are counted in
     };
-    using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
 
     /// Its casters in groups, or null.
     const GroupedShadow* groupsOf(const std::vector<GroupedShadow>& groups,
@@ -132,12 +98,6 @@ class Renderer {
     lightWithAmbient(const FrameView& view, const std::vector<GroupedShadow>& groups,
                      const std::vector<gl::PixelRectangle>& reaches) const;
     void drawDepthAndAmbient(const Pass& pass, const Light* light);
-    /// What counting volumes came to.
-    struct VolumeCount {
-        std::size_t vertexRuns = 0;
-        bool sealed = false; ///< everything visible is in shadow
-    };
-
     void drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& reach);
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups,
                            const gl::PixelRectangle& reach);
@@ -149,11 +109,6 @@ class Renderer {
     bool countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
                       const gl::PixelRectangle& reach);
     bool drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    /// These clear the stencil first.
-    VolumeCount countVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    VolumeCount countAdapted(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
-    VolumeCount countPublished(const Pass& pass, std::size_t light,
-                               const VolumesOfBatch& volumesOf);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
@@ -162,12 +117,8 @@ class Renderer {
     std::size_t drawSurfaces(const Pass& pass, const SurfaceShading& shading);
 
     RenderSettings settings_;
-    int mantissaBits_; ///< of the vertex shader's floats
+    VolumeCounter counter_;
     SurfacePass surfaces_;
-    std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
-    std::optional<Proposals> proposals_;    ///< where they are asked for
-    std::optional<SidesPass> sides_;        ///< where not
-    std::optional<CapsPass> caps_;          ///< likewise
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
     std::optional<CoarseMask> coarse_;  ///< where volumes are counted at a lower resolution
@@ -177,9 +128,6 @@ class Renderer {
 /// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.
 std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
                                               std::optional<VolumeRecords> records);
-
-/// Where the view's camera sees a batch from, drawn with the slice's depth range.
-BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice);
 
 /// The layout that suits the context: instanced where it can, else not.
 SidesLayout bestLayout(const gl::Capabilities& capabilities);

@@ -46,8 +46,9 @@ class Proposals {
     const ProposedRecords& of(const std::shared_ptr<const AdaptedShadow>& shadow, std::size_t index,
                               const glm::vec4& light);
 
-    std::size_t sideBytes() const;             ///< on the GPU
-    std::size_t capBytes() const;              ///< on the GPU
+    std::size_t sideBytes() const; ///< on the GPU
+    std::size_t capBytes() const;  ///< on the GPU
+    std::size_t bytes() const { return sideBytes() + capBytes(); }
     std::size_t made() const { return made_; } ///< lists, since the beginning
 
   private:

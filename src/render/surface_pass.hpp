@@ -1,9 +1,9 @@
 #pragma once
 
 #include "src/gl/program.hpp"
+#include "src/render/batch_view.hpp"
 #include "src/render/coarse_mask.hpp"
 #include "src/render/shadow_map.hpp"
-#include "src/render/view_planes.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/light.hpp"
 
@@ -29,16 +29,6 @@ struct SurfaceShading {
     const ShadowMapLookup* map = nullptr;
     const CoarseMaskLookup* coarse = nullptr;
     const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
-};
-
-/// Where a camera sees a batch from, in the forms that shaders need; doubles rounded once.
-struct BatchView {
-    ViewPlanes planes; ///< in the batch's space
-    glm::mat4 clipFromObject{1.0f};
-    glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
-    glm::mat3 normalFromObject{1.0f};
-    glm::mat4 mapFromObject{1.0f}; ///< see ShadowMapView; used where there is a map
-    bool mirrored = false;
 };
 
 /// Draws visible surfaces from both sides; depth, stencil and blending are the caller's state.

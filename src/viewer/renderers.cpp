@@ -52,7 +52,7 @@ std::size_t Renderers::mapBytes() const {
 std::size_t Renderers::proposalBytes() const {
     std::size_t total = 0;
     for (const auto& [key, renderer] : renderers_)
-        if (renderer) total += renderer->proposalBytes();
+        if (renderer && renderer->proposals()) total += renderer->proposals()->bytes();
     return total;
 }
 

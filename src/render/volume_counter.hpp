@@ -1,0 +1,63 @@
+#pragma once
+
+#include "src/gl/capabilities.hpp"
+#include "src/render/adapted_volumes.hpp"
+#include "src/render/caps_pass.hpp"
+#include "src/render/frame_view.hpp"
+#include "src/render/proposals.hpp"
+#include "src/render/render_settings.hpp"
+#include "src/render/sides_pass.hpp"
+#include "src/scene/gpu_scene.hpp"
+
+#include <functional>
+#include <optional>
+
+namespace edgeshade {
+
+/// The shadow data of the scene's batch with that index.
+using VolumesOfBatch = std::function<const BatchVolumes&(std::size_t)>;
+
+/// Whose shadow volumes are counted, and seen from where.
+struct CountTask {
+    const GpuScene& scene;
+    const FrameView& view;
+    const DepthSlice& slice;
+    std::size_t light; ///< its index in the view
+    const VolumesOfBatch& volumesOf;
+};
+
+/// What counting volumes came to.
+struct VolumeCount {
+    std::size_t vertexRuns = 0;
+    bool sealed = false; ///< everything visible is in shadow
+};
+
+/// Counts in the stencil, modulo 256, how many shadow volumes the surfaces in the depth buffer are
+/// in: 0 where they are lit.
+class VolumeCounter {
+  public:
+    /// Throws Error(unavailable) if the layout needs instancing and there is none.
+    VolumeCounter(const RenderSettings& settings, const gl::Capabilities& capabilities);
+
+    /// Lights move from frame to frame, never within one.
+    void beginFrame(const GpuScene& scene);
+
+    /// Clears the stencil first. Colour and depth masks, the depth test and its function (less) and
+    /// the stencil's test and function (always) are the caller's state.
+    VolumeCount count(const CountTask& task);
+
+    /// Of the records that are proposed for the lights of late; null where none are.
+    const Proposals* proposals() const { return proposals_ ? &*proposals_ : nullptr; }
+
+  private:
+    VolumeCount countAdapted(const CountTask& task);
+    VolumeCount countPublished(const CountTask& task);
+
+    int mantissaBits_;                      ///< of the vertex shader's floats
+    std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
+    std::optional<Proposals> proposals_;    ///< where they are asked for
+    std::optional<SidesPass> sides_;        ///< where not
+    std::optional<CapsPass> caps_;          ///< likewise
+};
+
+} // namespace edgeshade
