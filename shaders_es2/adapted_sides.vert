@@ -1,7 +1,7 @@
 // Sides of the shadow volumes from records of one or two planes (preprocess/adapted_data.hpp).
 //
-// Variants: PAIR, two planes, else one; SUN, volumes end at infinity, where all points coincide, so that a side is the
-// triangle of A, B and the first of them; PROBE and DEGENERATE as in sides.vert.
+// Variants: PAIR, two planes, else one; SUN, volumes end at infinity, where all points coincide, so
+// that a side is the triangle of A, B and the first of them; PROBE and DEGENERATE as in sides.vert.
 #include "plane_side.glsl"
 #include "extrusion.glsl"
 
@@ -15,7 +15,7 @@ attribute vec4 a_plane1;
 
 uniform vec4 u_light;   // in object space
 uniform vec2 u_counted; // see countedSide()
-uniform float u_side;   // index of the quad: 0 or 1
+uniform float u_times;  // 1 or 2: sides that count so often are drawn, and no others
 uniform vec4 u_end;     // where volumes end, see pushedTo()
 uniform mat4 u_clipFromObject;
 #ifdef DEGENERATE
@@ -53,8 +53,8 @@ void main() {
     vec3 end = corner == 0.0 || corner == 2.0 ? a_edgeA : a_edgeB;
     vec4 p = corner > 1.5 ? pushedTo(u_end, end, u_light) : vec4(end, 1.0);
     // A useless vertex makes its triangle a point, which covers no pixel.
-    gl_Position = u_side < abs(multiplicity) ? rasterizable(clipPosition(u_clipFromObject, p))
-                                             : vec4(0.0);
+    gl_Position = abs(multiplicity) == u_times ? rasterizable(clipPosition(u_clipFromObject, p))
+                                               : vec4(0.0);
 #ifdef DEGENERATE
     gl_Position *= u_degenerate;
 #endif

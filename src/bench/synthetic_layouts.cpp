@@ -60,14 +60,19 @@ class AdaptedSubject : public SyntheticSubject {
         singlesPerEdge_ = shadow_->singles.size() / edges;
         shadow_->clusters.emplace_back();
         buffers_.emplace(shadow_, std::vector<glm::vec4>(), layout);
+        proposed_.certainPairs = uploadPairs(shadow_->pairs, layout);
+        proposed_.list.certain.ofCluster = proposed_.list.uncertain.ofCluster = {{}};
     }
 
     void draw(std::size_t edgeCount) override {
-        ShadowCluster& cluster = shadow_->clusters.front();
-        cluster.pairs.count = static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
-        cluster.singles.count = static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
-        volumes_.drawSides(*buffers_, nullptr, VolumeDraw{.clusters = {0, 1}},
-                           glm::vec4(0, 0, 0, 1), syntheticLight, glm::mat4(1.0f));
+        proposed_.list.certain.ofCluster.front().count =
+            static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
+        shadow_->clusters.front().singles.count =
+            static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
+        // Those that count twice once for each direction of counting.
+        for (const Times times : {Times::twice, Times::twice, Times::once})
+            volumes_.drawSides(*buffers_, &proposed_, VolumeDraw{.clusters = {0, 1}}, times,
+                               glm::vec4(0, 0, 0, 1), syntheticLight, glm::mat4(1.0f));
     }
 
   private:
@@ -87,6 +92,7 @@ class AdaptedSubject : public SyntheticSubject {
     AdaptedVolumes volumes_;
     std::shared_ptr<AdaptedShadow> shadow_;
     std::optional<AdaptedBuffers> buffers_;
+    ProposedRecords proposed_; ///< all pairs, as silhouettes
     std::size_t pairsPerEdge_ = 0;
     std::size_t singlesPerEdge_ = 0;
 };

@@ -42,7 +42,7 @@ std::string offered(const std::vector<PlacedShadow>& casters, const Light& light
         Proposal proposal;
         const LightBall ball{lightInObject(light, caster.worldFromBatch), 0.0f};
         propose(*caster.shadow, LightFacings(*caster.shadow), ball, mantissaBits, proposal);
-        listed += proposal.pairs.size();
+        listed += proposal.size();
     }
     std::ostringstream text;
     if (choice == SilhouetteChoice::all)

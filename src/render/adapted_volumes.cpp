@@ -71,13 +71,65 @@ RecordRange rangeOver(const AdaptedShadow& shadow, const RecordRange& clusters, 
     return {first.first, last.end() - first.first};
 }
 
-/// Where the pairs of neighbouring clusters are in the list of those proposed, or among all.
-RecordRange pairsOver(const AdaptedShadow& shadow, const ProposedRecords* proposed,
-                      const RecordRange& clusters) {
-    if (!proposed) return rangeOver(shadow, clusters, &ShadowCluster::pairs);
-    const std::vector<RecordRange>& ofCluster = proposed->list.ofCluster;
-    const std::uint32_t first = ofCluster[clusters.first].first;
-    return {first, ofCluster[clusters.end() - 1].end() - first};
+/// Where the records of neighbouring clusters are in a list.
+RecordRange listedOver(const PairList& list, const RecordRange& clusters) {
+    const std::uint32_t first = list.ofCluster[clusters.first].first;
+    return {first, list.ofCluster[clusters.end() - 1].end() - first};
+}
+
+/// Neighbouring records that a draw takes to the vertex shader.
+struct SideRecords {
+    enum class Kind { singles, allPairs, certainPairs, uncertainPairs };
+    Kind kind;
+    RecordRange range;
+};
+
+/// Those among which the draw's sides are that count so often. A single record counts once. So does
+/// a pair where one triangle of a silhouette edge casts. Where both cast it counts twice, but once
+/// where the light is in the plane of either, which of a certain pair it is not.
+std::vector<SideRecords> sideRecords(const AdaptedShadow& shadow, const ProposedRecords* proposed,
+                                     const VolumeDraw& draw, Times times) {
+    using Kind = SideRecords::Kind;
+    std::vector<SideRecords> taken;
+    const auto take = [&](Kind kind, const RecordRange& range) {
+        if (range.count > 0) taken.push_back({kind, range});
+    };
+    const bool bothCast = draw.counted == Counted::all;
+    if (times == Times::once)
+        take(Kind::singles, rangeOver(shadow, draw.clusters, &ShadowCluster::singles));
+    else if (!bothCast)
+        return taken;
+    if (!proposed) {
+        take(Kind::allPairs, rangeOver(shadow, draw.clusters, &ShadowCluster::pairs));
+        return taken;
+    }
+    if (times == Times::twice || !bothCast)
+        take(Kind::certainPairs, listedOver(proposed->list.certain, draw.clusters));
+    take(Kind::uncertainPairs, listedOver(proposed->list.uncertain, draw.clusters));
+    return taken;
+}
+
+const gl::Buffer& bufferOf(SideRecords::Kind kind, const AdaptedBuffers& buffers,
+                           const ProposedRecords* proposed) {
+    using Kind = SideRecords::Kind;
+    switch (kind) {
+    case Kind::singles:
+        return buffers.singles();
+    case Kind::certainPairs:
+        return proposed->certainPairs;
+    case Kind::uncertainPairs:
+        return proposed->uncertainPairs;
+    case Kind::allPairs:
+        break;
+    }
+    return buffers.pairs();
+}
+
+std::uint32_t countOf(const std::vector<SideRecords>& records) {
+    std::uint32_t count = 0;
+    for (const SideRecords& some : records)
+        count += some.range.count;
+    return count;
 }
 
 } // namespace
@@ -126,14 +178,11 @@ AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing>
 }
 
 void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                               const VolumeDraw& draw, const glm::vec4& end, const glm::vec4& light,
-                               const glm::mat4& clipFromObject) {
-    const AdaptedShadow& shadow = *buffers.shadow();
+                               const VolumeDraw& draw, Times times, const glm::vec4& end,
+                               const glm::vec4& light, const glm::mat4& clipFromObject) {
     const bool sun = light.w == 0.0f && draw.end < 0;
-    for (const bool pair : {true, false}) {
-        const RecordRange range = pair ? pairsOver(shadow, proposed, draw.clusters)
-                                       : rangeOver(shadow, draw.clusters, &ShadowCluster::singles);
-        if (range.count == 0) continue;
+    for (const auto& [kind, range] : sideRecords(*buffers.shadow(), proposed, draw, times)) {
+        const bool pair = kind != SideRecords::Kind::singles;
         const AdaptedSidesVariant variant{pair, sun};
         auto program = sides_.find(variant);
         if (program == sides_.end())
@@ -143,21 +192,14 @@ void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedReco
         program->second.set("u_light", light);
         program->second.set("u_end", end);
         program->second.set("u_counted", rangeOf(draw.counted));
+        program->second.set("u_times", static_cast<float>(times));
         program->second.set("u_clipFromObject", clipFromObject);
-        // Two triangles that both cast make two quads.
-        const int quads = pair && draw.counted == Counted::all ? 2 : 1;
-        const gl::Buffer& records = !pair      ? buffers.singles()
-                                    : proposed ? proposed->pairs
-                                               : buffers.pairs();
-        for (int quad = 0; quad < quads; ++quad) {
-            program->second.set("u_side", static_cast<float>(quad));
-            if (tints_)
-                program->second.set("u_tint", quad == 1      ? tints_->twice
-                                              : draw.zFail() ? tints_->behind
-                                                             : tints_->before);
-            drawQuads(records, pair ? pairComponents : singleComponents, buffers.copied(), range,
-                      sun);
-        }
+        if (tints_)
+            program->second.set("u_tint", times == Times::twice ? tints_->twice
+                                          : draw.zFail()        ? tints_->behind
+                                                                : tints_->before);
+        drawQuads(bufferOf(kind, buffers, proposed), pair ? pairComponents : singleComponents,
+                  buffers.copied(), range, sun);
     }
 }
 
@@ -265,15 +307,21 @@ void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const Rec
     }
 }
 
+bool mayCountTwice(const AdaptedShadow& shadow, const ProposedRecords* proposed,
+                   const std::vector<VolumeDraw>& draws) {
+    return std::any_of(draws.begin(), draws.end(), [&](const VolumeDraw& draw) {
+        return !sideRecords(shadow, proposed, draw, Times::twice).empty();
+    });
+}
+
 std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                        const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
                        bool sun) {
     std::size_t runs = 0;
     for (const VolumeDraw& draw : draws) {
         const std::size_t perQuad = sun && draw.end < 0 ? 3 : verticesPerQuad;
-        const std::size_t quads = draw.counted == Counted::all ? 2 : 1;
-        runs += perQuad * (quads * pairsOver(shadow, proposed, draw.clusters).count +
-                           rangeOver(shadow, draw.clusters, &ShadowCluster::singles).count);
+        runs += perQuad * (countOf(sideRecords(shadow, proposed, draw, Times::once)) +
+                           2 * countOf(sideRecords(shadow, proposed, draw, Times::twice)));
         if (!draw.zFail()) continue;
         const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (draw.backCaps ? 1 : 0);
         for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {

@@ -31,11 +31,14 @@ gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
                                    const std::vector<std::string>& extraDefines = {},
                                    const std::vector<std::string>& extraAttributes = {});
 
+/// How often sides count: as the absolute value of their multiplicity says.
+enum class Times { once = 1, twice = 2 };
+
 /// What debug views colour volumes with.
 struct VolumeTints {
-    glm::vec4 before; ///< sides counted before surfaces (z-pass)
-    glm::vec4 behind; ///< sides counted behind them (z-fail)
-    glm::vec4 twice;  ///< the second quad of sides whose multiplicity is 2
+    glm::vec4 before; ///< sides counted once before surfaces (z-pass)
+    glm::vec4 behind; ///< sides counted once behind them (z-fail)
+    glm::vec4 twice;  ///< sides counted twice
     glm::vec4 caps;
 };
 
@@ -46,11 +49,12 @@ class AdaptedVolumes {
     AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
                    std::vector<std::string> defines = {}, std::optional<VolumeTints> tints = {});
 
-    /// `proposed`: the records to draw, null for all of them. `end`: the plane at which volumes
-    /// end, (0, 0, 0, 1) for infinity. All is in the batch's space.
+    /// Draws the sides that count so often. `proposed`: the records to draw, null for all of them.
+    /// `end`: the plane at which volumes end, (0, 0, 0, 1) for infinity. All is in the batch's
+    /// space.
     void drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                   const VolumeDraw& draw, const glm::vec4& end, const glm::vec4& light,
-                   const glm::mat4& clipFromObject);
+                   const VolumeDraw& draw, Times times, const glm::vec4& end,
+                   const glm::vec4& light, const glm::mat4& clipFromObject);
     void drawCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
                   const VolumeDraw& draw, const std::vector<Material>& materials,
                   const Textures& textures, const glm::vec4& light,
@@ -76,7 +80,12 @@ class AdaptedVolumes {
     std::map<std::pair<bool, bool>, gl::Program> caps_;
 };
 
-/// How many vertices the vertex shader runs for such draws; `proposed` as in drawSides().
+/// Whether some of the draws' sides may count twice; `proposed` as in drawSides().
+bool mayCountTwice(const AdaptedShadow& shadow, const ProposedRecords* proposed,
+                   const std::vector<VolumeDraw>& draws);
+
+/// How many vertices the vertex shader runs for such draws, where sides that count twice are drawn
+/// once for each direction of counting (see countByTwo()); `proposed` as in drawSides().
 std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                        const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
                        bool sun);

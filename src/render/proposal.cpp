@@ -8,26 +8,58 @@ int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
     return plane.negated() ? -facing : facing;
 }
 
+/// Appends to a list without a branch to mispredict: what is written is written over by the next
+/// unless it counts.
+class Appender {
+  public:
+    Appender(PairList& list, std::size_t most) : list_(list) {
+        list_.pairs.resize(most);
+        list_.ofCluster.clear();
+    }
+
+    void append(std::uint32_t pair, bool counts) {
+        list_.pairs[size_] = pair;
+        size_ += counts;
+    }
+    void endCluster() {
+        list_.ofCluster.push_back({first_, size_ - first_});
+        first_ = size_;
+    }
+    void end() { list_.pairs.resize(size_); }
+
+  private:
+    PairList& list_;
+    std::uint32_t first_ = 0, size_ = 0;
+};
+
 } // namespace
+
+void gatherPairs(const AdaptedShadow& shadow, const PairList& list,
+                 std::vector<PairRecord>& records) {
+    records.clear();
+    records.reserve(list.pairs.size());
+    for (const std::uint32_t pair : list.pairs)
+        records.push_back(shadow.pairs[pair]);
+}
 
 void propose(const AdaptedShadow& shadow, const LightFacings& facings, const LightBall& ball,
              int mantissaBits, Proposal& proposal) {
     facings.find(ball, mantissaBits, proposal.facings);
-    proposal.pairs.resize(shadow.pairs.size());
-    proposal.ofCluster.clear();
-    std::uint32_t listed = 0;
+    Appender certain(proposal.certain, shadow.pairs.size());
+    Appender uncertain(proposal.uncertain, shadow.pairs.size());
     for (const ShadowCluster& cluster : shadow.clusters) {
-        const std::uint32_t first = listed;
         for (std::uint32_t i = cluster.pairs.first; i < cluster.pairs.end(); ++i) {
             const auto& [plane0, plane1] = shadow.pairPlanes[i];
-            const int facing0 = facingOf(proposal.facings, plane0);
-            const int facing1 = facingOf(proposal.facings, plane1);
-            proposal.pairs[listed] = i; // written over unless it counts: no branch to mispredict
-            listed += facing0 == 0 || facing0 != facing1;
+            const int product =
+                facingOf(proposal.facings, plane0) * facingOf(proposal.facings, plane1);
+            certain.append(i, product < 0);
+            uncertain.append(i, product == 0);
         }
-        proposal.ofCluster.push_back({first, listed - first});
+        certain.endCluster();
+        uncertain.endCluster();
     }
-    proposal.pairs.resize(listed);
+    certain.end();
+    uncertain.end();
 }
 
 } // namespace edgeshade

@@ -4,15 +4,27 @@
 
 namespace edgeshade {
 
-/// The records of a batch that can be silhouettes in some light of a ball, and more (method,
-/// section 6.8): every pair that is not in the list has multiplicity 0 in all of them, whichever of
-/// its triangles count. Single records are silhouettes in any light but one in their plane, so none
-/// is left out. The vertex shader alone judges what is in the list.
-struct Proposal {
+/// Some of a batch's pairs.
+struct PairList {
     std::vector<std::uint32_t> pairs;   ///< of AdaptedShadow::pairs, ascending
     std::vector<RecordRange> ofCluster; ///< ranges of `pairs`, by cluster
-    std::vector<std::int8_t> facings;   ///< of caps, see LightFacings
 };
+
+/// The records of a batch that can be silhouettes in some light of a ball, and more (method,
+/// section 6.8): every pair that is not listed has multiplicity 0 in all of them, whichever of its
+/// triangles count. Single records are silhouettes in any light but one in their plane, so none is
+/// left out. The vertex shader alone judges what is listed.
+struct Proposal {
+    PairList certain;   ///< silhouettes in any light of the ball: multiplicity ±2 if all count
+    PairList uncertain; ///< silhouettes in some, maybe
+    std::vector<std::int8_t> facings; ///< of caps, see LightFacings
+
+    std::size_t size() const { return certain.pairs.size() + uncertain.pairs.size(); }
+};
+
+/// The listed records themselves; `records` is emptied first.
+void gatherPairs(const AdaptedShadow& shadow, const PairList& list,
+                 std::vector<PairRecord>& records);
 
 /// Fills in `proposal`, whose memory it uses again. `facings` must be those of the shadow.
 void propose(const AdaptedShadow& shadow, const LightFacings& facings, const LightBall& ball,

@@ -75,18 +75,19 @@ const ProposedRecords& Proposals::of(const std::shared_ptr<const AdaptedShadow>&
 }
 
 void Proposals::gather(const AdaptedShadow& shadow, ProposedRecords& records) {
-    gathered_.clear();
-    gathered_.reserve(records.list.pairs.size());
-    for (const std::uint32_t pair : records.list.pairs)
-        gathered_.push_back(shadow.pairs[pair]);
-    records.pairs = uploadPairs(gathered_, layout_);
+    const auto upload = [&](const PairList& list) {
+        gatherPairs(shadow, list, gathered_);
+        return uploadPairs(gathered_, layout_);
+    };
+    records.certainPairs = upload(records.list.certain);
+    records.uncertainPairs = upload(records.list.uncertain);
     records.caps.clear();
 }
 
 std::size_t Proposals::sideBytes() const {
     std::size_t total = 0;
     for (const auto& [key, entry] : entries_)
-        total += entry.records.pairs.size();
+        total += entry.records.sideBytes();
     return total;
 }
 

@@ -13,10 +13,11 @@ namespace edgeshade {
 /// A proposal with its records gathered for the GPU, in the forms that AdaptedBuffers has.
 struct ProposedRecords {
     Proposal list;
-    gl::Buffer pairs; ///< in the order of the list
+    gl::Buffer certainPairs, uncertainPairs; ///< in the order of their lists
     /// By cluster: caps that may face the light, uploaded when they are first drawn.
     mutable std::map<std::uint32_t, CapBuffers> caps;
 
+    std::size_t sideBytes() const { return certainPairs.size() + uncertainPairs.size(); }
     std::size_t capBytes() const;
 };
 

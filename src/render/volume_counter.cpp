@@ -3,8 +3,7 @@
 #include "preprocess/error.hpp"
 #include "src/render/batch_view.hpp"
 #include "src/render/light_plan.hpp"
-
-#include <GLES2/gl2.h>
+#include "src/render/stencil_count.hpp"
 
 namespace edgeshade {
 namespace {
@@ -17,25 +16,15 @@ const gl::Capabilities& requireInstancing(const RenderSettings& settings,
     return capabilities;
 }
 
-/// Counts volumes that begin before a surface and end behind it: by what of them is behind it
-/// (z-fail), or before it (z-pass). Volumes' triangles are seen counter-clockwise from outside. A
-/// mirroring transform turns every winding over.
-void countInStencil(bool zFail, bool mirrored) {
-    const GLenum front = mirrored ? GL_BACK : GL_FRONT;
-    const GLenum back = mirrored ? GL_FRONT : GL_BACK;
-    if (zFail) {
-        glStencilOpSeparate(front, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-        glStencilOpSeparate(back, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-    } else {
-        glStencilOpSeparate(front, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
-        glStencilOpSeparate(back, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
-    }
-}
-
-void clearStencil(int count) {
-    glClearStencil(count & 0xFF); // counts wrap
-    glClear(GL_STENCIL_BUFFER_BIT);
-}
+/// What of a batch is counted.
+struct CountedBatch {
+    const GpuBatch& batch;
+    const AdaptedBuffers& buffers;
+    const LightPlan::Batch& plan;
+    const ProposedRecords* proposed;
+    BatchView view;
+    glm::vec4 light; ///< in its space
+};
 
 } // namespace
 
@@ -71,27 +60,48 @@ VolumeCount VolumeCounter::countAdapted(const CountTask& task) {
             casters.push_back({i, task.volumesOf(i).adapted->shadow().get(), batch.worldFromBatch});
     }
     const LightPlan plan = planLight(casters, task.view, task.slice, light, mantissaBits_);
-    clearStencil(plan.sealed() ? 1 : plan.start());
-    if (plan.sealed()) return {0, true};
-    std::size_t runs = 0;
-    for (const auto& [index, planned, volumes] : plan.batches) {
-        const GpuBatch& batch = task.scene.batches[index];
-        const AdaptedBuffers& buffers = *task.volumesOf(index).adapted;
-        const BatchView batchView = batchViewOf(batch, task.view, task.slice);
-        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        const ProposedRecords* proposed = nullptr;
-        if (proposals_ && !volumes.draws.empty())
-            proposed = &proposals_->of(buffers.shadow(), task.light, lightHere);
-        for (const VolumeDraw& draw : volumes.draws) {
-            countInStencil(draw.zFail(), batchView.mirrored);
-            adapted_->drawSides(buffers, proposed, draw, endOf(draw, planned), lightHere,
-                                batchView.clipFromObject);
-            adapted_->drawCaps(buffers, proposed, draw, task.scene.materials, task.scene.textures,
-                               lightHere, batchView.clipFromObject);
-        }
-        runs += vertexRuns(*buffers.shadow(), proposed, volumes.draws, task.scene.materials,
-                           light.position.w == 0.0);
+    if (plan.sealed()) {
+        clearStencil(1);
+        return {0, true};
     }
+    std::vector<CountedBatch> counted;
+    bool twice = false;
+    std::size_t runs = 0;
+    for (const LightPlan::Batch& planned : plan.batches) {
+        const std::vector<VolumeDraw>& draws = planned.volumes.draws;
+        if (draws.empty()) continue;
+        const GpuBatch& batch = task.scene.batches[planned.batch];
+        const AdaptedBuffers& buffers = *task.volumesOf(planned.batch).adapted;
+        const AdaptedShadow& shadow = *buffers.shadow();
+        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
+        const ProposedRecords* proposed =
+            proposals_ ? &proposals_->of(buffers.shadow(), task.light, lightHere) : nullptr;
+        counted.push_back({batch, buffers, planned, proposed,
+                           batchViewOf(batch, task.view, task.slice), lightHere});
+        twice = twice || mayCountTwice(shadow, proposed, draws);
+        runs += vertexRuns(shadow, proposed, draws, task.scene.materials, light.position.w == 0.0);
+    }
+    const auto drawSides = [&](const CountedBatch& of, const VolumeDraw& draw, Times times) {
+        adapted_->drawSides(of.buffers, of.proposed, draw, times, endOf(draw, of.plan.view),
+                            of.light, of.view.clipFromObject);
+    };
+    if (twice)
+        countByTwo(plan.start(), [&](bool up) {
+            for (const CountedBatch& of : counted)
+                for (const VolumeDraw& draw : of.plan.volumes.draws) {
+                    countStepOfTwo(up, draw.zFail(), of.view.mirrored);
+                    drawSides(of, draw, Times::twice);
+                }
+        });
+    else
+        clearStencil(plan.start());
+    for (const CountedBatch& of : counted)
+        for (const VolumeDraw& draw : of.plan.volumes.draws) {
+            countByOne(draw.zFail(), of.view.mirrored);
+            drawSides(of, draw, Times::once);
+            adapted_->drawCaps(of.buffers, of.proposed, draw, task.scene.materials,
+                               task.scene.textures, of.light, of.view.clipFromObject);
+        }
     return {runs, false};
 }
 
@@ -105,7 +115,7 @@ VolumeCount VolumeCounter::countPublished(const CountTask& task) {
         const ShadowBuffers& shadow = *task.volumesOf(i).published;
         const BatchView batchView = batchViewOf(batch, task.view, task.slice);
         const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        countInStencil(true, batchView.mirrored);
+        countByOne(true, batchView.mirrored);
         sides_->draw(shadow, lightHere, batchView.clipFromObject);
         const bool nearDiscard = task.view.nearestDepths[i] <= task.slice.near;
         caps_->draw(shadow, task.scene.materials, task.scene.textures, lightHere,

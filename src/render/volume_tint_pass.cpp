@@ -29,8 +29,9 @@ void VolumeTintPass::drawAdapted(const GpuBatch& batch, const GpuScene& scene,
     const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
     const PlanView planned = planView(view, slice, light, batch.worldFromBatch);
     for (const VolumeDraw& draw : planVolumes(*buffers.shadow(), planned).draws) {
-        adapted_->drawSides(buffers, nullptr, draw, endOf(draw, planned), lightHere,
-                            clipFromObject);
+        for (const Times times : {Times::once, Times::twice})
+            adapted_->drawSides(buffers, nullptr, draw, times, endOf(draw, planned), lightHere,
+                                clipFromObject);
         glDisable(GL_DEPTH_TEST);
         adapted_->drawCaps(buffers, nullptr, draw, scene.materials, scene.textures, lightHere,
                            clipFromObject);

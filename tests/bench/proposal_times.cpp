@@ -39,14 +39,13 @@ Found find(const LoadedScene& loaded, const Light& light, double radius) {
             const std::clock_t start = std::clock();
             for (int run = 0; run < runsARepeat; ++run) {
                 propose(shadow, facings, ball, 23, proposal);
-                gathered.clear();
-                for (const std::uint32_t pair : proposal.pairs)
-                    gathered.push_back(shadow.pairs[pair]);
+                for (const PairList* list : {&proposal.certain, &proposal.uncertain})
+                    gatherPairs(shadow, *list, gathered);
             }
             least = std::min(least, std::clock() - start);
         }
         found.milliseconds += 1e3 * static_cast<double>(least) / CLOCKS_PER_SEC / runsARepeat;
-        found.pairs += proposal.pairs.size();
+        found.pairs += proposal.size();
     }
     return found;
 }
