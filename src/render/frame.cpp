@@ -1,6 +1,7 @@
 #include "src/render/frame.hpp"
 
 #include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/stencil_count.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
@@ -10,6 +11,11 @@ namespace {
 
 /// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
 constexpr double sliceOverlap = 1.0001;
+
+VolumesOfBatch volumesOfScene(const GpuScene& scene) {
+    return
+        [&scene](std::size_t batch) -> const BatchVolumes& { return scene.batches[batch].volumes; };
+}
 
 } // namespace
 
@@ -63,16 +69,20 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
             reaches[i] = gl::intersection(open, lightReach(view, pass.slice, view.lights[i]));
             reach = gl::united(reach, reaches[i]);
         }
-        const auto withAmbient = lightWithAmbient(view, groups, reaches);
-        drawDepthAndAmbient(pass, withAmbient ? &view.lights[*withAmbient] : nullptr);
+        const auto first = firstByItself(groups, reaches);
+        std::optional<PreparedCount> prepared;
+        if (first && settings_.shadows == ShadowMethod::volumes)
+            prepared = prepareCount(pass, *first, volumesOfScene(scene));
+        const bool withAmbient = first && !view.mask;
+        drawDepthAndAmbient(pass, withAmbient ? &view.lights[*first] : nullptr,
+                            prepared ? prepared->cleared() : 0);
         if (coarse_ && !reach.empty()) drawCoarseSurfaces(pass, reach);
+        if (withAmbient && prepared) drawShadow(pass, *first, reaches[*first], *prepared);
         for (std::size_t i = 0; i < lights; ++i) {
-            if (reaches[i].empty()) continue;
+            if (reaches[i].empty() || (withAmbient && i == *first)) continue;
             const GroupedShadow* grouped = groupsOf(groups, i);
-            if (i == withAmbient)
-                drawShadow(pass, i, reaches[i]);
-            else
-                drawShadowedLight(pass, i, grouped, reaches[i]);
+            drawShadowedLight(pass, i, grouped, reaches[i],
+                              i == first && prepared ? &*prepared : nullptr);
             marked = marked || (grouped && !coarse_);
         }
         if (!view.mask && view.drawBlended) drawBlended(pass);
@@ -102,15 +112,15 @@ const GroupedShadow* Renderer::groupsOf(const std::vector<GroupedShadow>& groups
 }
 
 std::optional<std::size_t>
-Renderer::lightWithAmbient(const FrameView& view, const std::vector<GroupedShadow>& groups,
-                           const std::vector<gl::PixelRectangle>& reaches) const {
-    if (view.mask || coarse_) return std::nullopt;
+Renderer::firstByItself(const std::vector<GroupedShadow>& groups,
+                        const std::vector<gl::PixelRectangle>& reaches) const {
+    if (coarse_) return std::nullopt;
     for (std::size_t i = 0; i < reaches.size(); ++i)
         if (!reaches[i].empty() && !groupsOf(groups, i)) return i;
     return std::nullopt;
 }
 
-void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light) {
+void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light, int stencil) {
     std::optional<ShadowMapLookup> map;
     if (light && settings_.shadows == ShadowMethod::map) map = drawMap(pass, *light);
     const StageScope stage(pass.clock, FrameStage::ambient);
@@ -124,7 +134,10 @@ void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light) {
             pass.view.mask ? glm::vec4(0.0f) : glm::vec4(settings_.background, 1.0f);
         glClearColor(clear.r, clear.g, clear.b, clear.a);
     }
-    glClear(GL_DEPTH_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
+    // Depth and stencil at once: one without the other is dear where they share their bytes.
+    glStencilMask(0xFF);
+    glClearStencil(stencil & 0xFF);
+    glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
     SurfaceShading shading = shadingOf(pass, light);
     if (light) {
@@ -137,11 +150,11 @@ void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light) {
     drawSurfaces(pass, shading);
 }
 
-void Renderer::drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach) {
-    if (settings_.shadows != ShadowMethod::volumes) return;
+void Renderer::drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach,
+                          const PreparedCount& prepared) {
     std::optional<gl::ScissorScope> cut;
     if (pass.view.lights[light].hasRange()) cut.emplace(reach);
-    countAndMark(pass, light, nullptr, reach);
+    count(pass, prepared);
     const StageScope stage(pass.clock, FrameStage::lit);
     mark_.darkenCounted();
     mark_.clear();
@@ -167,15 +180,19 @@ void Renderer::drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& re
 }
 
 void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
-                                 const GroupedShadow* groups, const gl::PixelRectangle& reach) {
+                                 const GroupedShadow* groups, const gl::PixelRectangle& reach,
+                                 const PreparedCount* prepared) {
     const Light& light = pass.view.lights[lightIndex];
     std::optional<gl::ScissorScope> cut;
     if (light.hasRange()) cut.emplace(reach);
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
-    const bool sealed = settings_.shadows == ShadowMethod::volumes &&
-                        !countAndMark(pass, lightIndex, groups, reach);
-    if (sealed) return;
+    if (prepared) {
+        count(pass, *prepared);
+        if (prepared->sealed) return;
+    } else if (settings_.shadows == ShadowMethod::volumes) {
+        if (!countAndMark(pass, lightIndex, groups, reach)) return;
+    }
 
     const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
@@ -209,21 +226,24 @@ bool Renderer::countAndMark(const Pass& pass, std::size_t light, const GroupedSh
     bool open = true;
     const bool marks = groups || coarse_;
     if (marks) mark_.clear();
-    const auto count = [&](const VolumesOfBatch& volumesOf) {
-        open = drawVolumes(pass, light, volumesOf) && open;
+    const auto countThem = [&](const VolumesOfBatch& volumesOf) {
+        const PreparedCount prepared = prepareCount(pass, light, volumesOf);
+        clearStencil(prepared.cleared());
+        count(pass, prepared);
+        open = !prepared.sealed && open;
         if (marks) mark_.markCounted();
     };
     if (groups) {
         for (const auto& group : *groups)
-            count([&](std::size_t b) -> const BatchVolumes& { return group[b]; });
+            countThem([&](std::size_t b) -> const BatchVolumes& { return group[b]; });
     } else {
-        count([&](std::size_t b) -> const BatchVolumes& { return pass.scene.batches[b].volumes; });
+        countThem(volumesOfScene(pass.scene));
     }
     if (coarse_) glViewport(0, 0, pass.view.width, pass.view.height);
     return open;
 }
 
-bool Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf) {
+void Renderer::setCounting() {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
@@ -231,17 +251,30 @@ bool Renderer::drawVolumes(const Pass& pass, std::size_t light, const VolumesOfB
     glEnable(GL_STENCIL_TEST);
     glStencilMask(0xFF);
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
+}
+
+/// Where the clock asks for it, counts once more into one pixel, which leaves the stencil in
+/// disorder.
+PreparedCount Renderer::prepareCount(const Pass& pass, std::size_t light,
+                                     const VolumesOfBatch& volumesOf) {
     const CountTask task{pass.scene, pass.view, pass.slice, light, volumesOf};
     if (pass.clock && pass.clock->wantsSilhouette()) {
         const StageScope stage(pass.clock, FrameStage::silhouette);
+        const gl::ScissorScope onePixel({0, 0, 1, 1});
+        setCounting();
         glViewport(0, 0, 1, 1);
-        counter_.count(task);
+        counter_.count(counter_.prepare(task), pass.scene);
         glViewport(0, 0, pass.counted.x, pass.counted.y);
     }
     const StageScope stage(pass.clock, FrameStage::volumes);
-    const VolumeCount count = counter_.count(task);
-    vertexRuns_ += count.vertexRuns;
-    return !count.sealed;
+    return counter_.prepare(task);
+}
+
+void Renderer::count(const Pass& pass, const PreparedCount& prepared) {
+    const StageScope stage(pass.clock, FrameStage::volumes);
+    setCounting();
+    counter_.count(prepared, pass.scene);
+    vertexRuns_ += prepared.vertexRuns;
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {

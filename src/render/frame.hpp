@@ -92,23 +92,27 @@ class Renderer {
     /// Its casters in groups, or null.
     const GroupedShadow* groupsOf(const std::vector<GroupedShadow>& groups,
                                   std::size_t light) const;
-    /// The light that is drawn with ambient light, of those that reach something; nothing if none
-    /// is.
-    std::optional<std::size_t>
-    lightWithAmbient(const FrameView& view, const std::vector<GroupedShadow>& groups,
-                     const std::vector<gl::PixelRectangle>& reaches) const;
-    void drawDepthAndAmbient(const Pass& pass, const Light* light);
+    /// The first light that reaches something and whose shadows need no alpha of their own.
+    std::optional<std::size_t> firstByItself(const std::vector<GroupedShadow>& groups,
+                                             const std::vector<gl::PixelRectangle>& reaches) const;
+    /// `light`: drawn with ambient light, may be null. `stencil`: what it is cleared to.
+    void drawDepthAndAmbient(const Pass& pass, const Light* light, int stencil);
     void drawCoarseSurfaces(const Pass& pass, const gl::PixelRectangle& reach);
+    /// `prepared`: for it the stencil is cleared; null where it isn't.
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups,
-                           const gl::PixelRectangle& reach);
+                           const gl::PixelRectangle& reach, const PreparedCount* prepared);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
-    void drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach);
+    void drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach,
+                    const PreparedCount& prepared);
     /// By the light, or by nothing.
     SurfaceShading shadingOf(const Pass& pass, const Light* light) const;
-    /// These two return whether anything may be lit.
+    /// Returns whether anything may be lit.
     bool countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
                       const gl::PixelRectangle& reach);
-    bool drawVolumes(const Pass& pass, std::size_t light, const VolumesOfBatch& volumesOf);
+    void setCounting();
+    PreparedCount prepareCount(const Pass& pass, std::size_t light,
+                               const VolumesOfBatch& volumesOf);
+    void count(const Pass& pass, const PreparedCount& prepared);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);

@@ -31,9 +31,12 @@ void countByOne(bool zFail, bool mirrored) {
     }
 }
 
+int clearedForTwo(int start) {
+    return start ^ 1; // the lowest bit as the first direction needs it
+}
+
 void countByTwo(int start, const std::function<void(bool up)>& draw) {
     const bool odd = (start & 1) != 0;
-    clearStencil(start ^ 1); // the lowest bit as the first direction needs it
     glEnable(GL_CULL_FACE);
     for (const bool up : {!odd, odd}) {
         if (up == odd) clearBits(lowestBit, odd ? 1 : 0);

@@ -15,10 +15,14 @@ void clearStencil(int count);
 /// Triangles that are drawn from now on count by one.
 void countByOne(bool zFail, bool mirrored);
 
+/// What the stencil is cleared to for counting from `start` by two.
+int clearedForTwo(int start);
+
 /// Counts by two what `draw` draws, which must call countStepOfTwo(). It is called once for what
 /// counts up and once for what counts down, as with the lowest bit held at 1 adding one carries
-/// into the bits above, which alone are written, and held at 0 taking one borrows from them. Clears
-/// the stencil to `start` first; leaves all bits written, and no faces culled.
+/// into the bits above, which alone are written, and held at 0 taking one borrows from them. The
+/// stencil must have been cleared to clearedForTwo(start). Leaves all bits written, and no faces
+/// culled.
 void countByTwo(int start, const std::function<void(bool up)>& draw);
 
 /// Of triangles that are drawn from now on those count that count in the given direction.

@@ -16,16 +16,6 @@ const gl::Capabilities& requireInstancing(const RenderSettings& settings,
     return capabilities;
 }
 
-/// What of a batch is counted.
-struct CountedBatch {
-    const GpuBatch& batch;
-    const AdaptedBuffers& buffers;
-    const LightPlan::Batch& plan;
-    const ProposedRecords* proposed;
-    BatchView view;
-    glm::vec4 light; ///< in its space
-};
-
 } // namespace
 
 VolumeCounter::VolumeCounter(const RenderSettings& settings, const gl::Capabilities& capabilities)
@@ -47,11 +37,18 @@ void VolumeCounter::beginFrame(const GpuScene& scene) {
     if (proposals_) proposals_->beginFrame(scene.identity);
 }
 
-VolumeCount VolumeCounter::count(const CountTask& task) {
-    return adapted_ ? countAdapted(task) : countPublished(task);
+PreparedCount VolumeCounter::prepare(const CountTask& task) {
+    return adapted_ ? prepareAdapted(task) : preparePublished(task);
 }
 
-VolumeCount VolumeCounter::countAdapted(const CountTask& task) {
+void VolumeCounter::count(const PreparedCount& prepared, const GpuScene& scene) {
+    if (adapted_)
+        countAdapted(prepared, scene);
+    else
+        countPublished(prepared, scene);
+}
+
+PreparedCount VolumeCounter::prepareAdapted(const CountTask& task) {
     const Light& light = task.view.lights[task.light];
     std::vector<PlacedShadow> casters;
     for (std::size_t i = 0; i < task.scene.batches.size(); ++i) {
@@ -59,70 +56,87 @@ VolumeCount VolumeCounter::countAdapted(const CountTask& task) {
         if (!batch.hidden)
             casters.push_back({i, task.volumesOf(i).adapted->shadow().get(), batch.worldFromBatch});
     }
-    const LightPlan plan = planLight(casters, task.view, task.slice, light, mantissaBits_);
-    if (plan.sealed()) {
-        clearStencil(1);
-        return {0, true};
-    }
-    std::vector<CountedBatch> counted;
-    bool twice = false;
-    std::size_t runs = 0;
-    for (const LightPlan::Batch& planned : plan.batches) {
+    PreparedCount prepared;
+    prepared.plan = planLight(casters, task.view, task.slice, light, mantissaBits_);
+    prepared.sealed = prepared.plan.sealed();
+    prepared.start = prepared.sealed ? 1 : prepared.plan.start();
+    if (prepared.sealed) return prepared;
+    for (std::size_t i = 0; i < prepared.plan.batches.size(); ++i) {
+        const LightPlan::Batch& planned = prepared.plan.batches[i];
         const std::vector<VolumeDraw>& draws = planned.volumes.draws;
         if (draws.empty()) continue;
         const GpuBatch& batch = task.scene.batches[planned.batch];
-        const AdaptedBuffers& buffers = *task.volumesOf(planned.batch).adapted;
-        const AdaptedShadow& shadow = *buffers.shadow();
+        const BatchVolumes& volumes = task.volumesOf(planned.batch);
+        const auto& shadow = volumes.adapted->shadow();
         const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
         const ProposedRecords* proposed =
-            proposals_ ? &proposals_->of(buffers.shadow(), task.light, lightHere) : nullptr;
-        counted.push_back({batch, buffers, planned, proposed,
-                           batchViewOf(batch, task.view, task.slice), lightHere});
-        twice = twice || mayCountTwice(shadow, proposed, draws);
-        runs += vertexRuns(shadow, proposed, draws, task.scene.materials, light.position.w == 0.0);
+            proposals_ ? &proposals_->of(shadow, task.light, lightHere) : nullptr;
+        prepared.batches.push_back({.volumes = volumes,
+                                    .view = batchViewOf(batch, task.view, task.slice),
+                                    .light = lightHere,
+                                    .planned = i,
+                                    .proposed = proposed});
+        prepared.countsByTwo = prepared.countsByTwo || mayCountTwice(*shadow, proposed, draws);
+        prepared.vertexRuns +=
+            vertexRuns(*shadow, proposed, draws, task.scene.materials, light.position.w == 0.0);
     }
-    const auto drawSides = [&](const CountedBatch& of, const VolumeDraw& draw, Times times) {
-        adapted_->drawSides(of.buffers, of.proposed, draw, times, endOf(draw, of.plan.view),
-                            of.light, of.view.clipFromObject);
-    };
-    if (twice)
-        countByTwo(plan.start(), [&](bool up) {
-            for (const CountedBatch& of : counted)
-                for (const VolumeDraw& draw : of.plan.volumes.draws) {
-                    countStepOfTwo(up, draw.zFail(), of.view.mirrored);
-                    drawSides(of, draw, Times::twice);
-                }
-        });
-    else
-        clearStencil(plan.start());
-    for (const CountedBatch& of : counted)
-        for (const VolumeDraw& draw : of.plan.volumes.draws) {
-            countByOne(draw.zFail(), of.view.mirrored);
-            drawSides(of, draw, Times::once);
-            adapted_->drawCaps(of.buffers, of.proposed, draw, task.scene.materials,
-                               task.scene.textures, of.light, of.view.clipFromObject);
-        }
-    return {runs, false};
+    return prepared;
 }
 
-VolumeCount VolumeCounter::countPublished(const CountTask& task) {
-    const Light& light = task.view.lights[task.light];
-    clearStencil(0);
-    std::size_t runs = 0;
+void VolumeCounter::countAdapted(const PreparedCount& prepared, const GpuScene& scene) {
+    const auto forEachDraw = [&](const auto& use) {
+        for (const PreparedCount::Batch& batch : prepared.batches)
+            for (const VolumeDraw& draw : prepared.plan.batches[batch.planned].volumes.draws)
+                use(batch, draw);
+    };
+    const auto drawSides = [&](const PreparedCount::Batch& of, const VolumeDraw& draw,
+                               Times times) {
+        const PlanView& planned = prepared.plan.batches[of.planned].view;
+        adapted_->drawSides(*of.volumes.adapted, of.proposed, draw, times, endOf(draw, planned),
+                            of.light, of.view.clipFromObject);
+    };
+    if (prepared.countsByTwo)
+        countByTwo(prepared.start, [&](bool up) {
+            forEachDraw([&](const PreparedCount::Batch& of, const VolumeDraw& draw) {
+                countStepOfTwo(up, draw.zFail(), of.view.mirrored);
+                drawSides(of, draw, Times::twice);
+            });
+        });
+    forEachDraw([&](const PreparedCount::Batch& of, const VolumeDraw& draw) {
+        countByOne(draw.zFail(), of.view.mirrored);
+        drawSides(of, draw, Times::once);
+        adapted_->drawCaps(*of.volumes.adapted, of.proposed, draw, scene.materials, scene.textures,
+                           of.light, of.view.clipFromObject);
+    });
+}
+
+PreparedCount VolumeCounter::preparePublished(const CountTask& task) const {
+    PreparedCount prepared;
     for (std::size_t i = 0; i < task.scene.batches.size(); ++i) {
         const GpuBatch& batch = task.scene.batches[i];
         if (batch.hidden) continue;
-        const ShadowBuffers& shadow = *task.volumesOf(i).published;
-        const BatchView batchView = batchViewOf(batch, task.view, task.slice);
-        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        countByOne(true, batchView.mirrored);
-        sides_->draw(shadow, lightHere, batchView.clipFromObject);
-        const bool nearDiscard = task.view.nearestDepths[i] <= task.slice.near;
-        caps_->draw(shadow, task.scene.materials, task.scene.textures, lightHere,
-                    batchView.clipFromObject, nearDiscard);
-        runs += shadow.vertexRuns(task.scene.materials);
+        const BatchVolumes& volumes = task.volumesOf(i);
+        prepared.batches.push_back(
+            {.volumes = volumes,
+             .view = batchViewOf(batch, task.view, task.slice),
+             .light = lightInObject(task.view.lights[task.light], batch.worldFromBatch),
+             .nearDiscard = task.view.nearestDepths[i] <= task.slice.near});
+        prepared.vertexRuns += volumes.published->vertexRuns(task.scene.materials);
     }
-    return {runs, false};
+    return prepared;
+}
+
+void VolumeCounter::countPublished(const PreparedCount& prepared, const GpuScene& scene) {
+    for (const PreparedCount::Batch& of : prepared.batches) {
+        countByOne(true, of.view.mirrored);
+        sides_->draw(*of.volumes.published, of.light, of.view.clipFromObject);
+        caps_->draw(*of.volumes.published, scene.materials, scene.textures, of.light,
+                    of.view.clipFromObject, of.nearDiscard);
+    }
+}
+
+int PreparedCount::cleared() const {
+    return countsByTwo ? clearedForTwo(start) : start;
 }
 
 } // namespace edgeshade

@@ -17,30 +17,32 @@ using Picture = std::vector<std::uint8_t>;
 constexpr int width = 240, height = 180;
 const Camera outside{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
-Picture draw(const TestView& view, ShadowMethod shadows, float ambient) {
+Picture draw(const TestView& view, ShadowMethod shadows, float ambient,
+             const Scene& scene = test::yard().scene()) {
     RenderSettings settings;
     settings.shadows = shadows;
     settings.ambient = ambient;
-    return test::drawScene(test::yard().scene(), view, settings);
+    return test::drawScene(scene, view, settings);
 }
 
 /// Expects the picture to be what ambient light and each light make by themselves, the light where
 /// its mask says that it comes.
-void expectSum(const std::vector<Light>& lights, float ambient, std::optional<int> slices = {}) {
+void expectSum(const std::vector<Light>& lights, float ambient, std::optional<int> slices = {},
+               const Scene& scene = test::yard().scene()) {
     TestView view{outside, lights, width, height};
     view.depth.slices = slices;
-    const Picture drawn = draw(view, ShadowMethod::volumes, ambient);
+    const Picture drawn = draw(view, ShadowMethod::volumes, ambient, scene);
     TestView part = view;
     part.drawnLights = 0;
-    const Picture ambientAlone = draw(part, ShadowMethod::none, ambient);
+    const Picture ambientAlone = draw(part, ShadowMethod::none, ambient, scene);
     std::vector<Picture> alone, masks;
     for (std::size_t i = 0; i < lights.size(); ++i) {
         part.drawnLights = 1u << i;
-        alone.push_back(draw(part, ShadowMethod::none, ambient));
+        alone.push_back(draw(part, ShadowMethod::none, ambient, scene));
         TestView mask = view;
         mask.mask = true;
         mask.lights = {lights[i]};
-        masks.push_back(draw(mask, ShadowMethod::volumes, ambient));
+        masks.push_back(draw(mask, ShadowMethod::volumes, ambient, scene));
     }
     const int tolerated = static_cast<int>(lights.size()) + (lights.size() > 1);
     int shaded = 0;
@@ -76,6 +78,18 @@ TEST(LightWithAmbient, GoesWithRangesSlicesAndMoreLights) {
     expectSum({lamp}, 0.2f, 3);
     expectSum({sun({0.5, 1.0, 0.4})}, 0.35f, 4);
     expectSum({lamp, sun({0.5, 1.0, 0.4}), pointLight({-3, 3, 2})}, 0.2f, 2);
+}
+
+// More sheets under the first light than a stencil counts: its casters come in groups, and the
+// second light is the one that is drawn with ambient light.
+TEST(LightWithAmbient, ComesBeforeLightsWhoseCastersComeInGroups) {
+    test::SceneBuilder builder = test::yard();
+    for (int i = 0; i < 300; ++i) {
+        const double y = 1.0 + 0.05 * i;
+        builder.quad({1.0, y, 1.0}, {1.0, y, 1.4}, {1.4, y, 1.4}, {1.4, y, 1.0});
+    }
+    expectSum({sun({0.02, 1.0, 0.03}), sun({1.0, 0.3, 0.2})}, 0.3f, {}, builder.scene());
+    expectSum({sun({1.0, 0.3, 0.2}), sun({0.02, 1.0, 0.03})}, 0.3f, 2, builder.scene());
 }
 
 // All that is visible is in the box's shadow: nothing is counted, and all is darkened.
