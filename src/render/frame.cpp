@@ -69,6 +69,7 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
             reaches[i] = gl::intersection(open, lightReach(view, pass.slice, view.lights[i]));
             reach = gl::united(reach, reaches[i]);
         }
+        if (marked) mark_.clear(); // the light with ambient light has its share in alpha
         const auto first = firstByItself(groups, reaches);
         std::optional<PreparedCount> prepared;
         if (first && settings_.shadows == ShadowMethod::volumes)
