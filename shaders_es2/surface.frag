@@ -2,8 +2,8 @@
 // reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. WITH_AMBIENT,
 // of LIT, both at once, and the ambient share of their sum in alpha. Other variants: MASK,
 // the lit mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials
-// with holes; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: RANGED, a
-// light that doesn't reach everywhere; MAP, lit as far as the light's shadow map says, with MAP_SUN
+// with holes; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: SUN, a light
+// of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the light's shadow map says, with MAP_SUN
 // and PCF as in shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of lower resolution says.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
@@ -32,7 +32,11 @@ uniform float u_maskValue;
 uniform float u_diffuse;
 uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
 varying vec3 v_normal;
+#ifdef SUN
+uniform vec3 u_towardsLight; // of length 1
+#else
 varying vec3 v_towardsLight;
+#endif
 #endif
 #if !defined(LIT) || defined(WITH_AMBIENT)
 uniform float u_ambient;
@@ -56,13 +60,20 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #endif
 
 #ifdef LIT
+vec3 towardsLight() {
+#ifdef SUN
+    return u_towardsLight;
+#else
+    // Scaled before it is squared, so that far-off lights don't overflow.
+    return normalize(v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
+                                          max(abs(v_towardsLight.z), 1e-30)));
+#endif
+}
+
 // The light's share of a colour; nothing in the mask where it doesn't reach, which knows no half
 // shadow.
 float shareOfLight(float lit) {
-    // Scaled before it is squared, so that far-off lights don't overflow.
-    vec3 light = v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
-                                      max(abs(v_towardsLight.z), 1e-30));
-    light = normalize(light);
+    vec3 light = towardsLight();
     vec3 normal = normalize(v_normal * (gl_FrontFacing ? u_mirrored : -u_mirrored));
     float lambert = max(dot(normal, light), 0.0);
 #ifdef MAP

@@ -1,6 +1,6 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions, so
-// gl_Position is invariant and depends on nothing that a variant changes. Variants LIT, TEXTURED,
-// COLORED, MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
+// gl_Position is invariant and depends on nothing that a variant changes. Variants LIT, SUN,
+// TEXTURED, COLORED, MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -16,9 +16,11 @@ attribute vec3 a_normal;
 
 uniform mat4 u_clipFromObject;
 #ifdef LIT
-uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 uniform mat3 u_normalFromObject;
-uniform vec4 u_light;               // the same space
+#ifndef SUN
+uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
+uniform vec3 u_light;               // the same space
+#endif
 #endif
 #ifdef MAP
 uniform mat4 u_mapFromObject;       // see ShadowMapView
@@ -34,7 +36,9 @@ varying vec2 v_texcoord;
 #endif
 #ifdef LIT
 varying vec3 v_normal;
+#ifndef SUN
 varying vec3 v_towardsLight;
+#endif
 #endif
 #ifdef SLICED
 varying float v_depth; // along the viewing direction
@@ -54,9 +58,10 @@ void main() {
     v_texcoord = a_texcoord;
 #endif
 #ifdef LIT
-    vec3 p = (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
     v_normal = u_normalFromObject * a_normal;
-    v_towardsLight = u_light.xyz - p * u_light.w;
+#ifndef SUN
+    v_towardsLight = u_light - (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
+#endif
 #endif
 #ifdef MAP
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;

@@ -74,6 +74,10 @@ void Program::set(const char* uniform, const glm::vec2& value) {
     glUniform2fv(location(uniform), 1, glm::value_ptr(value));
 }
 
+void Program::set(const char* uniform, const glm::vec3& value) {
+    glUniform3fv(location(uniform), 1, glm::value_ptr(value));
+}
+
 void Program::set(const char* uniform, const glm::vec4& value) {
     glUniform4fv(location(uniform), 1, glm::value_ptr(value));
 }

@@ -23,6 +23,7 @@ class Program {
     // Setting a uniform that the variant doesn't have does nothing. The program must be in use.
     void set(const char* uniform, float value);
     void set(const char* uniform, const glm::vec2& value);
+    void set(const char* uniform, const glm::vec3& value);
     void set(const char* uniform, const glm::vec4& value);
     void set(const char* uniform, const glm::mat3& value);
     void set(const char* uniform, const glm::mat4& value);

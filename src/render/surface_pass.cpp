@@ -12,18 +12,25 @@
 namespace edgeshade {
 namespace {
 
+/// Of length 1; scaled first, so that no double under- or overflows.
+glm::vec3 directionOf(const glm::dvec4& sun) {
+    const glm::dvec3 scaled =
+        glm::dvec3(sun) / std::max({std::abs(sun.x), std::abs(sun.y), std::abs(sun.z)});
+    return glm::vec3(glm::normalize(scaled));
+}
+
 void setShading(gl::Program& program, const SurfaceShading& shading, const glm::dvec3& eye) {
     program.set("u_maskValue", shading.maskValue);
     program.set("u_farthest", shading.farthest);
     program.set("u_ambient", shading.ambient);
     if (!shading.light) return;
     const glm::dvec4& light = shading.light->position;
-    glm::dvec3 fromEye = glm::dvec3(light) - eye * light.w;
-    // Only a sun's direction counts: scaled so that no double leaves the range of floats.
-    if (light.w == 0.0)
-        fromEye /= std::max({std::abs(fromEye.x), std::abs(fromEye.y), std::abs(fromEye.z)});
-    program.set("u_light", glm::vec4(fromEye, light.w));
-    program.set("u_inverseRange", static_cast<float>(1.0 / shading.light->range));
+    if (light.w == 0.0) {
+        program.set("u_towardsLight", directionOf(light));
+    } else {
+        program.set("u_light", glm::vec3(glm::dvec3(light) / light.w - eye));
+        program.set("u_inverseRange", static_cast<float>(1.0 / shading.light->range));
+    }
     program.set("u_diffuse", shading.diffuse);
 }
 
@@ -90,6 +97,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.colored = chunk.colored;
     variant.lit = shading.light.has_value();
     variant.withAmbient = variant.lit && shading.withAmbient;
+    variant.sun = variant.lit && shading.light->position.w == 0.0;
     variant.ranged = variant.lit && shading.light->hasRange();
     variant.mask = shading.mask;
     variant.sliced = std::isfinite(shading.farthest);
@@ -108,6 +116,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.colored) defines.push_back("COLORED");
     if (variant.lit) defines.push_back("LIT");
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
+    if (variant.sun) defines.push_back("SUN");
     if (variant.ranged) defines.push_back("RANGED");
     if (variant.mask) defines.push_back("MASK");
     if (variant.sliced) defines.push_back("SLICED");

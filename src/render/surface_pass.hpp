@@ -54,6 +54,7 @@ class SurfacePass {
         bool colored; ///< has colours at its vertices
         bool lit;
         bool withAmbient; ///< with ambient light, too
+        bool sun;         ///< lit by a light of one direction
         bool ranged;      ///< lit by a light that doesn't reach everywhere
         bool mask;        ///< draws the lit mask
         bool sliced;      ///< has a farthest depth
@@ -61,7 +62,7 @@ class SurfacePass {
         bool planes;      ///< draws what such a mask stores of surfaces
 
         auto key() const {
-            return std::tie(alphaMode, map, textured, colored, lit, withAmbient, ranged, mask,
+            return std::tie(alphaMode, map, textured, colored, lit, withAmbient, sun, ranged, mask,
                             sliced, coarse, planes);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
