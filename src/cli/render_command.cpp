@@ -135,7 +135,7 @@ void addRenderCommand(CLI::App& program) {
     addChoice(
         *verb, "--debug", options->debugVolumes, {{"none", false}, {"volumes", true}},
         "Tint the picture by what is drawn of the shadow volumes, and say what --explain says: "
-        "sides orange, with caps red, drawn twice green; caps blue (none)");
+        "sides orange, with caps red, counting twice green; caps blue (none)");
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);

@@ -197,18 +197,16 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
 
     const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
-    if (coarse_) {
-        glDisable(GL_STENCIL_TEST);
-        glBlendFunc(GL_ONE, GL_ONE);
-    } else if (groups) {
-        // What a group has shaded has alpha 0 and takes no light.
-        glDisable(GL_STENCIL_TEST);
+    const bool counted = settings_.shadows == ShadowMethod::volumes && !coarse_ && !groups;
+    if (!counted) clearStencil(0);
+    if (groups && !coarse_) // what a group has shaded has alpha 0 and takes no light
         glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
-    } else {
+    else
         glBlendFunc(GL_ONE, GL_ONE);
-        glStencilFunc(GL_EQUAL, 0, 0xFF);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    }
+    // Of surfaces that coincide the first is lit, as it is by ambient light.
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 0, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     drawLit(pass, light, map ? &*map : nullptr);
     glDisable(GL_STENCIL_TEST);
 }

@@ -105,6 +105,21 @@ TEST(LightWithAmbient, LeavesAmbientLightWhereAllIsInShadow) {
         ASSERT_NEAR(drawn[i], ambientAlone[i], 1);
 }
 
+// Two floors in one place are as bright as one, whichever light comes first.
+TEST(LightWithAmbient, SurfacesThatCoincideAreLitOnceByEveryLight) {
+    const Scene one = test::SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
+    const Scene two = test::SceneBuilder().floor(4).floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
+    const TestView view{
+        outside, {sun({0.5, 1, 0.4}), pointLight({2, 4, 1}), sun({-0.3, 1, 0})}, width, height};
+    for (const ShadowMethod shadows :
+         {ShadowMethod::volumes, ShadowMethod::map, ShadowMethod::none})
+        EXPECT_EQ(draw(view, shadows, 0.2f, two), draw(view, shadows, 0.2f, one));
+    if (!test::hasDerivatives()) return;
+    RenderSettings coarse;
+    coarse.maskScale = 2;
+    EXPECT_EQ(test::drawScene(two, view, coarse), test::drawScene(one, view, coarse));
+}
+
 TEST(LightWithAmbient, MapsAreDrawnSoToo) {
     const TestView view{outside, {pointLight({2.5, 4, 1.2})}, width, height};
     const Picture mapped = draw(view, ShadowMethod::map, 0.3f);

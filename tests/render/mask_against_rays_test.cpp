@@ -115,6 +115,45 @@ TEST(MaskAgainstRays, FanOfTwelveTrianglesAroundOneEdge) {
     expectRight({builder.scene(), corner, pointLight({1.3, 4, 0.4})});
 }
 
+/// Open roofs, whose ridge and fold count twice, over a floor; and sheets between the eye and a
+/// sun, so that the count starts at as many.
+SceneBuilder roofsUnderSheets(int sheets) {
+    SceneBuilder builder;
+    builder.floor(6);
+    for (const float x : {-2.5f, -0.5f, 1.5f}) {
+        builder.quad({x, 0.4f, 1}, {x + 0.6f, 1.3f, 1}, {x + 0.6f, 1.3f, -1}, {x, 0.4f, -1});
+        builder.quad({x + 0.6f, 1.3f, 1}, {x + 1, 0.3f, 1}, {x + 1, 0.3f, -1},
+                     {x + 0.6f, 1.3f, -1});
+    }
+    for (int i = 0; i < sheets; ++i) {
+        const float y = 6.0f + 0.2f * static_cast<float>(i);
+        builder.quad({3, y, 7}, {7, y, 7}, {7, y, 3}, {3, y, 3});
+    }
+    return builder;
+}
+
+TEST(MaskAgainstRays, SidesThatCountTwiceFromEyesWithinVolumes) {
+    const Camera camera{{4, 3, 5}, {0, 0.4, 0}, 50.0};
+    const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, -1));
+    for (const int sheets : {0, 1, 2, 3})
+        for (const Light& light : {sun({0.1, 1, 0.15}), pointLight({5, 12, 6}), sun({1, 0.6, 0.4}),
+                                   sun({0, 1, 0}), pointLight({0.8, 1.6, 4})}) {
+            expectRight({roofsUnderSheets(sheets).scene(), camera, light});
+            expectRight({roofsUnderSheets(sheets).placedBy(mirror).scene(),
+                         {{4, 3, -5}, {0, 0.4, 0}, 50.0},
+                         light});
+        }
+}
+
+// A roof crosses the near plane: its sides are counted behind surfaces, by two.
+TEST(MaskAgainstRays, SidesThatCountTwiceBehindSurfaces) {
+    for (const double near : {2.0, 3.0, 4.0})
+        expectRight({roofsUnderSheets(1).scene(),
+                     {{3, 2, 4}, {0, 0.6, 0}, 60.0},
+                     sun({1, 0.9, 0.3}),
+                     near});
+}
+
 TEST(MaskAgainstRays, TriangleSoup) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> uniform(-2.0f, 2.0f);
