@@ -115,9 +115,9 @@ TEST(MaskAgainstRays, FanOfTwelveTrianglesAroundOneEdge) {
     expectRight({builder.scene(), corner, pointLight({1.3, 4, 0.4})});
 }
 
-/// Open roofs, whose ridge and fold count twice, over a floor; and sheets between the eye and a
-/// sun, so that the count starts at as many.
-SceneBuilder roofsUnderSheets(int sheets) {
+/// Open roofs, whose ridge counts twice in light from the side, over a floor; and upright sheets in
+/// the way from where eyes are to such lights, so that the count starts at as many.
+SceneBuilder roofsBehindSheets(int sheets) {
     SceneBuilder builder;
     builder.floor(6);
     for (const float x : {-2.5f, -0.5f, 1.5f}) {
@@ -126,29 +126,32 @@ SceneBuilder roofsUnderSheets(int sheets) {
                      {x + 0.6f, 1.3f, -1});
     }
     for (int i = 0; i < sheets; ++i) {
-        const float y = 6.0f + 0.2f * static_cast<float>(i);
-        builder.quad({3, y, 7}, {7, y, 7}, {7, y, 3}, {3, y, 3});
+        const float x = 7.0f + 0.2f * static_cast<float>(i);
+        builder.quad({x, 3.5f, 5}, {x, 3.5f, 8}, {x, 6.5f, 8}, {x, 6.5f, 5});
     }
     return builder;
 }
 
 TEST(MaskAgainstRays, SidesThatCountTwiceFromEyesWithinVolumes) {
-    const Camera camera{{4, 3, 5}, {0, 0.4, 0}, 50.0};
     const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), glm::dvec3(1, 1, -1));
+    const double near = 0.05; // so small a rectangle is in the sheets' shadow as a whole
     for (const int sheets : {0, 1, 2, 3})
-        for (const Light& light : {sun({0.1, 1, 0.15}), pointLight({5, 12, 6}), sun({1, 0.6, 0.4}),
-                                   sun({0, 1, 0}), pointLight({0.8, 1.6, 4})}) {
-            expectRight({roofsUnderSheets(sheets).scene(), camera, light});
-            expectRight({roofsUnderSheets(sheets).placedBy(mirror).scene(),
+        for (const Light& light : {sun({1, 0.6, 0.4}), pointLight({14, 9, 9})}) {
+            expectRight(
+                {roofsBehindSheets(sheets).scene(), {{4, 3, 5}, {0, 0.4, 0}, 50.0}, light, near});
+            Light mirrored = light;
+            mirrored.position.z *= -1.0;
+            expectRight({roofsBehindSheets(sheets).placedBy(mirror).scene(),
                          {{4, 3, -5}, {0, 0.4, 0}, 50.0},
-                         light});
+                         mirrored,
+                         near});
         }
 }
 
 // A roof crosses the near plane: its sides are counted behind surfaces, by two.
 TEST(MaskAgainstRays, SidesThatCountTwiceBehindSurfaces) {
     for (const double near : {2.0, 3.0, 4.0})
-        expectRight({roofsUnderSheets(1).scene(),
+        expectRight({roofsBehindSheets(1).scene(),
                      {{3, 2, 4}, {0, 0.6, 0}, 60.0},
                      sun({1, 0.9, 0.3}),
                      near});
