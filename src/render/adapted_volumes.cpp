@@ -86,7 +86,7 @@ struct SideRecords {
 
 /// Those among which the draw's sides are that count so often. A single record counts once. So does
 /// a pair where one triangle of a silhouette edge casts. Where both cast it counts twice, but once
-/// where the light is in the plane of either, which of a certain pair it is not.
+/// where the light is in the plane of either.
 std::vector<SideRecords> sideRecords(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                                      const VolumeDraw& draw, Times times) {
     using Kind = SideRecords::Kind;
@@ -103,9 +103,10 @@ std::vector<SideRecords> sideRecords(const AdaptedShadow& shadow, const Proposed
         take(Kind::allPairs, rangeOver(shadow, draw.clusters, &ShadowCluster::pairs));
         return taken;
     }
-    if (times == Times::twice || !bothCast)
-        take(Kind::certainPairs, listedOver(proposed->list.certain, draw.clusters));
-    take(Kind::uncertainPairs, listedOver(proposed->list.uncertain, draw.clusters));
+    const bool twiceOrNever = bothCast && times == Times::once;
+    if (!twiceOrNever) take(Kind::certainPairs, listedOver(proposed->list.certain, draw.clusters));
+    if (!twiceOrNever || proposed->lightInPlane)
+        take(Kind::uncertainPairs, listedOver(proposed->list.uncertain, draw.clusters));
     return taken;
 }
 

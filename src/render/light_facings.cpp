@@ -35,12 +35,6 @@ Floats magnitude(Floats value) {
 /// Lengths of normals may be rounded up from 1.
 constexpr float longestNormal = 1.0f + 1e-5f;
 
-/// Products below the smallest float may become 0 on the way; below 2^-62 where floats are no more
-/// than what GLSL ES 1.00 guarantees (section 4.5.2).
-float underflowOf(int mantissaBits) {
-    return mantissaBits < 23 ? 0x1p-58f : 1e-36f;
-}
-
 } // namespace
 
 LightFacings::LightFacings(const AdaptedShadow& shadow) : count_(shadow.caps.size()) {
@@ -65,7 +59,7 @@ void LightFacings::find(const LightBall& ball, int mantissaBits,
                  lightW = all(light.w);
     // Other lights of the ball have terms that are larger by so much together.
     const Floats margin =
-        all(ball.radius * longestNormal * (1.0f + 2.0f * share) + underflowOf(mantissaBits));
+        all(ball.radius * longestNormal * (1.0f + 2.0f * share) + dotUnderflow(mantissaBits));
     for (std::size_t i = 0; i < x_.size(); i += lanes) {
         const Floats x = load(x_, i) * lightX, y = load(y_, i) * lightY, z = load(z_, i) * lightZ,
                      w = load(w_, i) * lightW;

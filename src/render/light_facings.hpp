@@ -18,6 +18,13 @@ constexpr double dotRounding(int mantissaBits) {
     return share;
 }
 
+/// What the dot product may be off by beyond that: products below the smallest float may become 0
+/// on the way; below 2^-62 where floats are no more than what GLSL ES 1.00 guarantees
+/// (section 4.5.2).
+constexpr float dotUnderflow(int mantissaBits) {
+    return mantissaBits < 23 ? 0x1p-58f : 1e-36f;
+}
+
 /// Tells which side of a batch's planes the lights of a ball are on: 1 or -1 where planeSide()
 /// certainly says so for each of them, however it rounds; 0 where not.
 class LightFacings {

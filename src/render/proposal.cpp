@@ -1,11 +1,24 @@
 #include "src/render/proposal.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace edgeshade {
 namespace {
 
 int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
     const int facing = facings[plane.cap()];
     return plane.negated() ? -facing : facing;
+}
+
+/// Whether planeSide() may be 0; judged in floats as LightFacings does, where what overflows may.
+bool mayBeIn(const glm::vec4& plane, const glm::vec4& light, int mantissaBits) {
+    const glm::vec4 terms = plane * light;
+    const glm::vec4 sizes = glm::abs(terms);
+    const float side = terms.x + terms.y + terms.z + terms.w;
+    const float size = sizes.x + sizes.y + sizes.z + sizes.w;
+    const float share = static_cast<float>(dotRounding(mantissaBits));
+    return !(std::abs(side) > dotUnderflow(mantissaBits) + share * size);
 }
 
 /// Appends to a list without a branch to mispredict: what is written is written over by the next
@@ -40,6 +53,14 @@ void gatherPairs(const AdaptedShadow& shadow, const PairList& list,
     records.reserve(list.pairs.size());
     for (const std::uint32_t pair : list.pairs)
         records.push_back(shadow.pairs[pair]);
+}
+
+bool isInSomePlane(const AdaptedShadow& shadow, const PairList& list, const glm::vec4& light,
+                   int mantissaBits) {
+    return std::any_of(list.pairs.begin(), list.pairs.end(), [&](std::uint32_t pair) {
+        return mayBeIn(shadow.pairs[pair].plane0, light, mantissaBits) ||
+               mayBeIn(shadow.pairs[pair].plane1, light, mantissaBits);
+    });
 }
 
 void propose(const AdaptedShadow& shadow, const LightFacings& facings, const LightBall& ball,

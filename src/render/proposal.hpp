@@ -26,6 +26,11 @@ struct Proposal {
 void gatherPairs(const AdaptedShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records);
 
+/// Whether the light may be in the plane of a listed triangle, as floats of so many mantissa bits
+/// round. If not, every listed pair of which both triangles cast has multiplicity 0 or ±2.
+bool isInSomePlane(const AdaptedShadow& shadow, const PairList& list, const glm::vec4& light,
+                   int mantissaBits);
+
 /// Fills in `proposal`, whose memory it uses again. `facings` must be those of the shadow.
 void propose(const AdaptedShadow& shadow, const LightFacings& facings, const LightBall& ball,
              int mantissaBits, Proposal& proposal);

@@ -65,13 +65,16 @@ const ProposedRecords& Proposals::of(const std::shared_ptr<const AdaptedShadow>&
         source = sources_.emplace(shadow.get(), Source{shadow, LightFacings(*shadow)}).first;
     source->second.lastFrame = frame_;
     Entry& entry = entries_[{shadow.get(), index}];
-    if (entry.lastFrame == frame_) return entry.records;
+    ProposedRecords& records = entry.records;
+    if (entry.lastFrame == frame_) return records;
     entry.lastFrame = frame_;
-    if (!entry.track.follow(light)) return entry.records;
-    propose(*shadow, source->second.facings, entry.track.ball(), mantissaBits_, entry.records.list);
-    gather(*shadow, entry.records);
-    ++made_;
-    return entry.records;
+    if (entry.track.follow(light)) {
+        propose(*shadow, source->second.facings, entry.track.ball(), mantissaBits_, records.list);
+        gather(*shadow, records);
+        ++made_;
+    }
+    records.lightInPlane = isInSomePlane(*shadow, records.list.uncertain, light, mantissaBits_);
+    return records;
 }
 
 void Proposals::gather(const AdaptedShadow& shadow, ProposedRecords& records) {

@@ -14,6 +14,7 @@ namespace edgeshade {
 struct ProposedRecords {
     Proposal list;
     gl::Buffer certainPairs, uncertainPairs; ///< in the order of their lists
+    bool lightInPlane = true; ///< the light may be in the plane of an uncertain pair's triangle
     /// By cluster: caps that may face the light, uploaded when they are first drawn.
     mutable std::map<std::uint32_t, CapBuffers> caps;
 
