@@ -84,15 +84,13 @@ def measure_flight():
 def measure_repeat():
     """Whether ratios come out alike when measured again."""
     path = SCENES / f"{REPEAT_SCENE}.glb"
-    runs = [condensed(report("bench", path, "--size", FLIGHT_SIZE, "--frames", FLIGHT_FRAMES,
-                             *TIMING, *against(MAPS))) for _ in range(3)]
+    runs = [condensed(report("bench", path, *TIMING, *against(MAPS))) for _ in range(3)]
     rows = []
     for name in MAPS:
         medians = [ratio(run, name)["median"] for run in runs]
         rows.append({"name": name, "medians": medians,
                      "spread_percent": 100.0 * (max(medians) / min(medians) - 1.0)})
-    write_results("bench_repeat", with_device({"scene": REPEAT_SCENE, "size": FLIGHT_SIZE,
-                                               "frames": FLIGHT_FRAMES, "ratios": rows}, runs[0]))
+    write_results("bench_repeat", with_device({"scene": REPEAT_SCENE, "ratios": rows}, runs[0]))
 
 
 def measure_sizes():
