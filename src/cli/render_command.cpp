@@ -49,6 +49,18 @@ nlohmann::ordered_json planJson(const FrameView& view) {
     return {{"slice_near_planes", slices}, {"caster_groups", groups}};
 }
 
+/// What the picture may lack.
+std::vector<std::string> warningsOf(const FrameView& view) {
+    std::vector<std::string> warnings;
+    for (std::size_t i = 0; i < view.layers.size(); ++i)
+        if (view.layers[i].mayOverflow)
+            warnings.push_back("Light " + std::to_string(i) + ": up to " +
+                               std::to_string(view.layers[i].most) +
+                               " triangles may lie behind each other, too many to count in groups; "
+                               "what exactly 256 of them shade, or 512, would come out lit.");
+    return warnings;
+}
+
 /// Tints the picture by all lights' volumes.
 void tintVolumes(const GpuScene& scene, const FrameView& view, const RenderSettings& settings,
                  const gl::Capabilities& capabilities) {
@@ -60,12 +72,15 @@ void tintVolumes(const GpuScene& scene, const FrameView& view, const RenderSetti
 void render(const RenderOptions& options) {
     Stopwatch watch;
     const LoadedScene loaded = options.load();
-    const auto& warnings = loaded.scene.warnings.sentences();
+    std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);
     request.depth.slices = options.settings.depthSlices;
     FrameView view = makeFrameView(loaded, request);
     view.mask = options.mask;
+    const std::vector<std::string> more = warningsOf(view);
+    printWarnings(more);
+    warnings.insert(warnings.end(), more.begin(), more.end());
 
     const gl::HeadlessContext context({view.width, view.height, options.samples, options.glLimits});
     const gl::Capabilities& capabilities = context.capabilities();

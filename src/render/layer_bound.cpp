@@ -193,7 +193,7 @@ class Divider {
 };
 
 /// Groups such that no crowded cell has more than `limit` members of one; triangles outside
-/// crowded cells are in group 0.
+/// crowded cells are in group 0. None where it takes more than mostGroups.
 void assignGroups(const std::vector<Members>& crowded, std::size_t triangles, std::size_t limit,
                   LayerBound& bound) {
     std::vector<Members> cellsOf(triangles);
@@ -210,6 +210,11 @@ void assignGroups(const std::vector<Members>& crowded, std::size_t triangles, st
                                [&](std::uint32_t cell) { return counts[cell] < limit; });
         };
         auto group = std::find_if(taken.begin(), taken.end(), fits);
+        if (group == taken.end() && taken.size() == mostGroups) {
+            bound.groupOf.clear();
+            bound.mayOverflow = true;
+            return;
+        }
         if (group == taken.end())
             group = taken.insert(taken.end(), std::vector<std::size_t>(crowded.size(), 0));
         for (const std::uint32_t cell : cellsOf[triangle])

@@ -9,6 +9,9 @@
 
 namespace edgeshade {
 
+/// Groups that casters are divided into at most: each costs a pass over the scene.
+inline constexpr std::size_t mostGroups = 64;
+
 /// How many shadow volumes can lie around one point: the stencil counts exactly the casting
 /// triangles between a point and the light, so this bounds the counter.
 struct LayerBound {
@@ -19,6 +22,9 @@ struct LayerBound {
     /// triangles of one group. Empty otherwise.
     std::vector<std::uint32_t> groupOf;
     std::size_t groupCount = 1;
+    /// More than mostGroups would be needed, so there is one: as many triangles may lie behind each
+    /// other, or the bound was given up. What a multiple of 256 triangles shade would come out lit.
+    bool mayOverflow = false;
 };
 
 /// Bounds the layers around the light by dividing the directions from it into ever smaller cells

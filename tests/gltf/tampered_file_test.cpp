@@ -338,7 +338,7 @@ TEST(TamperedFile, AnyByteOfTheStreamsMayBeAnything) {
     std::size_t refused = 0, all = 0;
     for (const char* key : {"edgeVertices", "oppositeCounts", "oppositeVertices"}) {
         GlbParts parts = sound;
-        const Json& accessor = parts.json["accessors"][batchOf(parts)[key].get<int>()];
+        const Json accessor = parts.json["accessors"][batchOf(parts)[key].get<int>()];
         for (std::size_t i = 0; i < accessor["count"].get<std::size_t>(); ++i)
             for (const int change : {0x01, 0x10, 0x80, 0xFF}) {
                 parts = sound;

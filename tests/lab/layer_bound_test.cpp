@@ -52,6 +52,18 @@ TEST(LayerBound, ALightAmongTheTrianglesIsBoundedToo) {
     EXPECT_GE(bound.groupCount, 2u);
 }
 
+TEST(LayerBound, MoreGroupsThanAreWorthItAreNone) {
+    const Light light = test::sun({0, 1, 0});
+    const LayerBound many = boundLayers(stack(1500), false, light, 50);
+    EXPECT_GE(many.groupCount, 30u);
+    EXPECT_FALSE(many.mayOverflow);
+    const LayerBound tooMany = boundLayers(stack(6000), false, light, 50);
+    EXPECT_TRUE(tooMany.mayOverflow);
+    EXPECT_EQ(tooMany.groupCount, 1u);
+    EXPECT_TRUE(tooMany.groupOf.empty());
+    EXPECT_GE(tooMany.most, 6000u);
+}
+
 /// How many triangles a line from the light through a point meets; from a sun, the whole line.
 std::size_t trianglesMet(const Batch& batch, const Light& light, const glm::dvec3& through) {
     const bool sun = light.position.w == 0.0;
