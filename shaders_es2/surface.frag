@@ -3,8 +3,9 @@
 // of LIT, both at once, and the ambient share of their sum in alpha. Other variants: MASK,
 // the lit mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials
 // with holes; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: SUN, a light
-// of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the light's shadow map says, with MAP_SUN
-// and PCF as in shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of lower resolution says.
+// of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the light's shadow
+// map says, with MAP_SUN and PCF as in shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of
+// lower resolution says.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif

@@ -1,8 +1,6 @@
 #include "src/render/volume_counter.hpp"
 
 #include "preprocess/error.hpp"
-#include "src/render/batch_view.hpp"
-#include "src/render/light_plan.hpp"
 #include "src/render/stencil_count.hpp"
 
 namespace edgeshade {
