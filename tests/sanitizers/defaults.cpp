@@ -1,4 +1,5 @@
-// Linked into every program of the asan preset: what the sanitizers have to know, wherever it is run.
+// Linked into every program of the asan preset: what the sanitizers have to know, wherever it is
+// run.
 
 extern "C" {
 
@@ -14,7 +15,8 @@ int dlclose(void*) {
 
 /// GCC 12's runtime takes 16 bytes past a page for the header of glibc 2.19's thread-local storage,
 /// reads a size there that isn't one, and the leak checker then scans memory that isn't there
-/// ("Tracer caught signal 11"). Behind red zones of 256 bytes every block begins at a multiple of 64.
+/// ("Tracer caught signal 11"). Behind red zones of 256 bytes every block begins at a multiple
+/// of 64.
 const char* __asan_default_options() {
     return "redzone=256";
 }
