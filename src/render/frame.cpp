@@ -58,7 +58,8 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
     const std::size_t lights = view.mask ? 1 : view.lights.size();
-    const gl::PixelRectangle open = gl::scissored(view.width, view.height);
+    gl::PixelRectangle open = gl::scissored(view.width, view.height);
+    if (cutsToVisible()) open = gl::intersection(open, visiblePixels(view));
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
         const Pass pass{scene, view, view.slices[s], s == 0, clock, counted};
@@ -78,7 +79,7 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
         drawDepthAndAmbient(pass, withAmbient ? &view.lights[*first] : nullptr,
                             prepared ? prepared->cleared() : 0);
         if (coarse_ && !reach.empty()) drawCoarseSurfaces(pass, reach);
-        if (withAmbient && prepared) drawShadow(pass, *first, reaches[*first], *prepared);
+        if (withAmbient && prepared) drawShadow(pass, reaches[*first], *prepared);
         for (std::size_t i = 0; i < lights; ++i) {
             if (reaches[i].empty() || (withAmbient && i == *first)) continue;
             const GroupedShadow* grouped = groupsOf(groups, i);
@@ -103,6 +104,11 @@ std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shadi
                 surfaces_.draw(pass.scene, batch, batchView, pass.view.camera.from, shading, kind);
     }
     return runs;
+}
+
+bool Renderer::cutsToVisible() const {
+    const auto records = settings_.records();
+    return !records || records->volumes != VolumeLayout::published;
 }
 
 const GroupedShadow* Renderer::groupsOf(const std::vector<GroupedShadow>& groups,
@@ -151,10 +157,9 @@ void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light, int ste
     drawSurfaces(pass, shading);
 }
 
-void Renderer::drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach,
+void Renderer::drawShadow(const Pass& pass, const gl::PixelRectangle& reach,
                           const PreparedCount& prepared) {
-    std::optional<gl::ScissorScope> cut;
-    if (pass.view.lights[light].hasRange()) cut.emplace(reach);
+    const gl::ScissorScope cut(reach);
     count(pass, prepared);
     const StageScope stage(pass.clock, FrameStage::lit);
     mark_.darkenCounted();
@@ -184,8 +189,7 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
                                  const GroupedShadow* groups, const gl::PixelRectangle& reach,
                                  const PreparedCount* prepared) {
     const Light& light = pass.view.lights[lightIndex];
-    std::optional<gl::ScissorScope> cut;
-    if (light.hasRange()) cut.emplace(reach);
+    const gl::ScissorScope cut(reach);
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
     if (prepared) {

@@ -89,6 +89,8 @@ class Renderer {
         glm::ivec2 counted{0}; ///< size of the framebuffer that volumes are counted in
     };
 
+    /// Whether nothing is counted where no surface is; the published method counts everywhere.
+    bool cutsToVisible() const;
     /// Its casters in groups, or null.
     const GroupedShadow* groupsOf(const std::vector<GroupedShadow>& groups,
                                   std::size_t light) const;
@@ -102,7 +104,7 @@ class Renderer {
     void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups,
                            const gl::PixelRectangle& reach, const PreparedCount* prepared);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
-    void drawShadow(const Pass& pass, std::size_t light, const gl::PixelRectangle& reach,
+    void drawShadow(const Pass& pass, const gl::PixelRectangle& reach,
                     const PreparedCount& prepared);
     /// By the light, or by nothing.
     SurfaceShading shadingOf(const Pass& pass, const Light* light) const;

@@ -1,7 +1,5 @@
 #include "src/render/frame_view.hpp"
 
-#include "src/render/visible_depth.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -59,6 +57,8 @@ FrameView makeFrameView(const LoadedScene& loaded, const FrameRequest& request, 
         if (own.nearest > own.farthest) continue;
         view.visible.add(part.box.low);
         view.visible.add(part.box.high);
+        view.slopes.right.add(part.slopes.right);
+        view.slopes.up.add(part.slopes.up);
         range.add(own.nearest);
         range.add(own.farthest);
     }

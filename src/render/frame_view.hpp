@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/render/layer_bound.hpp"
+#include "src/render/visible_depth.hpp"
 #include "src/scene/camera.hpp"
 #include "src/scene/light.hpp"
 #include "src/scene/load.hpp"
@@ -42,6 +43,7 @@ struct FrameView {
     double farthestDepth = 0.0;        ///< of what is visible
     std::vector<double> nearestDepths; ///< of each batch, visiblePart()
     Box visible{}; ///< of what is visible, in the world; empty: nothing is known of it
+    Slopes slopes; ///< of what is visible
     std::vector<LayerBound> layers; ///< of each light; empty: no stencil can overflow
 
     bool mask = false;               ///< the lit mask of the first light, not a picture

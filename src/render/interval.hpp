@@ -14,6 +14,11 @@ struct Interval {
         low = std::min(low, value);
         high = std::max(high, value);
     }
+    void add(const Interval& other) {
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+    }
+    bool contains(double value) const { return low <= value && value <= high; }
 };
 
 } // namespace edgeshade

@@ -48,6 +48,15 @@ std::pair<int, int> pixelsOf(const Interval& slopes, double tangent, int count) 
 
 } // namespace
 
+gl::PixelRectangle visiblePixels(const FrameView& view) {
+    if (view.visible.empty()) return {0, 0, view.width, view.height};
+    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
+    const double right = up * view.width / view.height;
+    const auto [x, width] = pixelsOf(view.slopes.right, right, view.width);
+    const auto [y, height] = pixelsOf(view.slopes.up, up, view.height);
+    return {x, y, width, height};
+}
+
 gl::PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light) {
     if (!light.hasRange()) return {0, 0, view.width, view.height};
     const glm::dvec3 center(viewFromWorld(view.camera) * light.position);

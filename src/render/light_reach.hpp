@@ -5,6 +5,10 @@
 
 namespace edgeshade {
 
+/// The pixels that surfaces are in. Conservative by a pixel; the whole picture where nothing is
+/// known of what is visible.
+gl::PixelRectangle visiblePixels(const FrameView& view);
+
 /// The pixels that a light can reach in a slice of the view: those around the part of its ball that
 /// is between the slice's near plane and the farthest that is visible there. Conservative by a
 /// pixel; empty where there is none; the whole picture for a light without a range.

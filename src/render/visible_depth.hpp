@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/render/interval.hpp"
 #include "src/scene/camera.hpp"
 
 #include <limits>
@@ -19,10 +20,16 @@ struct DepthRange {
     bool contains(double from, double to) const { return nearest <= from && to <= farthest; }
 };
 
+/// How far to the right of the viewing direction and above it something is, per unit of depth.
+struct Slopes {
+    Interval right, up;
+};
+
 /// Where surfaces are that may be visible.
 struct VisiblePart {
     DepthRange depth;
-    Box box; ///< in the world
+    Box box;       ///< in the world
+    Slopes slopes; ///< with what a GL's floats may add
 };
 
 /// Where the batch's surfaces are within the picture's pyramid, a little widened. Exact but for

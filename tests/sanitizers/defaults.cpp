@@ -25,12 +25,13 @@ const char* __lsan_default_options() {
     return "print_suppressions=0";
 }
 
-/// Not the program's: what Mesa and LLVM keep for themselves.
+/// Not the program's: what Mesa, LLVM and fontconfig keep for themselves.
 const char* __lsan_default_suppressions() {
     return "leak:swrast_dri.so\n"
            "leak:libgallium\n"
            "leak:libLLVM\n"
-           "leak:libEGL_mesa\n";
+           "leak:libEGL_mesa\n"
+           "leak:libfontconfig\n";
 }
 
 } // extern "C"
