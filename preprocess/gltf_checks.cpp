@@ -274,6 +274,19 @@ void checkSampler(const JsonField& sampler) {
                 wrap.fail(" is " + std::to_string(value) +
                           ", but must be 33071, 33648 or 10497: clamp, mirror or repeat");
         });
+    sampler.ifPresent("magFilter", [](const JsonField& filter) {
+        const int value = filter.index();
+        if (value != 9728 && value != 9729)
+            filter.fail(" is " + std::to_string(value) +
+                        ", but must be 9728 or 9729: nearest or linear");
+    });
+    sampler.ifPresent("minFilter", [](const JsonField& filter) {
+        const int value = filter.index();
+        if (value != 9728 && value != 9729 && (value < 9984 || value > 9987))
+            filter.fail(
+                " is " + std::to_string(value) +
+                ", but must be 9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
+    });
 }
 
 void checkAnimationSampler(const JsonField& sampler, std::size_t accessorCount) {

@@ -67,8 +67,14 @@ std::filesystem::path pathOfUri(const GltfDocument& document, const std::string&
 
 /// The bytes behind a data URI or a file name.
 Bytes resolveUri(const GltfDocument& document, const std::string& field, const std::string& uri) {
-    if (!uri.starts_with("data:"))
-        return readFile(pathOfUri(document, field, uri), document.memory.limits().fileBytes);
+    if (!uri.starts_with("data:")) {
+        const std::filesystem::path file = pathOfUri(document, field, uri);
+        try {
+            return readFile(file, document.memory.limits().fileBytes);
+        } catch (const InputError& error) {
+            throw InputError(document.where(field) + ": " + error.what());
+        }
+    }
     Bytes bytes;
     std::string mimeType;
     if (!tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))

@@ -33,6 +33,15 @@ glm::mat3 uvTransformOf(const tinygltf::Value& transform) {
         {c * scaleU, -s * scaleU, 0.0f}, {s * scaleV, c * scaleV, 0.0f}, {offsetU, offsetV, 1.0f}};
 }
 
+Sampler samplerOf(const tinygltf::Sampler& given) {
+    Sampler sampler;
+    sampler.wrapS = given.wrapS;
+    sampler.wrapT = given.wrapT;
+    if (given.minFilter >= 0) sampler.minFilter = given.minFilter;
+    if (given.magFilter >= 0) sampler.magFilter = given.magFilter;
+    return sampler;
+}
+
 void setTexture(const GltfDocument& document, Material& material, const std::string& field,
                 int texture, int texcoordSet, const tinygltf::Value* transform) {
     if (texture < 0) return;
@@ -42,11 +51,8 @@ void setTexture(const GltfDocument& document, Material& material, const std::str
                          ", but there are " + std::to_string(textures.size()) + " textures.");
     material.image = textures[texture].source;
     material.texcoordSet = texcoordSet;
-    const int sampler = textures[texture].sampler;
-    if (sampler >= 0) {
-        material.wrapS = document.model.samplers[sampler].wrapS;
-        material.wrapT = document.model.samplers[sampler].wrapT;
-    }
+    if (textures[texture].sampler >= 0)
+        material.sampler = samplerOf(document.model.samplers[textures[texture].sampler]);
     if (!transform) return;
     material.uvTransform = uvTransformOf(*transform);
     material.texcoordSet = static_cast<int>(numberOr(*transform, "texCoord", texcoordSet));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/gltf_document.hpp"
+#include "preprocess/sampler.hpp"
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -15,8 +16,7 @@ struct Material {
     float alphaCutoff = 0.5f;
     glm::vec4 baseColorFactor{1.0f}; ///< linear; pbrSpecularGlossiness' diffuse where used
     int image = -1;                  ///< of the base colour texture; -1: none
-    int wrapS = 10497;               ///< GL enum, REPEAT by default
-    int wrapT = 10497;
+    Sampler sampler;                 ///< of this texture
     int texcoordSet = 0;
     glm::mat3 uvTransform{1.0f}; ///< KHR_texture_transform: uv' = uvTransform * (u, v, 1)
 };

@@ -2,7 +2,6 @@
 
 #include "preprocess/error.hpp"
 
-#include <bit>
 #include <GLES2/gl2.h>
 
 namespace edgeshade::gl {
@@ -38,8 +37,8 @@ Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()
     requireNoError("uploading a buffer");
 }
 
-Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, int wrapS,
-                    int wrapT) {
+Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height,
+                    const Sampler& sampler) {
     Name name = 0;
     glGenTextures(1, &name);
     Texture texture(name);
@@ -47,14 +46,11 @@ Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, i
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  rgba.data());
-    const bool mipmapped = std::has_single_bit(static_cast<unsigned>(width)) &&
-                           std::has_single_bit(static_cast<unsigned>(height));
-    if (mipmapped) glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                    mipmapped ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrapS);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrapT);
+    if (sampler.takesMipmaps()) glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, sampler.minFilter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, sampler.magFilter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, sampler.wrapS);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, sampler.wrapT);
     glBindTexture(GL_TEXTURE_2D, 0);
     requireNoError("uploading a texture");
     return texture;

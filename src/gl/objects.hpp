@@ -3,6 +3,8 @@
 // Thin owners of GL objects: one C++ object owns one GL object and deletes it. They need a current
 // context for their whole life and know nothing of shadows.
 
+#include "preprocess/sampler.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -71,10 +73,10 @@ Buffer vertexBuffer(std::span<const T> values) {
     return Buffer(Buffer::Kind::vertices, std::as_bytes(values));
 }
 
-/// A texture of 8-bit RGBA texels, rows top to bottom, with mipmaps. `wrapS`, `wrapT`: GL enums.
-/// Width and height must be powers of two unless both wraps are CLAMP_TO_EDGE.
-Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height, int wrapS,
-                    int wrapT);
+/// A texture of 8-bit RGBA texels, rows top to bottom, with mipmaps where its sampler takes them.
+/// Width and height must be powers of two.
+Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height,
+                    const Sampler& sampler);
 
 /// What a GL that notices the loss of its context reports (GL_KHR_robustness, ES 3.2).
 inline constexpr unsigned contextLost = 0x0507;

@@ -24,7 +24,7 @@ class Textures {
     bool has(const Material& material) const;
 
   private:
-    using Key = std::tuple<int, int, int>; ///< image, wrapS, wrapT
+    using Key = std::pair<int, Sampler>; ///< image, how it is looked up
     gl::Texture white_;
     std::map<Key, gl::Texture> textures_;
 };

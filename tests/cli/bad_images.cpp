@@ -101,6 +101,12 @@ std::vector<BadInput> badImages() {
                       return Json{{"bufferView", 99}, {"mimeType", "image/png"}};
                   },
                   {"99"}),
+        badScene("SamplerOfUnknownEnlarging",
+                 [](GltfBuilder& gltf) { gltf.json["samplers"][0]["magFilter"] = 9987; },
+                 {"samplers[0].magFilter", "9987"}),
+        badScene("SamplerOfUnknownReduction",
+                 [](GltfBuilder& gltf) { gltf.json["samplers"][0]["minFilter"] = 9990; },
+                 {"samplers[0].minFilter", "9990"}),
         badScene("TextureOfNoImage",
                  [](GltfBuilder& gltf) { gltf.json["textures"][0]["source"] = 99; },
                  {"images[99]"}),

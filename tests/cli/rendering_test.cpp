@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace edgeshade::test {
 namespace {
@@ -42,6 +43,26 @@ TEST(Rendering, APictureHasTheSizeThatWasAskedFor) {
         EXPECT_EQ(image.width, width);
         EXPECT_EQ(image.height, height);
     }
+}
+
+TEST(Rendering, TexelsAreLookedUpAsTheSamplerSays) {
+    const auto coloursWith = [](int magFilter) {
+        const TempFolder folder;
+        GltfBuilder gltf;
+        gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+        gltf.json["samplers"] = {{{"magFilter", magFilter}}};
+        gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+        gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+        gltf.addShapeNode(box(glm::vec3(1.0f)), {{"material", 0}});
+        const Image image = decodeImage(
+            pictureOf(folder.write("box.glb", gltf.glb()), {"--ambient", "1"}), "box.png");
+        std::set<std::array<std::uint8_t, 3>> colours;
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+            colours.insert({image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
+        return colours.size();
+    };
+    EXPECT_LE(coloursWith(9728), 5u) << "nearest: four texels and what is behind them";
+    EXPECT_GT(coloursWith(9729), 50u) << "linear";
 }
 
 TEST(Rendering, ProposedSilhouettesDrawWhatAllDo) {

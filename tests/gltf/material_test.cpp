@@ -82,6 +82,24 @@ TEST(Material, SpecularGlossinessDiffuseStandsForTheBaseColour) {
     EXPECT_EQ(material.texcoordSet, 1);
 }
 
+TEST(Material, ItsSamplerSaysHowTexelsAreLookedUp) {
+    const auto samplerOf = [](const Json& sampler) {
+        GltfBuilder gltf;
+        gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+        gltf.json["samplers"] = Json::array({sampler});
+        gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
+        return readMaterials(parseGltf(gltf.glb(), "test.glb")).at(0).sampler;
+    };
+    EXPECT_EQ(samplerOf(Json::object()), Sampler());
+    EXPECT_TRUE(Sampler().takesMipmaps());
+    const Sampler all =
+        samplerOf({{"wrapS", 33071}, {"wrapT", 33648}, {"minFilter", 9986}, {"magFilter", 9728}});
+    EXPECT_EQ(all, (Sampler{33071, 33648, 9986, 9728}));
+    EXPECT_TRUE(all.takesMipmaps());
+    EXPECT_FALSE(samplerOf({{"minFilter", 9728}}).takesMipmaps());
+    EXPECT_FALSE(samplerOf({{"minFilter", 9729}}).takesMipmaps());
+}
+
 TEST(Material, SpecularGlossinessTexturesMayBeTransformed) {
     const Material material = materialOf(
         {{"extensions",
