@@ -3,6 +3,7 @@
 #include "shaders_es2.hpp"
 #include "src/render/attributes.hpp"
 #include "src/render/cap_holes.hpp"
+#include "src/render/side_records.hpp"
 
 #include <algorithm>
 #include <array>
@@ -63,53 +64,6 @@ glm::vec2 rangeOf(Counted counted) {
     return counted == Counted::all ? glm::vec2(-1.0f, 1.0f) : glm::vec2(0.0f, 1.0f);
 }
 
-/// From the first cluster's first record to the last one's last.
-template <class Member>
-RecordRange rangeOver(const AdaptedShadow& shadow, const RecordRange& clusters, Member member) {
-    const RecordRange& first = shadow.clusters[clusters.first].*member;
-    const RecordRange& last = shadow.clusters[clusters.end() - 1].*member;
-    return {first.first, last.end() - first.first};
-}
-
-/// Where the records of neighbouring clusters are in a list.
-RecordRange listedOver(const PairList& list, const RecordRange& clusters) {
-    const std::uint32_t first = list.ofCluster[clusters.first].first;
-    return {first, list.ofCluster[clusters.end() - 1].end() - first};
-}
-
-/// Neighbouring records that a draw takes to the vertex shader.
-struct SideRecords {
-    enum class Kind { singles, allPairs, certainPairs, uncertainPairs };
-    Kind kind;
-    RecordRange range;
-};
-
-/// Those among which the draw's sides are that count so often. A single record counts once. So does
-/// a pair where one triangle of a silhouette edge casts. Where both cast it counts twice, but once
-/// where the light is in the plane of either.
-std::vector<SideRecords> sideRecords(const AdaptedShadow& shadow, const ProposedRecords* proposed,
-                                     const VolumeDraw& draw, Times times) {
-    using Kind = SideRecords::Kind;
-    std::vector<SideRecords> taken;
-    const auto take = [&](Kind kind, const RecordRange& range) {
-        if (range.count > 0) taken.push_back({kind, range});
-    };
-    const bool bothCast = draw.counted == Counted::all;
-    if (times == Times::once)
-        take(Kind::singles, rangeOver(shadow, draw.clusters, &ShadowCluster::singles));
-    else if (!bothCast)
-        return taken;
-    if (!proposed) {
-        take(Kind::allPairs, rangeOver(shadow, draw.clusters, &ShadowCluster::pairs));
-        return taken;
-    }
-    const bool twiceOrNever = bothCast && times == Times::once;
-    if (!twiceOrNever) take(Kind::certainPairs, listedOver(proposed->list.certain, draw.clusters));
-    if (!twiceOrNever || proposed->lightInPlane)
-        take(Kind::uncertainPairs, listedOver(proposed->list.uncertain, draw.clusters));
-    return taken;
-}
-
 const gl::Buffer& bufferOf(SideRecords::Kind kind, const AdaptedBuffers& buffers,
                            const ProposedRecords* proposed) {
     using Kind = SideRecords::Kind;
@@ -124,13 +78,6 @@ const gl::Buffer& bufferOf(SideRecords::Kind kind, const AdaptedBuffers& buffers
         break;
     }
     return buffers.pairs();
-}
-
-std::uint32_t countOf(const std::vector<SideRecords>& records) {
-    std::uint32_t count = 0;
-    for (const SideRecords& some : records)
-        count += some.range.count;
-    return count;
 }
 
 } // namespace
@@ -306,38 +253,6 @@ void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const Rec
         if (holes) binding.addRecords(buffers.holes, 3, first * 3 * sizeof(glm::vec4), false);
         glDrawArrays(GL_TRIANGLES, 0, static_cast<int>(caps.count) * verticesPerCap);
     }
-}
-
-bool mayCountTwice(const AdaptedShadow& shadow, const ProposedRecords* proposed,
-                   const std::vector<VolumeDraw>& draws) {
-    return std::any_of(draws.begin(), draws.end(), [&](const VolumeDraw& draw) {
-        return !sideRecords(shadow, proposed, draw, Times::twice).empty();
-    });
-}
-
-std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* proposed,
-                       const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
-                       bool sun) {
-    std::size_t runs = 0;
-    for (const VolumeDraw& draw : draws) {
-        const std::size_t perQuad = sun && draw.end < 0 ? 3 : verticesPerQuad;
-        runs += perQuad * (countOf(sideRecords(shadow, proposed, draw, Times::once)) +
-                           2 * countOf(sideRecords(shadow, proposed, draw, Times::twice)));
-        if (!draw.zFail()) continue;
-        const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (draw.backCaps ? 1 : 0);
-        for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
-            const ShadowCluster& cluster = shadow.clusters[c];
-            const bool fewer = proposed && takesLightFacingCaps(cluster, draw.counted);
-            runs += verticesPerCap * kinds *
-                    (fewer ? lightFacingCapCount(*proposed, cluster) : cluster.caps.count);
-            if (!cluster.holes || !draw.frontCaps) continue;
-            // Opaque triangles of such a cluster take one front cap, those with holes two.
-            for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g)
-                if (materials[shadow.groups[g].material].alphaMode != AlphaMode::opaque)
-                    runs += verticesPerCap * shadow.groups[g].capCount;
-        }
-    }
-    return runs;
 }
 
 } // namespace edgeshade

@@ -2,8 +2,7 @@
 
 #include "src/gl/instancing.hpp"
 #include "src/gl/program.hpp"
-#include "src/render/proposals.hpp"
-#include "src/render/volume_plan.hpp"
+#include "src/render/side_records.hpp"
 #include "src/scene/adapted_buffers.hpp"
 #include "src/scene/textures.hpp"
 
@@ -30,9 +29,6 @@ gl::Program makeAdaptedSidesProgram(const AdaptedSidesVariant& variant,
 gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
                                    const std::vector<std::string>& extraDefines = {},
                                    const std::vector<std::string>& extraAttributes = {});
-
-/// How often sides count: as the absolute value of their multiplicity says.
-enum class Times { once = 1, twice = 2 };
 
 /// What debug views colour volumes with.
 struct VolumeTints {
@@ -79,15 +75,5 @@ class AdaptedVolumes {
     std::map<AdaptedSidesVariant, gl::Program> sides_;
     std::map<std::pair<bool, bool>, gl::Program> caps_;
 };
-
-/// Whether some of the draws' sides may count twice; `proposed` as in drawSides().
-bool mayCountTwice(const AdaptedShadow& shadow, const ProposedRecords* proposed,
-                   const std::vector<VolumeDraw>& draws);
-
-/// How many vertices the vertex shader runs for such draws, where sides that count twice are drawn
-/// once for each direction of counting (see countByTwo()); `proposed` as in drawSides().
-std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* proposed,
-                       const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
-                       bool sun);
 
 } // namespace edgeshade
