@@ -1,7 +1,9 @@
 // Sides of the shadow volumes from records of one or two planes (preprocess/adapted_data.hpp).
 //
 // Variants: PAIR, two planes, else one; SUN, volumes end at infinity, where all points coincide, so
-// that a side is the triangle of A, B and the first of them; PROBE and DEGENERATE as in sides.vert.
+// that a side is the triangle of A, B and the first of them; CAP, the triangle between a side's edge
+// and u_apex, of the front cap or the back cap, in place of the side (render/side_records.hpp); PROBE
+// and DEGENERATE as in sides.vert.
 #include "plane_side.glsl"
 #include "extrusion.glsl"
 
@@ -18,6 +20,10 @@ uniform vec2 u_counted; // see countedSide()
 uniform float u_times;  // 1 or 2: sides that count so often are drawn, and no others
 uniform vec4 u_end;     // where volumes end, see pushedTo()
 uniform mat4 u_clipFromObject;
+#ifdef CAP
+uniform vec3 u_apex;
+uniform float u_back; // 1: the back cap, where the edge is pushed to; 0: the front cap
+#endif
 #ifdef DEGENERATE
 uniform float u_degenerate;
 #endif
@@ -41,20 +47,32 @@ void main() {
 #ifdef PROBE
     emitProbe(multiplicity);
 #else
-    // Drawn as (2, 1, 0), (1, 2, 3). To turn both over and keep their diagonal, 0 and 3 change
-    // places; in the one triangle of a sun, 0 and 1.
     float corner = a_corner;
     bool turned = multiplicity < 0.0;
+#ifdef CAP
+    // Drawn as (2, 1, 0): the apex and the edge, which the back cap has the other way around.
+    bool back = u_back > 0.5;
+    bool isA = (corner > 0.5) == (turned == back);
+    vec3 end = corner > 1.5 ? u_apex : (isA ? a_edgeA : a_edgeB);
+    bool pushed = back;
+#else
+    // Drawn as (2, 1, 0), (1, 2, 3). To turn both over and keep their diagonal, 0 and 3 change
+    // places; in the one triangle of a sun, 0 and 1.
 #ifdef SUN
     if (turned && corner < 1.5) corner = 1.0 - corner;
 #else
     if (turned && (corner < 0.5 || corner > 2.5)) corner = 3.0 - corner;
 #endif
     vec3 end = corner == 0.0 || corner == 2.0 ? a_edgeA : a_edgeB;
-    vec4 p = corner > 1.5 ? pushedTo(u_end, end, u_light) : vec4(end, 1.0);
+    bool pushed = corner > 1.5;
+#endif
+    vec4 p = pushed ? pushedTo(u_end, end, u_light) : vec4(end, 1.0);
+    vec4 clip = rasterizable(clipPosition(u_clipFromObject, p));
+#ifdef CAP
+    if (!back) clip.z = clip.w; // at infinity, as cap_corner.glsl has it
+#endif
     // A useless vertex makes its triangle a point, which covers no pixel.
-    gl_Position = abs(multiplicity) == u_times ? rasterizable(clipPosition(u_clipFromObject, p))
-                                               : vec4(0.0);
+    gl_Position = abs(multiplicity) == u_times ? clip : vec4(0.0);
 #ifdef DEGENERATE
     gl_Position *= u_degenerate;
 #endif

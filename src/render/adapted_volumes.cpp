@@ -88,6 +88,7 @@ gl::Program makeAdaptedSidesProgram(const AdaptedSidesVariant& variant,
     std::vector<std::string> defines = extraDefines;
     if (variant.pair) defines.push_back("PAIR");
     if (variant.sun) defines.push_back("SUN");
+    if (variant.cap) defines.push_back("CAP");
     return {shaders::adapted_sides_vert, shaders::sides_frag, defines,
             joined(variant.pair
                        ? std::vector<std::string>{"a_corner", "a_edgeA", "a_edgeB", "a_plane0",
@@ -119,43 +120,72 @@ AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing>
     const std::uint32_t quads = layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
     // The published order: rasterisers round a triangle's depths by which corner comes first.
     quadIndices_ = indexBuffer(std::array<std::uint16_t, 6>{2, 1, 0, 1, 2, 3}, quads);
-    sunIndices_ = indexBuffer(std::array<std::uint16_t, 3>{2, 1, 0}, quads);
+    triangleIndices_ = indexBuffer(std::array<std::uint16_t, 3>{2, 1, 0}, quads);
     if (layout == SidesLayout::notInstanced) return;
     quadCorners_ = gl::vertexBuffer<float>(std::array<float, 4>{0, 1, 2, 3});
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
+}
+
+gl::Program& AdaptedVolumes::sidesProgram(const AdaptedSidesVariant& variant,
+                                          const VolumeDraw& draw, Times times, const glm::vec4& end,
+                                          const glm::vec4& light, const glm::mat4& clipFromObject) {
+    auto found = sides_.find(variant);
+    if (found == sides_.end())
+        found = sides_.emplace(variant, makeAdaptedSidesProgram(variant, sidesDefines_)).first;
+    gl::Program& program = found->second;
+    program.use();
+    program.set("u_light", light);
+    program.set("u_end", end);
+    program.set("u_counted", rangeOf(draw.counted));
+    program.set("u_times", static_cast<float>(times));
+    program.set("u_clipFromObject", clipFromObject);
+    return program;
 }
 
 void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
                                const VolumeDraw& draw, Times times, const glm::vec4& end,
                                const glm::vec4& light, const glm::mat4& clipFromObject) {
     const bool sun = light.w == 0.0f && draw.end < 0;
-    for (const auto& [kind, range] : sideRecords(*buffers.shadow(), proposed, draw, times)) {
-        const bool pair = kind != SideRecords::Kind::singles;
-        const AdaptedSidesVariant variant{pair, sun};
-        auto program = sides_.find(variant);
-        if (program == sides_.end())
-            program =
-                sides_.emplace(variant, makeAdaptedSidesProgram(variant, sidesDefines_)).first;
-        program->second.use();
-        program->second.set("u_light", light);
-        program->second.set("u_end", end);
-        program->second.set("u_counted", rangeOf(draw.counted));
-        program->second.set("u_times", static_cast<float>(times));
-        program->second.set("u_clipFromObject", clipFromObject);
+    for (const SideRecords& records : sideRecords(*buffers.shadow(), proposed, draw, times)) {
+        gl::Program& program = sidesProgram({.pair = records.isPair(), .sun = sun}, draw, times,
+                                            end, light, clipFromObject);
         if (tints_)
-            program->second.set("u_tint", times == Times::twice ? tints_->twice
-                                          : draw.zFail()        ? tints_->behind
-                                                                : tints_->before);
-        drawQuads(bufferOf(kind, buffers, proposed), pair ? pairComponents : singleComponents,
-                  buffers.copied(), range, sun);
+            program.set("u_tint", times == Times::twice ? tints_->twice
+                                  : draw.zFail()        ? tints_->behind
+                                                        : tints_->before);
+        drawRecords(buffers, proposed, records, sun);
     }
 }
 
-void AdaptedVolumes::drawQuads(const gl::Buffer& buffer, const std::vector<int>& components,
-                               bool copied, const RecordRange& range, bool sun) {
-    const int indices = sun ? 3 : 6;
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (sun ? sunIndices_ : quadIndices_).name());
-    if (!copied) {
+void AdaptedVolumes::drawFannedCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
+                                    const VolumeDraw& draw, Times times, const glm::vec4& light,
+                                    const glm::mat4& clipFromObject) {
+    if (!draw.fannedCaps) return;
+    const AdaptedShadow& shadow = *buffers.shadow();
+    const glm::vec4 infinity(0, 0, 0, 1);
+    for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
+        if (!takesFannedCaps(shadow, proposed, draw, c)) continue;
+        for (const SideRecords& records : sideRecords(shadow, proposed, drawOf(draw, c), times)) {
+            gl::Program& program = sidesProgram({.pair = records.isPair(), .cap = true}, draw,
+                                                times, infinity, light, clipFromObject);
+            program.set("u_apex", glm::vec3(shadow.clusters[c].bounds.center()));
+            for (const bool back : {false, true}) {
+                if (!(back ? draw.backCaps : draw.frontCaps)) continue;
+                program.set("u_back", back ? 1.0f : 0.0f);
+                drawRecords(buffers, proposed, records, true);
+            }
+        }
+    }
+}
+
+void AdaptedVolumes::drawRecords(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
+                                 const SideRecords& records, bool triangles) {
+    const gl::Buffer& buffer = bufferOf(records.kind, buffers, proposed);
+    const std::vector<int>& components = records.isPair() ? pairComponents : singleComponents;
+    const RecordRange& range = records.range;
+    const int indices = triangles ? 3 : 6;
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (triangles ? triangleIndices_ : quadIndices_).name());
+    if (!buffers.copied()) {
         AttributeBinding binding(&*instancing_);
         bindRecords(binding, buffer, components, range.first * sizeof(float) * floatsOf(components),
                     false, quadCorners_, 0);
@@ -203,7 +233,7 @@ void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const ProposedRecor
     };
     for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
         const ShadowCluster& cluster = shadow.clusters[c];
-        if (cluster.caps.count == 0) continue;
+        if (cluster.caps.count == 0 || takesFannedCaps(shadow, proposed, draw, c)) continue;
         if (proposed && takesLightFacingCaps(cluster, draw.counted)) {
             const CapBuffers& caps = lightFacingCaps(*proposed, buffers, c);
             if (caps.count == 0) continue;

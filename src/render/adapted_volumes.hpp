@@ -18,6 +18,7 @@ namespace edgeshade {
 struct AdaptedSidesVariant {
     bool pair = false; ///< records of two planes
     bool sun = false;
+    bool cap = false; ///< fans of caps in place of sides
 
     auto operator<=>(const AdaptedSidesVariant&) const = default;
 };
@@ -51,6 +52,11 @@ class AdaptedVolumes {
     void drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
                    const VolumeDraw& draw, Times times, const glm::vec4& end,
                    const glm::vec4& light, const glm::mat4& clipFromObject);
+    /// Draws the fans of caps of such sides, where clusters take them.
+    void drawFannedCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
+                        const VolumeDraw& draw, Times times, const glm::vec4& light,
+                        const glm::mat4& clipFromObject);
+    /// Draws the other clusters' caps.
     void drawCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
                   const VolumeDraw& draw, const std::vector<Material>& materials,
                   const Textures& textures, const glm::vec4& light,
@@ -59,8 +65,13 @@ class AdaptedVolumes {
   private:
     enum class CapKind { front, back, both };
 
-    void drawQuads(const gl::Buffer& buffer, const std::vector<int>& components, bool copied,
-                   const RecordRange& range, bool sun);
+    /// The program, in use, with what all variants need.
+    gl::Program& sidesProgram(const AdaptedSidesVariant& variant, const VolumeDraw& draw,
+                              Times times, const glm::vec4& end, const glm::vec4& light,
+                              const glm::mat4& clipFromObject);
+    /// Records as quads or, of their first three corners, as triangles.
+    void drawRecords(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
+                     const SideRecords& records, bool triangles);
     void drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps, CapKind kind,
                    bool holes);
     gl::Program& capsProgram(bool nearDiscard, bool alphaTest);
@@ -68,10 +79,10 @@ class AdaptedVolumes {
     std::optional<gl::Instancing> instancing_;
     std::optional<VolumeTints> tints_;
     std::vector<std::string> sidesDefines_, capsDefines_;
-    gl::Buffer quadCorners_; ///< instanced: 0..3
-    gl::Buffer capCorners_;  ///< instanced: 0..5
-    gl::Buffer quadIndices_; ///< of one quad; not instanced: of as many as 16 bits reach
-    gl::Buffer sunIndices_;  ///< the same of their first triangles
+    gl::Buffer quadCorners_;     ///< instanced: 0..3
+    gl::Buffer capCorners_;      ///< instanced: 0..5
+    gl::Buffer quadIndices_;     ///< of one quad; not instanced: of as many as 16 bits reach
+    gl::Buffer triangleIndices_; ///< the same of their first triangles
     std::map<AdaptedSidesVariant, gl::Program> sides_;
     std::map<std::pair<bool, bool>, gl::Program> caps_;
 };

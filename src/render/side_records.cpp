@@ -26,6 +26,21 @@ std::uint32_t countOf(const std::vector<SideRecords>& records) {
     return count;
 }
 
+/// Of the triangles that are drawn for a cluster's caps of one kind.
+std::uint32_t capCount(const AdaptedShadow& shadow, const ProposedRecords* proposed,
+                       const VolumeDraw& draw, std::uint32_t cluster) {
+    const ShadowCluster& drawn = shadow.clusters[cluster];
+    const bool fewer = proposed && takesLightFacingCaps(drawn, draw.counted);
+    return fewer ? lightFacingCapCount(*proposed, drawn) : drawn.caps.count;
+}
+
+/// How many records a draw takes, those of sides that count twice once for each direction.
+std::size_t drawnRecords(const AdaptedShadow& shadow, const ProposedRecords* proposed,
+                         const VolumeDraw& draw) {
+    return countOf(sideRecords(shadow, proposed, draw, Times::once)) +
+           2 * countOf(sideRecords(shadow, proposed, draw, Times::twice));
+}
+
 } // namespace
 
 std::vector<SideRecords> sideRecords(const AdaptedShadow& shadow, const ProposedRecords* proposed,
@@ -51,6 +66,19 @@ std::vector<SideRecords> sideRecords(const AdaptedShadow& shadow, const Proposed
     return taken;
 }
 
+VolumeDraw drawOf(const VolumeDraw& draw, std::uint32_t cluster) {
+    VolumeDraw one = draw;
+    one.clusters = {cluster, 1};
+    return one;
+}
+
+bool takesFannedCaps(const AdaptedShadow& shadow, const ProposedRecords* proposed,
+                     const VolumeDraw& draw, std::uint32_t cluster) {
+    if (!draw.fannedCaps || !proposed) return false;
+    const std::size_t records = drawnRecords(shadow, proposed, drawOf(draw, cluster));
+    return 2 * records < capCount(shadow, proposed, draw, cluster);
+}
+
 bool mayCountTwice(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                    const std::vector<VolumeDraw>& draws) {
     return std::any_of(draws.begin(), draws.end(), [&](const VolumeDraw& draw) {
@@ -64,15 +92,15 @@ std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* propo
     std::size_t runs = 0;
     for (const VolumeDraw& draw : draws) {
         const std::size_t perQuad = sun && draw.end < 0 ? 3 : verticesPerQuad;
-        runs += perQuad * (countOf(sideRecords(shadow, proposed, draw, Times::once)) +
-                           2 * countOf(sideRecords(shadow, proposed, draw, Times::twice)));
+        runs += perQuad * drawnRecords(shadow, proposed, draw);
         if (!draw.zFail()) continue;
         const std::size_t kinds = (draw.frontCaps ? 1 : 0) + (draw.backCaps ? 1 : 0);
         for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
             const ShadowCluster& cluster = shadow.clusters[c];
-            const bool fewer = proposed && takesLightFacingCaps(cluster, draw.counted);
+            const bool fanned = takesFannedCaps(shadow, proposed, draw, c);
             runs += verticesPerCap * kinds *
-                    (fewer ? lightFacingCapCount(*proposed, cluster) : cluster.caps.count);
+                    (fanned ? drawnRecords(shadow, proposed, drawOf(draw, c))
+                            : capCount(shadow, proposed, draw, c));
             if (!cluster.holes || !draw.frontCaps) continue;
             // Opaque triangles of such a cluster take one front cap, those with holes two.
             for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g)

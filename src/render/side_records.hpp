@@ -15,6 +15,8 @@ struct SideRecords {
     enum class Kind { singles, allPairs, certainPairs, uncertainPairs };
     Kind kind;
     RecordRange range;
+
+    bool isPair() const { return kind != Kind::singles; }
 };
 
 /// Those among which the draw's sides are that count so often. A single record counts once. So does
@@ -22,6 +24,15 @@ struct SideRecords {
 /// where the light is in the plane of either.
 std::vector<SideRecords> sideRecords(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                                      const VolumeDraw& draw, Times times);
+
+/// Whether a cluster's caps are drawn from its silhouette edges, each joined to the cluster's
+/// middle: where the plan allows it (VolumeDraw::fannedCaps) and fewer vertices are needed for
+/// them.
+bool takesFannedCaps(const AdaptedShadow& shadow, const ProposedRecords* proposed,
+                     const VolumeDraw& draw, std::uint32_t cluster);
+
+/// The same draw of one of its clusters.
+VolumeDraw drawOf(const VolumeDraw& draw, std::uint32_t cluster);
 
 /// Whether some of the draws' sides may count twice; `proposed` as in drawSides().
 bool mayCountTwice(const AdaptedShadow& shadow, const ProposedRecords* proposed,

@@ -92,6 +92,8 @@ void VolumeCounter::countAdapted(const PreparedCount& prepared, const GpuScene& 
         const PlanView& planned = prepared.plan.batches[of.planned].view;
         adapted_->drawSides(*of.volumes.adapted, of.proposed, draw, times, endOf(draw, planned),
                             of.light, of.view.clipFromObject);
+        adapted_->drawFannedCaps(*of.volumes.adapted, of.proposed, draw, times, of.light,
+                                 of.view.clipFromObject);
     };
     if (prepared.countsByTwo)
         countByTwo(prepared.start, [&](bool up) {

@@ -68,11 +68,14 @@ Box boxAround(const glm::dvec3& point) {
     return box;
 }
 
-/// Whether both winding numbers are certainly 0.
-bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
-    if (mayOverlap(cluster.bounds, boxAround(view.eye))) return false;
+bool isLightOutside(const ShadowCluster& cluster, const PlanView& view) {
     return view.light.w == 0.0 ||
            !mayOverlap(cluster.bounds, boxAround(glm::dvec3(view.light) / view.light.w));
+}
+
+/// Whether both winding numbers are certainly 0.
+bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
+    return !mayOverlap(cluster.bounds, boxAround(view.eye)) && isLightOutside(cluster, view);
 }
 
 /// How the cluster's triangles count, by winding numbers at eye and light (method, section 6.4).
@@ -257,6 +260,8 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         draw.backCaps = draw.zFail() && mayBackCapsBeSeen(cluster.bounds, view);
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
         draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
+        draw.fannedCaps = draw.zFail() && !cluster.holes && !draw.nearDiscard &&
+                          (!draw.backCaps || isLightOutside(cluster, view));
         appendDraw(plan.draws, draw);
     }
     return plan;

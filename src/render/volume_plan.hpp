@@ -35,11 +35,12 @@ struct VolumeDraw {
     bool frontCaps = true;   ///< with z-fail: some casters may be in the view
     bool backCaps = true;    ///< with z-fail: at infinity, some of its shadow may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
+    bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
 
     bool drawnLike(const VolumeDraw& other) const {
         return counted == other.counted && caps == other.caps && end == other.end &&
                frontCaps == other.frontCaps && backCaps == other.backCaps &&
-               nearDiscard == other.nearDiscard;
+               nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps;
     }
     bool zFail() const { return caps != CapsNeeded::no; }
 };
@@ -98,6 +99,12 @@ glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
 ///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.
 ///   Casters with holes always get caps, since the eye sees volumes through them. Such volumes end
 ///   at a plane beyond everything visible, where there is one for all of the cluster;
+/// - with fans for caps, whose triangles join the silhouette edges to the middle of the cluster's
+///   box. They have the same outline as the casting triangles, and at infinity only outlines count:
+///   fan and triangles together are closed, so that they cover each direction from the eye (of the
+///   front caps) or from the light (of the back caps) as often as they wind around eye or light,
+///   which is never where that is outside of the box. For front caps the box must be beyond the
+///   near plane; casters with holes take none;
 /// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
 ///   and the nearest near plane, and eye and light have the same winding numbers (method, section
 ///   6.4). Where these certainly differ, the cluster seals the eye off from the light.
