@@ -84,7 +84,9 @@ std::string explain(const LightPlan& plan, const std::vector<PlacedShadow>& cast
             if (draw.zFail())
                 text << (draw.frontCaps ? "" : ", no front caps in view")
                      << (draw.backCaps ? "" : ", no back caps in view")
-                     << (draw.nearDiscard ? ", cut where the near plane cuts" : "");
+                     << (draw.nearDiscard ? ", cut where the near plane cuts" : "")
+                     << (draw.fannedCaps ? ", as fans of silhouette edges where these are fewer"
+                                         : "");
             text << "; " << wordsFor(draw.counted) << "\n";
         }
         for (const LeftOut& left : plan.batches[i].volumes.leftOut)
