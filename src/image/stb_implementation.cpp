@@ -9,6 +9,11 @@ namespace {
 constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
 thread_local std::size_t largestPiece = unbounded; // stb_image has no other way to tell it
 
+/// Zeros: stb_image before 2.28 looks codes up in Huffman tables that a JPEG never defined.
+void* boundedCalloc(std::size_t size) {
+    return size > largestPiece ? nullptr : std::calloc(1, size);
+}
+
 void* boundedRealloc(void* memory, std::size_t size) {
     return size > largestPiece ? nullptr : std::realloc(memory, size);
 }
@@ -23,7 +28,7 @@ edgeshade::AllocationBound::~AllocationBound() {
     largestPiece = unbounded;
 }
 
-#define STBI_MALLOC(size) boundedRealloc(nullptr, size)
+#define STBI_MALLOC(size) boundedCalloc(size)
 #define STBI_REALLOC(memory, size) boundedRealloc(memory, size)
 #define STBI_FREE(memory) std::free(memory)
 #define STB_IMAGE_IMPLEMENTATION

@@ -245,8 +245,9 @@ void replaceRange(Json& json, Bytes& binary, Json& range, const Bytes& bytes) {
     changed.resize(offset + padded);
     changed.insert(changed.end(), binary.begin() + static_cast<std::ptrdiff_t>(oldEnd),
                    binary.end());
+    // One without an offset begins at 0; giving it one could move those within it.
     for (Json* other : rangesIn(json))
-        if (other != &range && offsetOf(*other) >= oldEnd)
+        if (other != &range && isWholeNumber(*other, "byteOffset") && offsetOf(*other) >= oldEnd)
             (*other)["byteOffset"] = offsetOf(*other) - (oldEnd - offset) + padded;
     range["byteLength"] = bytes.size();
     if (json.contains("buffers") && json["buffers"].is_array() && !json["buffers"].empty() &&
