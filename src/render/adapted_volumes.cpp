@@ -3,7 +3,6 @@
 #include "shaders_es2.hpp"
 #include "src/render/attributes.hpp"
 #include "src/render/cap_holes.hpp"
-#include "src/render/side_records.hpp"
 
 #include <algorithm>
 #include <array>
