@@ -11,8 +11,9 @@ aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user dpkg-dev)
 aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libcli11-dev
     libgtest-dev librapidcheck-dev libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
 
-# What ./test --long builds and runs.
-aarch64_targets=(preprocess_test closed_chain_test closed_chain_precision_test pack_hashes)
+# What ./test --long builds, and runs but for the program, which is to be linked at least: the one
+# build without Embree, GLFW and cairo.
+aarch64_targets=(preprocess_test closed_chain_test closed_chain_precision_test pack_hashes edgeshade)
 
 # unpack_aarch64 FOLDER: FOLDER/usr, unless it is complete.
 unpack_aarch64() {

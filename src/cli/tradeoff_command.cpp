@@ -1,4 +1,5 @@
 #include "preprocess/error.hpp"
+#include "src/cli/bench_report.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/options.hpp"
 
@@ -7,7 +8,6 @@
 #ifdef EDGESHADE_HAS_LAB
 #include "src/bench/bench.hpp"
 #include "src/bench/pareto.hpp"
-#include "src/cli/bench_report.hpp"
 #include "src/cli/caster_variants.hpp"
 #include "src/cli/contender.hpp"
 #include "src/cli/report.hpp"
