@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
 #include <utility>
 
 namespace edgeshade {
@@ -266,27 +267,23 @@ void checkMaterial(const JsonField& material) {
     });
 }
 
+/// `meaning`: the values, in words.
+void checkOneOf(const JsonField& object, const char* key, std::initializer_list<int> values,
+                const std::string& meaning) {
+    object.ifPresent(key, [&](const JsonField& field) {
+        const int value = field.index();
+        if (std::find(values.begin(), values.end(), value) == values.end())
+            field.fail(" is " + std::to_string(value) + ", but must be " + meaning);
+    });
+}
+
 void checkSampler(const JsonField& sampler) {
     for (const char* key : {"wrapS", "wrapT"})
-        sampler.ifPresent(key, [](const JsonField& wrap) {
-            const int value = wrap.index();
-            if (value != 33071 && value != 33648 && value != 10497)
-                wrap.fail(" is " + std::to_string(value) +
-                          ", but must be 33071, 33648 or 10497: clamp, mirror or repeat");
-        });
-    sampler.ifPresent("magFilter", [](const JsonField& filter) {
-        const int value = filter.index();
-        if (value != 9728 && value != 9729)
-            filter.fail(" is " + std::to_string(value) +
-                        ", but must be 9728 or 9729: nearest or linear");
-    });
-    sampler.ifPresent("minFilter", [](const JsonField& filter) {
-        const int value = filter.index();
-        if (value != 9728 && value != 9729 && (value < 9984 || value > 9987))
-            filter.fail(
-                " is " + std::to_string(value) +
-                ", but must be 9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
-    });
+        checkOneOf(sampler, key, {33071, 33648, 10497},
+                   "33071, 33648 or 10497: clamp, mirror or repeat");
+    checkOneOf(sampler, "magFilter", {9728, 9729}, "9728 or 9729: nearest or linear");
+    checkOneOf(sampler, "minFilter", {9728, 9729, 9984, 9985, 9986, 9987},
+               "9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
 }
 
 void checkAnimationSampler(const JsonField& sampler, std::size_t accessorCount) {

@@ -18,7 +18,6 @@ struct Interval {
         low = std::min(low, other.low);
         high = std::max(high, other.high);
     }
-    bool contains(double value) const { return low <= value && value <= high; }
 };
 
 } // namespace edgeshade

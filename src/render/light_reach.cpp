@@ -46,15 +46,21 @@ std::pair<int, int> pixelsOf(const Interval& slopes, double tangent, int count) 
     return {first, std::max(0, end - first)};
 }
 
+/// Those of a picture, in both directions; empty where there are none.
+gl::PixelRectangle pixelsOf(const Slopes& slopes, const FrameView& view) {
+    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
+    const double right = up * view.width / view.height;
+    const auto [x, width] = pixelsOf(slopes.right, right, view.width);
+    const auto [y, height] = pixelsOf(slopes.up, up, view.height);
+    if (width == 0 || height == 0) return {};
+    return {x, y, width, height};
+}
+
 } // namespace
 
 gl::PixelRectangle visiblePixels(const FrameView& view) {
     if (view.visible.empty()) return {0, 0, view.width, view.height};
-    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
-    const double right = up * view.width / view.height;
-    const auto [x, width] = pixelsOf(view.slopes.right, right, view.width);
-    const auto [y, height] = pixelsOf(view.slopes.up, up, view.height);
-    return {x, y, width, height};
+    return pixelsOf(view.slopes, view);
 }
 
 gl::PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light) {
@@ -63,14 +69,9 @@ gl::PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, co
     const double depth = -center.z, radius = widening * light.range;
     const double farthest = std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
     if (depth + radius < slice.near || depth - radius > farthest) return {};
-    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
-    const double right = up * view.width / view.height;
-    const auto [x, width] =
-        pixelsOf(slopesOver(center.x, depth, radius, slice.near), right, view.width);
-    const auto [y, height] =
-        pixelsOf(slopesOver(center.y, depth, radius, slice.near), up, view.height);
-    if (width == 0 || height == 0) return {};
-    return {x, y, width, height};
+    return pixelsOf({slopesOver(center.x, depth, radius, slice.near),
+                     slopesOver(center.y, depth, radius, slice.near)},
+                    view);
 }
 
 gl::PixelRectangle scaledReach(const gl::PixelRectangle& reach, const FrameView& view,
