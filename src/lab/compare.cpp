@@ -33,6 +33,7 @@ class Studio {
     }
 
     SidesLayout bestLayout() const { return edgeshade::bestLayout(context_.capabilities()); }
+    int subpixelBits() const { return context_.capabilities().subpixelBits; }
 
   private:
     const GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
@@ -103,7 +104,7 @@ class Jury {
         pictures_.image = studio_.draw(renderer, drawn, frame, groups);
         frame.mask = true;
         pictures_.mask = studio_.draw(renderer, drawn, frame, groups);
-        return compareWithOracle(*judged_.oracle, judged_.answers, pictures_);
+        return compareWithOracle(*judged_.oracle, judged_.answers, pictures_, studio_.subpixelBits());
     }
 
     const std::vector<std::uint8_t>& image() const { return pictures_.image; }
@@ -172,6 +173,7 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
         CompareResult& result = results.emplace_back();
         result.name = contender.name;
         result.settings = contender.settings;
+        result.subpixelBits = jury.studio().subpixelBits();
         result.settings.layout = contender.layout.value_or(jury.studio().bestLayout());
         renderers.push_back(jury.studio().rendererFor(result.settings));
         if (contender.tuneMapBias) {

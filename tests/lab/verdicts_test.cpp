@@ -35,7 +35,7 @@ struct Fixture {
     lab::WrongCounts counts() {
         const lab::Oracle oracle(question, [](auto&&...) { return 1.0f; });
         auto answers = lab::traceAll(oracle, {});
-        return lab::compareWithOracle(oracle, answers, pictures).counts;
+        return lab::compareWithOracle(oracle, answers, pictures, 8).counts;
     }
 };
 
