@@ -64,7 +64,7 @@ FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request) {
 }
 
 JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabView& view,
-                 const AlphaAt& alphaAt) {
+                 const AlphaLookup& alpha) {
     FrameRequest request;
     request.camera = view.camera;
     request.width = task.width;
@@ -77,7 +77,7 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
     judged.oracle = std::make_unique<Oracle>(Question{&loaded.scene, loaded.settings.castMasked,
                                                       view.camera, judged.frame.near(),
                                                       judged.frame.lights, task.width, task.height},
-                                             alphaAt);
+                                             alpha);
     judged.answers = traceAll(*judged.oracle, {});
     return judged;
 }
@@ -86,11 +86,11 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
 class Jury {
   public:
     Jury(const LoadedScene& loaded, const CompareTask& task)
-        : loaded_(loaded), task_(task), studio_(task), alphaAt_(textureAlpha(loaded)) {}
+        : loaded_(loaded), task_(task), studio_(task), alpha_(textureAlpha(loaded)) {}
 
     /// Moves on to another view.
     void see(const LabView& view) {
-        judged_ = judge(loaded_, task_, view, alphaAt_);
+        judged_ = judge(loaded_, task_, view, alpha_);
         pictures_ = {};
         unshadowed_.reset();
         frames_ = {{&loaded_, judged_.frame}};
@@ -136,7 +136,7 @@ class Jury {
     const LoadedScene& loaded_;
     const CompareTask& task_;
     Studio studio_;
-    AlphaAt alphaAt_;
+    AlphaLookup alpha_;
     JudgedView judged_;
     std::map<const LoadedScene*, FrameView> frames_; ///< of judged_
     Pictures pictures_;

@@ -118,6 +118,18 @@ bool hangsOnHidden(const Oracle& oracle, const Oracle::Hit& visible, const glm::
     return false;
 }
 
+/// Whether the texture filter may decide if a surface before the visible one, or that one itself,
+/// is there at all.
+bool hangsOnFilter(const Oracle& oracle, const std::optional<Oracle::Hit>& visible,
+                   const glm::dvec2& center) {
+    const double depth = visible ? visible->depth : std::numeric_limits<double>::infinity();
+    const std::vector<std::uint32_t> met = oracle.candidates(
+        glm::dvec3(0.0), pixelDirection(oracle.question(), center.x, center.y), false);
+    return std::any_of(met.begin(), met.end(), [&](std::uint32_t triangle) {
+        return oracle.isHoleByFilter(oracle.triangles()[triangle], center.x, center.y, depth);
+    });
+}
+
 } // namespace
 
 bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict, double grid) {
@@ -131,6 +143,7 @@ bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict, double gr
             silhouetteBetween(oracle, *visible, center, *moved, point, grid))
             return true;
     }
+    if (hangsOnFilter(oracle, visible, center)) return true;
     if (!visible) return false;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i)
         if (couldTurn(oracle, oracle.triangles()[visible->triangle], oracle.lightFromEye(i),
