@@ -104,7 +104,8 @@ class Jury {
         pictures_.image = studio_.draw(renderer, drawn, frame, groups);
         frame.mask = true;
         pictures_.mask = studio_.draw(renderer, drawn, frame, groups);
-        return compareWithOracle(*judged_.oracle, judged_.answers, pictures_, studio_.subpixelBits());
+        return compareWithOracle(*judged_.oracle, judged_.answers, pictures_,
+                                 studio_.subpixelBits());
     }
 
     const std::vector<std::uint8_t>& image() const { return pictures_.image; }

@@ -196,7 +196,8 @@ double Oracle::rangeOf(std::size_t light) const {
 
 bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
     const Material& material = question_.scene->materials[triangle.material];
-    return material.alphaMode == AlphaMode::mask && alpha_.at(triangle, u, v) < material.alphaCutoff;
+    return material.alphaMode == AlphaMode::mask &&
+           alpha_.at(triangle, u, v) < material.alphaCutoff;
 }
 
 bool Oracle::isHoleByFilter(const EyeTriangle& triangle, double x, double y, double depth) const {

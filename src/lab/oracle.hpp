@@ -44,7 +44,8 @@ struct AlphaLookup {
 
     /// The least and the most that a device's texture filter may make of it at a pixel: GLES 2
     /// leaves open how much smaller copies of a texture are taken (2.0.25, 3.7.7). `places`: the
-    /// coordinates at the pixel's centre, one pixel to the right and one below. Null: what `at` says.
+    /// coordinates at the pixel's centre, one pixel to the right and one below. Null: what `at`
+    /// says.
     std::function<glm::vec2(const EyeTriangle&, const std::array<glm::dvec2, 3>& places)> range;
 };
 

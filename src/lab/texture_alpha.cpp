@@ -54,10 +54,12 @@ class AlphaTexture {
 
     /// How far from a place a device may look for what a pixel of this size shows, in texels.
     double reach(const glm::dvec2& right, const glm::dvec2& down) const {
-        const double longest = std::max(glm::length(right), glm::length(down));
+        // As much smaller as GLES 2.0.25, section 3.7.7, lets it look.
+        const double smaller = std::max(std::abs(right.x), std::abs(down.x)) +
+                               std::max(std::abs(right.y), std::abs(down.y));
         double texels = 1.0; // of the copy that is looked up; two of them either way are mixed
-        if (sampler_.takesMipmaps() && longest > 1.0)
-            texels = std::exp2(std::min(std::ceil(std::log2(longest)), 30.0));
+        if (sampler_.takesMipmaps() && smaller > 1.0)
+            texels = std::exp2(std::min(std::ceil(std::log2(smaller)), 30.0));
         const bool resized = !std::has_single_bit(static_cast<unsigned>(image_.width)) ||
                              !std::has_single_bit(static_cast<unsigned>(image_.height));
         return 1.5 * texels + (resized ? 1.0 : 0.0); // see toPowersOfTwo()

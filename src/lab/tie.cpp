@@ -76,8 +76,9 @@ double lightSide(const EyeTriangle& triangle, const glm::dvec4& light) {
     return eyeSide * glm::dot(normal, glm::dvec3(light) - triangle.a * light.w);
 }
 
-/// Whether two visible surfaces a step of the grid apart are not joined there, so that one ends before the
-/// other, or one faces a light and the other does not, so that a shadow volume begins between them.
+/// Whether two visible surfaces a step of the grid apart are not joined there, so that one ends
+/// before the other, or one faces a light and the other does not, so that a shadow volume begins
+/// between them.
 bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm::dvec2& center,
                        const Oracle::Hit& there, const glm::dvec2& moved, double grid) {
     const EyeTriangle& first = oracle.triangles()[here.triangle];
@@ -146,8 +147,7 @@ bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict, double gr
     if (hangsOnFilter(oracle, visible, center)) return true;
     if (!visible) return false;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i)
-        if (couldTurn(oracle, oracle.triangles()[visible->triangle], oracle.lightFromEye(i),
-                      grid))
+        if (couldTurn(oracle, oracle.triangles()[visible->triangle], oracle.lightFromEye(i), grid))
             return true;
     for (const glm::dvec2& point : movedPoints(center, grid))
         if (hangsOnHidden(oracle, *visible, center, point, verdict.answer, grid)) return true;

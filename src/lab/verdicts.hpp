@@ -36,7 +36,8 @@ struct Comparison {
 
 /// Counts where the pictures disagree with the answers. Every pixel on which they do is judged
 /// again, exactly unless rounding can't have changed the answer, and `answers` is corrected, before
-/// anything is counted. `subpixelBits`: the device puts vertices on a grid of 2^-subpixelBits pixels.
+/// anything is counted. `subpixelBits`: the device puts vertices on a grid of 2^-subpixelBits
+/// pixels.
 Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
                              const Pictures& pictures, int subpixelBits);
 
