@@ -40,7 +40,7 @@ glm::dvec3 pixelDirection(const Question& question, double x, double y);
 /// has the textures.
 using AlphaAt = std::function<float(const EyeTriangle&, double u, double v)>;
 
-/// Lit as in the method, section 7, by casting rays: Embree in robust mode finds what a ray may
+/// Lit as in docs/method.md, C30, by casting rays: Embree in robust mode finds what a ray may
 /// hit, double arithmetic decides. A surface never blocks itself, nor do triangles exactly in its
 /// plane; one seen from the side turned away from a light is not lit by it, nor is what is out of
 /// its range.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Wrong pixels against the near plane's distance: one depth range, and depth slices (method,
-section 5). Writes docs/measured/near-plane.md's table and docs/pictures/near-ratio.svg.
+"""Wrong pixels against the near plane's distance: one depth range, and depth slices
+(docs/method.md, C26 and C27). Writes docs/measured/near-plane.md's table and docs/pictures/near-ratio.svg.
 
     tests/bench/near_ratio.py [SCENE]    the name of a model in ../shared/scenes, bunny.draco
 """
