@@ -75,6 +75,8 @@ def broken_citations(source, sections, conditions):
                     yield f"{source} cites docs/method.md, {number}, which is not there."
         elif not any(rest.startswith(section) for section in sections):
             yield f"{source} cites docs/method.md, '{rest[:30]}…', which is no section of it."
+    for section in re.findall(r"\bmethod,? \(?sections? [\d.]+", text):
+        yield f"{source} cites '{section}': docs/method.md has names and numbers of its own."
     for path in re.findall(r"\bdocs/[\w/-]+\.(?:md|svg|png)\b", text):
         if not (ROOT / path).exists():
             yield f"{source} names {path}, which does not exist."
