@@ -49,7 +49,7 @@ struct AlphaLookup {
     std::function<glm::vec2(const EyeTriangle&, const std::array<glm::dvec2, 3>& places)> range;
 };
 
-/// Lit as in the method, section 7, by casting rays: Embree in robust mode finds what a ray may
+/// Lit as in docs/method.md, C30, by casting rays: Embree in robust mode finds what a ray may
 /// hit, double arithmetic decides. A surface never blocks itself, nor do triangles exactly in its
 /// plane; one seen from the side turned away from a light is not lit by it, nor is what is out of
 /// its range.
