@@ -1,5 +1,6 @@
 #include "preprocess/packed_file.hpp"
 
+#include "preprocess/buffer_view.hpp"
 #include "preprocess/error.hpp"
 #include "preprocess/glb.hpp"
 #include "preprocess/json_field.hpp"
@@ -14,10 +15,6 @@ struct BufferPlace {
     std::size_t buffer;
     std::size_t offset;
 };
-
-void alignTo4(Bytes& bytes) {
-    bytes.resize((bytes.size() + 3) / 4 * 4, 0);
-}
 
 void moveReference(Json& reference, const std::vector<BufferPlace>& places) {
     const BufferPlace& place = places.at(reference.at("buffer").get<std::size_t>());
@@ -75,16 +72,12 @@ const char* mimeTypeOf(const Bytes& image) {
 void embedImages(const GltfDocument& document, Json& json, Bytes& binary) {
     if (!json.contains("images")) return;
     for (std::size_t i = 0; i < json["images"].size(); ++i) {
-        Json& image = json["images"][i];
-        if (!image.contains("uri")) continue;
+        if (!json["images"][i].contains("uri")) continue;
         const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
-        if (!json.contains("buffers")) json["buffers"] = Json::array({Json::object()});
-        json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
-        binary.insert(binary.end(), bytes.begin(), bytes.end());
-        alignTo4(binary);
+        const std::size_t view = appendView(json, binary, bytes);
+        Json& image = json["images"][i]; // found only now: the first view moves it
         image.erase("uri");
-        image["bufferView"] = json["bufferViews"].size() - 1;
+        image["bufferView"] = view;
         if (!image.contains("mimeType") && mimeTypeOf(bytes)) image["mimeType"] = mimeTypeOf(bytes);
     }
 }
@@ -96,6 +89,7 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene,
     Bytes binary = joinBuffers(document, json);
     if (readShadowHeader(document)) removeShadowExtension(json, binary, document.path);
     embedImages(document, json, binary);
+    alignTo4(binary); // as joinBuffers() leaves it when the file is packed again
     appendShadowExtension(json, binary, scene, topology, encoding, settings);
     if (binary.empty())
         json.erase("buffers");

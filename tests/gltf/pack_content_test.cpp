@@ -89,6 +89,30 @@ TEST(PackContent, ExternalBuffersAndImagesAreEmbedded) {
     }
 }
 
+TEST(PackContent, ImagesOfAFileWithoutBuffersOrViewsAreEmbedded) {
+    // Members more or less, as the first view is a member that may move all others in memory.
+    for (int more = 0; more < 8; ++more)
+        for (const bool hasBuffer : {false, true}) {
+            GltfBuilder gltf;
+            gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}, {"name", "first"}});
+            gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}, {"name", "second"}});
+            for (int i = 0; i < more; ++i)
+                gltf.json["member" + std::to_string(i)] = i;
+            if (hasBuffer) gltf.binary = {1, 2, 3};
+            SCOPED_TRACE(gltf.json.dump());
+            const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+            EXPECT_EQ(parts.json["buffers"].size(), 1u);
+            EXPECT_EQ(parts.json.value("member" + std::to_string(more - 1), -1), more - 1);
+            ASSERT_EQ(parts.json["images"].size(), 2u);
+            for (std::size_t i = 0; i < 2; ++i) {
+                EXPECT_EQ(parts.json["images"][i], Json({{"name", gltf.json["images"][i]["name"]},
+                                                         {"bufferView", i},
+                                                         {"mimeType", "image/png"}}));
+                EXPECT_EQ(viewOf(parts, i), smallPng());
+            }
+        }
+}
+
 TEST(PackContent, SeveralBuffersBecomeOne) {
     GltfBuilder gltf;
     gltf.addShapeNode(tetrahedron());

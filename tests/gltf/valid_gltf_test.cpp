@@ -57,4 +57,13 @@ TEST(ValidGltf, ImagesThatWereEmbedded) {
     expectValid(gltf.glb());
 }
 
+TEST(ValidGltf, ImagesOfAFileWithoutBuffers) {
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    gltf.json["textures"] = {{{"source", 0}}};
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    expectValid(gltf.glb());
+}
+
 } // namespace edgeshade::test
