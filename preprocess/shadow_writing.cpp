@@ -97,9 +97,7 @@ void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
         {"maxMultiplicity", maxMultiplicity},      {"weldTolerance", settings.weldTolerance},
         {"castMasked", settings.castMasked},       {"casterError", settings.casterError},
         {"flatTolerance", settings.flatTolerance}, {"batches", std::move(batches)}};
-    Json& used = json["extensionsUsed"];
-    if (std::find(used.begin(), used.end(), shadowExtensionName) == used.end())
-        used.push_back(shadowExtensionName);
+    json["extensionsUsed"].push_back(shadowExtensionName);
 }
 
 } // namespace edgeshade

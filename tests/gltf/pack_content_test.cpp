@@ -169,6 +169,30 @@ TEST(PackContent, AFallbackBufferMayStandInFront) {
     }
 }
 
+TEST(PackContent, AFallbackBufferKeepsNoUri) {
+    GltfBuilder gltf = meshoptScene(box(glm::vec3(1.0f)));
+    Json fallback = gltf.json["buffers"][1];
+    fallback["byteLength"] = 0;
+    fallback["uri"] = "data:application/octet-stream;base64,AA==";
+    gltf.json["buffers"].push_back(fallback);
+    const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+    ASSERT_EQ(parts.json["buffers"].size(), 3u);
+    EXPECT_FALSE(parts.json["buffers"][2].contains("uri"));
+}
+
+TEST(PackContent, ViewsOfABufferWithoutBytesKeepOne) {
+    const Json meshopt = {{"EXT_meshopt_compression", {{"fallback", true}}}};
+    for (const Json& buffer :
+         {Json({{"byteLength", 0}, {"uri", "data:application/octet-stream;base64,AA=="}}),
+          Json({{"byteLength", 8}, {"extensions", meshopt}})}) {
+        GltfBuilder gltf;
+        gltf.json["buffers"] = Json::array({buffer});
+        gltf.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", buffer["byteLength"]}}};
+        const Bytes once = packed(gltf.glb(), Encoding::indexed);
+        EXPECT_EQ(packed(once, Encoding::indexed), once);
+    }
+}
+
 TEST(PackContent, AMissingImageIsNamed) {
     const TempFolder folder;
     GltfBuilder gltf = variedScene();
