@@ -4,9 +4,9 @@
 
 namespace edgeshade {
 
-/// A GLB with everything of `document`, its external buffers and images embedded, and the shadow
-/// data of `topology`. Compressed geometry stays compressed. Same input, same bytes. Throws
-/// InputError for files that can't be embedded.
+/// A GLB with everything of `document` but empty sections, its external buffers and images
+/// embedded, and the shadow data of `topology`. Compressed geometry stays compressed. Same input,
+/// same bytes. Throws InputError for files that can't be embedded.
 Bytes packedGlb(const GltfDocument& document, const Scene& scene,
                 const std::vector<BatchTopology>& topology, Encoding encoding,
                 const CasterSettings& settings);

@@ -1,5 +1,6 @@
 #include "web/scene_transfer.hpp"
 
+#include "preprocess/buffer_view.hpp"
 #include "preprocess/glb.hpp"
 #include "preprocess/packed_file.hpp"
 
@@ -118,13 +119,11 @@ Bytes imagesAlone(const LoadedScene& loaded) {
         if (!json.contains("images"))
             json["images"] = Json(loaded.document.json["images"].size(),
                                   {{"uri", "data:application/octet-stream;base64,AA=="}});
-        Json& image = json["images"].at(static_cast<std::size_t>(material.image));
-        if (image.contains("bufferView")) continue;
-        const Bytes encoded = encodedImageBytes(loaded.document, material.image);
-        json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", encoded.size()}});
-        image = {{"bufferView", json["bufferViews"].size() - 1}, {"mimeType", "image/png"}};
-        binary.insert(binary.end(), encoded.begin(), encoded.end());
+        const auto image = static_cast<std::size_t>(material.image);
+        if (json["images"].at(image).contains("bufferView")) continue;
+        const std::size_t view =
+            appendView(json, binary, encodedImageBytes(loaded.document, material.image));
+        json["images"][image] = {{"bufferView", view}, {"mimeType", "image/png"}};
     }
     if (!binary.empty()) json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
     return joinGlb(json.dump(), std::move(binary));

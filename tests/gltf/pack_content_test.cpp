@@ -89,6 +89,30 @@ TEST(PackContent, ExternalBuffersAndImagesAreEmbedded) {
     }
 }
 
+TEST(PackContent, ImagesOfAFileWithoutBuffersOrViewsAreEmbedded) {
+    // Members more or less, as the first view is a member that may move all others in memory.
+    for (int more = 0; more < 8; ++more)
+        for (const bool hasBuffer : {false, true}) {
+            GltfBuilder gltf;
+            gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}, {"name", "first"}});
+            gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}, {"name", "second"}});
+            for (int i = 0; i < more; ++i)
+                gltf.json["member" + std::to_string(i)] = i;
+            if (hasBuffer) gltf.binary = {1, 2, 3};
+            SCOPED_TRACE(gltf.json.dump());
+            const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+            EXPECT_EQ(parts.json["buffers"].size(), 1u);
+            EXPECT_EQ(parts.json.value("member" + std::to_string(more - 1), -1), more - 1);
+            ASSERT_EQ(parts.json["images"].size(), 2u);
+            for (std::size_t i = 0; i < 2; ++i) {
+                EXPECT_EQ(parts.json["images"][i], Json({{"name", gltf.json["images"][i]["name"]},
+                                                         {"bufferView", i},
+                                                         {"mimeType", "image/png"}}));
+                EXPECT_EQ(viewOf(parts, i), smallPng());
+            }
+        }
+}
+
 TEST(PackContent, SeveralBuffersBecomeOne) {
     GltfBuilder gltf;
     gltf.addShapeNode(tetrahedron());
@@ -142,6 +166,30 @@ TEST(PackContent, AFallbackBufferMayStandInFront) {
         const Bytes glb = packed(asset, encoding);
         EXPECT_EQ(GlbParts(glb).json["buffers"].size(), 2u);
         expectSameShadows(readBack(glb), built(expected));
+    }
+}
+
+TEST(PackContent, AFallbackBufferKeepsNoUri) {
+    GltfBuilder gltf = meshoptScene(box(glm::vec3(1.0f)));
+    Json fallback = gltf.json["buffers"][1];
+    fallback["byteLength"] = 0;
+    fallback["uri"] = "data:application/octet-stream;base64,AA==";
+    gltf.json["buffers"].push_back(fallback);
+    const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+    ASSERT_EQ(parts.json["buffers"].size(), 3u);
+    EXPECT_FALSE(parts.json["buffers"][2].contains("uri"));
+}
+
+TEST(PackContent, ViewsOfABufferWithoutBytesKeepOne) {
+    const Json meshopt = {{"EXT_meshopt_compression", {{"fallback", true}}}};
+    for (const Json& buffer :
+         {Json({{"byteLength", 0}, {"uri", "data:application/octet-stream;base64,AA=="}}),
+          Json({{"byteLength", 8}, {"extensions", meshopt}})}) {
+        GltfBuilder gltf;
+        gltf.json["buffers"] = Json::array({buffer});
+        gltf.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", buffer["byteLength"]}}};
+        const Bytes once = packed(gltf.glb(), Encoding::indexed);
+        EXPECT_EQ(packed(once, Encoding::indexed), once);
     }
 }
 

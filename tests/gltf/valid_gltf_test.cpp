@@ -57,4 +57,29 @@ TEST(ValidGltf, ImagesThatWereEmbedded) {
     expectValid(gltf.glb());
 }
 
+TEST(ValidGltf, ImagesOfAFileWithoutBuffers) {
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    gltf.json["textures"] = {{{"source", 0}}};
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, PicturesOfAnyKind) {
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    for (const std::string bytes : {"RIFF....WEBP", "RIFF", "a picture of a kind of its own"})
+        gltf.addImage({{"uri", dataUri(Bytes(bytes.begin(), bytes.end()))}});
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, EmptySections) {
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    for (const char* section : {"accessors", "bufferViews", "images", "meshes", "skins"})
+        gltf.json[section] = Json::array();
+    expectValid(gltf.glb());
+}
+
 } // namespace edgeshade::test
