@@ -2,6 +2,7 @@
 
 #include "preprocess/error.hpp"
 #include "preprocess/glb.hpp"
+#include "preprocess/image_type.hpp"
 #include "preprocess/json_field.hpp"
 
 namespace edgeshade {
@@ -66,36 +67,47 @@ Bytes joinBuffers(const GltfDocument& document, Json& json) {
     return binary;
 }
 
-const char* mimeTypeOf(const Bytes& image) {
-    if (image.size() > 3 && image[0] == 0x89 && image[1] == 'P') return "image/png";
-    if (image.size() > 3 && image[0] == 0xFF && image[1] == 0xD8) return "image/jpeg";
-    return nullptr;
+/// Moves image `i` from its uri into a view of its own. Throws InputError, before anything is
+/// changed, where that can't be done.
+void embedImage(const GltfDocument& document, std::size_t i, Json& json, Bytes& binary) {
+    Json& image = json["images"][i];
+    const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
+    const std::string_view type = imageTypeOf(bytes);
+    if (type.empty()) // which a view must say
+        throw InputError(document.where("images[") + std::to_string(i) +
+                         "] is neither PNG, JPEG, WebP nor KTX2.");
+    if (!json.contains("buffers")) json["buffers"] = Json::array({Json::object()});
+    json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
+    binary.insert(binary.end(), bytes.begin(), bytes.end());
+    alignTo4(binary);
+    image.erase("uri");
+    image["bufferView"] = json["bufferViews"].size() - 1;
+    image["mimeType"] = type;
 }
 
-void embedImages(const GltfDocument& document, Json& json, Bytes& binary) {
+/// What can't be embedded stays as it is.
+void embedImages(const GltfDocument& document, Json& json, Bytes& binary, Warnings& warnings) {
     if (!json.contains("images")) return;
     for (std::size_t i = 0; i < json["images"].size(); ++i) {
-        Json& image = json["images"][i];
-        if (!image.contains("uri")) continue;
-        const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
-        if (!json.contains("buffers")) json["buffers"] = Json::array({Json::object()});
-        json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
-        binary.insert(binary.end(), bytes.begin(), bytes.end());
-        alignTo4(binary);
-        image.erase("uri");
-        image["bufferView"] = json["bufferViews"].size() - 1;
-        if (!image.contains("mimeType") && mimeTypeOf(bytes)) image["mimeType"] = mimeTypeOf(bytes);
+        if (!json["images"][i].contains("uri")) continue;
+        try {
+            embedImage(document, i, json, binary);
+        } catch (const LimitError&) {
+            throw;
+        } catch (const InputError& error) {
+            warnings.add(clauseOf(error.what()) + "; it is not embedded.");
+        }
     }
 }
 
 Bytes packedChecked(const GltfDocument& document, const Scene& scene,
                     const std::vector<BatchTopology>& topology, Encoding encoding,
-                    const CasterSettings& settings) {
+                    const CasterSettings& settings, Warnings& warnings) {
     Json json = document.json;
     Bytes binary = joinBuffers(document, json);
     if (readShadowHeader(document)) removeShadowExtension(json, binary, document.path);
-    embedImages(document, json, binary);
+    embedImages(document, json, binary, warnings);
     appendShadowExtension(json, binary, scene, topology, encoding, settings);
     if (binary.empty())
         json.erase("buffers");
@@ -108,9 +120,9 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene,
 
 Bytes packedGlb(const GltfDocument& document, const Scene& scene,
                 const std::vector<BatchTopology>& topology, Encoding encoding,
-                const CasterSettings& settings) {
+                const CasterSettings& settings, Warnings& warnings) {
     return withJsonErrors(document.path, [&] {
-        return packedChecked(document, scene, topology, encoding, settings);
+        return packedChecked(document, scene, topology, encoding, settings, warnings);
     });
 }
 

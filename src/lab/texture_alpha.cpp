@@ -1,9 +1,6 @@
 #include "src/lab/texture_alpha.hpp"
 
-#include "src/image/decode.hpp"
-
 #include <cmath>
-#include <map>
 #include <memory>
 
 namespace edgeshade::lab {
@@ -19,16 +16,11 @@ int texelOf(double coordinate, int size) {
 } // namespace
 
 AlphaAt textureAlpha(const LoadedScene& loaded) {
-    const auto images = std::make_shared<std::map<int, Image>>();
-    MemoryBudget memory = loaded.document.memory;
+    const auto images = std::make_shared<SceneImages>();
     for (const Material& material : loaded.scene.materials)
         if (material.alphaMode == AlphaMode::mask && material.image >= 0 &&
             !images->contains(material.image))
-            images->emplace(
-                material.image,
-                decodeImage(encodedImageBytes(loaded.document, material.image),
-                            loaded.document.where("images[") + std::to_string(material.image) + "]",
-                            memory));
+            images->emplace(material.image, pixelsOf(loaded, material.image));
     const Scene* scene = &loaded.scene;
     return [images, scene](const EyeTriangle& triangle, double u, double v) {
         const Material& material = scene->materials[triangle.material];
@@ -44,9 +36,10 @@ AlphaAt textureAlpha(const LoadedScene& loaded) {
         const auto image = images->find(material.image);
         if (image == images->end()) return factor;
         const glm::vec2 uv = blend(batch.texcoords);
-        const std::size_t x = texelOf(uv.x, image->second.width);
-        const std::size_t y = texelOf(uv.y, image->second.height);
-        return factor * image->second.rgba[4 * (y * image->second.width + x) + 3] / 255.0f;
+        const Image& texels = *image->second;
+        const std::size_t x = texelOf(uv.x, texels.width);
+        const std::size_t y = texelOf(uv.y, texels.height);
+        return factor * texels.rgba[4 * (y * texels.width + x) + 3] / 255.0f;
     };
 }
 

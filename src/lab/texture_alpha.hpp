@@ -6,7 +6,7 @@
 namespace edgeshade::lab {
 
 /// Alpha of MASK surfaces by their textures, nearest texel, for the oracle. The scene must outlive
-/// it. Throws InputError for broken images.
+/// it. Throws InputError.
 AlphaAt textureAlpha(const LoadedScene& loaded);
 
 } // namespace edgeshade::lab

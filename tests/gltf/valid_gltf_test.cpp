@@ -4,6 +4,7 @@
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/support/webp_encoding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,31 @@ TEST(ValidGltf, ImagesThatWereEmbedded) {
     GltfBuilder gltf = variedScene();
     gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
     gltf.json["textures"] = {{{"source", 0}}};
+    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, ImagesThatWereLeftAsTheyAre) {
+    GltfBuilder gltf = variedScene();
+    for (const char* uri : {"gone.png", "gone.webp", "gone.ktx2"})
+        gltf.addImage({{"uri", uri}});
+    gltf.useExtension("EXT_texture_webp", false);
+    gltf.useExtension("KHR_texture_basisu", false);
+    gltf.json["textures"] = {
+        {{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}},
+        {{"source", 0}, {"extensions", {{"KHR_texture_basisu", {{"source", 2}}}}}}};
+    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+    gltf.json["materials"][1]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 1;
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, WebpThatWasEmbedded) {
+    GltfBuilder gltf = variedScene();
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    gltf.addImage({{"uri", dataUri(smallWebp(), "image/webp")}});
+    gltf.useExtension("EXT_texture_webp", false);
+    gltf.json["textures"] = {
+        {{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}}};
     gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
     expectValid(gltf.glb());
 }
