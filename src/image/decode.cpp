@@ -34,7 +34,9 @@ Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
     const auto size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
-        throw InputError(name + " is neither PNG, JPEG nor WebP.");
+        throw InputError(imageTypeOf(bytes).empty() ? name + " is neither PNG, JPEG nor WebP."
+                                                    : name + " can't be decoded: " +
+                                                          clauseOf(stbi_failure_reason()) + ".");
     const std::string said = name + " has " + sizeText(width, height);
     if (width > largest || height > largest)
         throw InputError(said + "; at most " + std::to_string(largest) + " a side are read.");

@@ -77,18 +77,26 @@ void expectWarning(const LeftOut& row, const std::string& verb) {
     for (const std::string& word : row.words)
         EXPECT_NE(warnings[0].find(word), std::string::npos)
             << "'" << word << "' is missing in " << warnings[0];
-    if (verb == "render") EXPECT_EQ(readFile(folder / "output"), plainPicture());
-    if (verb == "info") EXPECT_EQ(Json::parse(result.out)["warnings"], Json(warnings));
-    if (verb == "pack")
+    if (verb == "render") {
+        EXPECT_TRUE(readFile(folder / "output") == plainPicture());
+    } else if (verb == "info") {
+        EXPECT_EQ(Json::parse(result.out)["warnings"], Json(warnings));
+    } else {
         EXPECT_EQ(jsonOf(folder / "output")["images"], jsonOf(input)["images"])
             << "what can't be embedded stays as it is";
+    }
 }
 
-/// The sound scene with a second image, which `extension` prefers to or offers beside the first.
-GltfBuilder withExtension(const std::string& extension, const Json& image) {
+/// An image of these bytes in a view of the asset's.
+Json embeddedIn(GltfBuilder& gltf, const Bytes& image) {
+    return {{"bufferView", gltf.addView(image)}, {"mimeType", "image/webp"}};
+}
+
+/// The sound scene with a second image, which `extension` names.
+GltfBuilder withExtension(const std::string& extension, const Bytes& image) {
     GltfBuilder gltf = soundScene();
     gltf.useExtension(extension, false);
-    const int index = gltf.addImage(image);
+    const int index = gltf.addImage(embeddedIn(gltf, image));
     gltf.json["textures"][0]["extensions"] = {{extension, {{"source", index}}}};
     return gltf;
 }
@@ -99,7 +107,7 @@ std::vector<std::string> warningsAndPictureOf(const GltfBuilder& gltf, const Byt
     const ProcessResult result =
         run("render", folder.write("scene.glb", gltf.glb()), folder / "out.png");
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(readFile(folder / "out.png"), expected);
+    EXPECT_TRUE(readFile(folder / "out.png") == expected);
     return warningsOf(result);
 }
 
@@ -141,10 +149,7 @@ TEST(LeftOut, TheTableIsDocumented) {
     for (const LeftOut& row : leftOutImages()) {
         const TempFolder folder;
         const ProcessResult result = run(row.verbs[0], row.make(folder), folder / "output");
-        std::string warning = warningsOf(result).at(0);
-        const std::string place = folder.path().string() + "/";
-        for (std::size_t at; (at = warning.find(place)) != std::string::npos;)
-            warning.erase(at, place.size());
+        const std::string warning = withoutFolder(warningsOf(result).at(0), folder.path());
         std::string verbs;
         for (const std::string& verb : row.verbs)
             verbs += (verbs.empty() ? "" : ", ") + verb;
@@ -154,7 +159,7 @@ TEST(LeftOut, TheTableIsDocumented) {
 }
 
 TEST(LeftOut, TheTextureOfTheSceneIsSeen) {
-    EXPECT_NE(soundPicture(), plainPicture());
+    EXPECT_FALSE(soundPicture() == plainPicture());
 }
 
 TEST(LeftOut, WhatNothingSamplesIsNeitherReadNorWarnedAbout) {
@@ -181,7 +186,7 @@ TEST(LeftOut, WhatNothingSamplesIsNeitherReadNorWarnedAbout) {
         EXPECT_EQ(result.status, 0) << result.err;
         EXPECT_TRUE(warningsOf(result).empty()) << result.err;
     }
-    EXPECT_EQ(readFile(folder / "output"), soundPicture());
+    EXPECT_TRUE(readFile(folder / "output") == soundPicture());
 }
 
 TEST(LeftOut, AnImageOfSeveralMaterialsIsWarnedAboutOnce) {
@@ -201,20 +206,18 @@ TEST(LeftOut, AnImageOfSeveralMaterialsIsWarnedAboutOnce) {
 
 TEST(LeftOut, AWebpIsDrawnAsThePngOfItsPixels) {
     GltfBuilder gltf = soundScene();
-    gltf.json["images"][0] = {{"uri", dataUri(smallWebp(), "image/webp")}};
-    EXPECT_EQ(pictureOf(gltf), soundPicture());
+    gltf.json["images"][0] = embeddedIn(gltf, smallWebp());
+    EXPECT_TRUE(pictureOf(gltf) == soundPicture());
 }
 
 TEST(LeftOut, TheWebpOfAnExtensionComesFirst) {
-    GltfBuilder gltf =
-        withExtension("EXT_texture_webp", {{"uri", dataUri(smallWebp(), "image/webp")}});
+    GltfBuilder gltf = withExtension("EXT_texture_webp", smallWebp());
     gltf.json["images"][0] = {{"uri", "gone.png"}}; // not even looked for
     EXPECT_TRUE(warningsAndPictureOf(gltf, soundPicture()).empty());
 }
 
 TEST(LeftOut, WhereAWebpIsBrokenTheTexturesOwnImageIsTaken) {
-    for (const Json& image :
-         {Json{{"uri", "gone.webp"}}, Json{{"uri", dataUri(animatedWebp(), "image/webp")}}}) {
+    for (const Bytes& image : {Bytes(10), animatedWebp()}) {
         const auto warnings =
             warningsAndPictureOf(withExtension("EXT_texture_webp", image), soundPicture());
         ASSERT_EQ(warnings.size(), 1u);
@@ -223,7 +226,7 @@ TEST(LeftOut, WhereAWebpIsBrokenTheTexturesOwnImageIsTaken) {
 }
 
 TEST(LeftOut, TheTexturesOwnImageIsTakenBeforeABasisOne) {
-    const GltfBuilder gltf = withExtension("KHR_texture_basisu", {{"uri", "gone.ktx2"}});
+    const GltfBuilder gltf = withExtension("KHR_texture_basisu", Bytes(10));
     EXPECT_TRUE(warningsAndPictureOf(gltf, soundPicture()).empty());
 }
 
@@ -242,8 +245,8 @@ TEST(LeftOut, CastersWithHolesAreTheSameInWebp) {
     };
     for (const std::vector<std::string>& options :
          {std::vector<std::string>{}, {"--cast-masked"}, {"--cast-masked", "--mask"}})
-        EXPECT_EQ(render(webp, options), render(png, options));
-    EXPECT_NE(render(png, {"--cast-masked"}), render(png, {}));
+        EXPECT_TRUE(render(webp, options) == render(png, options));
+    EXPECT_FALSE(render(png, {"--cast-masked"}) == render(png, {}));
 }
 
 TEST(LeftOut, TheOracleLeavesOutWhatIsLeftOutOfThePicture) {
@@ -260,7 +263,9 @@ TEST(LeftOut, TheOracleLeavesOutWhatIsLeftOutOfThePicture) {
         // right.
         const Json report = Json::parse(result.out);
         EXPECT_GT(report["visible_pixels"], 1000);
-        if (broken) EXPECT_EQ(report["wrong_mask_beyond_1px"], 0);
+        if (broken) {
+            EXPECT_EQ(report["wrong_mask_beyond_1px"], 0);
+        }
     }
 }
 
