@@ -177,7 +177,7 @@ TEST(PackContent, AnImageThatCantBeEmbeddedStaysAsItIsWithAWarning) {
     gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
     for (const Encoding encoding : everyEncoding) {
         const Packed result = packedWithWarnings(gltf.glb(), encoding, {}, folder / "scene.glb");
-        const Json& images = GlbParts(result.glb).json["images"];
+        const Json images = GlbParts(result.glb).json["images"];
         for (std::size_t i = 0; i < 3; ++i)
             EXPECT_EQ(images[i], gltf.json["images"][i]);
         EXPECT_TRUE(images[3].contains("bufferView"));
