@@ -70,7 +70,6 @@ Bytes joinBuffers(const GltfDocument& document, Json& json) {
 /// Moves image `i` from its uri into a view of its own. Throws InputError, before anything is
 /// changed, where that can't be done.
 void embedImage(const GltfDocument& document, std::size_t i, Json& json, Bytes& binary) {
-    Json& image = json["images"][i];
     const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
     const std::string_view type = imageTypeOf(bytes);
     if (type.empty()) // which a view must say
@@ -81,6 +80,7 @@ void embedImage(const GltfDocument& document, std::size_t i, Json& json, Bytes& 
         {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
     binary.insert(binary.end(), bytes.begin(), bytes.end());
     alignTo4(binary);
+    Json& image = json["images"][i]; // only now: a new member moves all others of its object
     image.erase("uri");
     image["bufferView"] = json["bufferViews"].size() - 1;
     image["mimeType"] = type;

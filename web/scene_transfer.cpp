@@ -119,12 +119,14 @@ Bytes imagesAlone(const LoadedScene& loaded) {
         if (!json.contains("images"))
             json["images"] = Json(loaded.document.json["images"].size(),
                                   {{"uri", "data:application/octet-stream;base64,AA=="}});
-        Json& image = json["images"].at(static_cast<std::size_t>(material.image));
-        if (image.contains("bufferView")) continue;
+        const auto index = static_cast<std::size_t>(material.image);
+        if (json["images"].at(index).contains("bufferView")) continue;
         const Bytes encoded = encodedImageBytes(loaded.document, material.image);
         json["bufferViews"].push_back(
             {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", encoded.size()}});
-        image = {{"bufferView", json["bufferViews"].size() - 1}, {"mimeType", "image/png"}};
+        // Looked up only now: a new member moves all others of its object.
+        json["images"].at(index) = {{"bufferView", json["bufferViews"].size() - 1},
+                                    {"mimeType", "image/png"}};
         binary.insert(binary.end(), encoded.begin(), encoded.end());
     }
     if (!binary.empty()) json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
