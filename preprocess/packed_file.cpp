@@ -3,6 +3,7 @@
 #include "preprocess/buffer_view.hpp"
 #include "preprocess/error.hpp"
 #include "preprocess/glb.hpp"
+#include "preprocess/image_type.hpp"
 #include "preprocess/json_field.hpp"
 #include "preprocess/meshopt_view.hpp"
 
@@ -69,26 +70,33 @@ Bytes joinBuffers(const GltfDocument& document, Json& json) {
     return binary;
 }
 
-/// By the bytes alone: what a file or a data URI says of them may be wrong.
-const char* mimeTypeOf(std::span<const std::uint8_t> image) {
-    const std::string_view bytes(reinterpret_cast<const char*>(image.data()), image.size());
-    if (bytes.starts_with("\x89PNG")) return "image/png";
-    if (bytes.starts_with("\xFF\xD8")) return "image/jpeg";
-    if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return "image/webp";
-    if (bytes.starts_with("\xABKTX 20\xBB")) return "image/ktx2";
-    return "application/octet-stream"; // glTF wants a type of what is in a view
+/// Moves image `i` from its uri into a view of its own. Throws InputError, before anything is
+/// changed, where that can't be done.
+void embedImage(const GltfDocument& document, std::size_t i, Json& json, Bytes& binary) {
+    const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
+    const std::string_view type = imageTypeOf(bytes);
+    if (type.empty()) // which a view must say
+        throw InputError(document.where("images[") + std::to_string(i) +
+                         "] is neither PNG, JPEG, WebP nor KTX2.");
+    const std::size_t view = appendView(json, binary, bytes);
+    Json& image = json["images"][i]; // found only now: the first view moves it
+    image.erase("uri");
+    image["bufferView"] = view;
+    image["mimeType"] = type;
 }
 
-void embedImages(const GltfDocument& document, Json& json, Bytes& binary) {
+/// What can't be embedded stays as it is.
+void embedImages(const GltfDocument& document, Json& json, Bytes& binary, Warnings& warnings) {
     if (!json.contains("images")) return;
     for (std::size_t i = 0; i < json["images"].size(); ++i) {
         if (!json["images"][i].contains("uri")) continue;
-        const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
-        const std::size_t view = appendView(json, binary, bytes);
-        Json& image = json["images"][i]; // found only now: the first view moves it
-        image.erase("uri");
-        image["bufferView"] = view;
-        if (!image.contains("mimeType")) image["mimeType"] = mimeTypeOf(bytes);
+        try {
+            embedImage(document, i, json, binary);
+        } catch (const LimitError&) {
+            throw;
+        } catch (const InputError& error) {
+            warnings.add(clauseOf(error.what()) + "; it is not embedded.");
+        }
     }
 }
 
@@ -102,13 +110,13 @@ void removeEmptySections(Json& json) {
 
 Bytes packedChecked(const GltfDocument& document, const Scene& scene,
                     const std::vector<BatchTopology>& topology, Encoding encoding,
-                    const CasterSettings& settings) {
+                    const CasterSettings& settings, Warnings& warnings) {
     Json json = document.json;
     Bytes binary = joinBuffers(document, json);
     readShadowHeader(document); // refuses an extension that is not sound
     removeShadowExtension(json, binary, document.path);
     removeEmptySections(json);
-    embedImages(document, json, binary);
+    embedImages(document, json, binary, warnings);
     alignTo4(binary); // as joinBuffers() leaves it when the file is packed again
     appendShadowExtension(json, binary, scene, topology, encoding, settings);
     // Views of buffers that have no bytes need one nevertheless.
@@ -124,9 +132,9 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene,
 
 Bytes packedGlb(const GltfDocument& document, const Scene& scene,
                 const std::vector<BatchTopology>& topology, Encoding encoding,
-                const CasterSettings& settings) {
+                const CasterSettings& settings, Warnings& warnings) {
     return withJsonErrors(document.path, [&] {
-        return packedChecked(document, scene, topology, encoding, settings);
+        return packedChecked(document, scene, topology, encoding, settings, warnings);
     });
 }
 

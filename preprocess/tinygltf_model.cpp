@@ -65,12 +65,23 @@ void dropChannelsOfOthers(Json& animations) {
     }
 }
 
+/// It refuses materials for faults in textures that nothing here samples.
+void dropUnsampledTextures(Json& materials) {
+    for (Json& material : materials) {
+        for (const char* texture : {"normalTexture", "occlusionTexture", "emissiveTexture"})
+            material.erase(texture);
+        if (material.contains("pbrMetallicRoughness"))
+            material["pbrMetallicRoughness"].erase("metallicRoughnessTexture");
+    }
+}
+
 Json withStandIns(const Json& source, StandIns& standIns) {
     Json json = source;
     Json none = Json::array();
     json.erase("images"); // read by our own code
     replaceBuffers(itemsOf(json, "buffers", none));
     addViews(json, standIns.accessors);
+    dropUnsampledTextures(itemsOf(json, "materials", none));
     addInverseBindMatrices(itemsOf(json, "skins", none), standIns.skins);
     dropChannelsOfOthers(itemsOf(json, "animations", none));
     return json;

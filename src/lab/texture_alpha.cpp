@@ -1,11 +1,8 @@
 #include "src/lab/texture_alpha.hpp"
 
-#include "src/image/decode.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <memory>
 
 namespace edgeshade::lab {
@@ -112,16 +109,11 @@ class AlphaSurface {
 } // namespace
 
 AlphaLookup textureAlpha(const LoadedScene& loaded) {
-    const auto images = std::make_shared<std::map<int, Image>>();
-    MemoryBudget memory = loaded.document.memory;
+    const auto images = std::make_shared<SceneImages>();
     for (const Material& material : loaded.scene.materials)
         if (material.alphaMode == AlphaMode::mask && material.image >= 0 &&
             !images->contains(material.image))
-            images->emplace(
-                material.image,
-                decodeImage(encodedImageBytes(loaded.document, material.image),
-                            loaded.document.where("images[") + std::to_string(material.image) + "]",
-                            memory));
+            images->emplace(material.image, pixelsOf(loaded, material.image));
     const Scene* scene = &loaded.scene;
     AlphaLookup lookup;
     lookup.at = [images, scene](const EyeTriangle& triangle, double u, double v) {
@@ -129,7 +121,7 @@ AlphaLookup textureAlpha(const LoadedScene& loaded) {
         const float factor = surface.factor({u, v});
         const auto image = images->find(surface.material().image);
         if (image == images->end()) return factor;
-        const AlphaTexture texture(image->second, surface.material().sampler);
+        const AlphaTexture texture(*image->second, surface.material().sampler);
         return factor * texture.at(surface.texcoord({u, v}) * texture.size());
     };
     lookup.range = [images, scene](const EyeTriangle& triangle,
@@ -138,7 +130,7 @@ AlphaLookup textureAlpha(const LoadedScene& loaded) {
         const float factor = surface.factor(places[0]);
         const auto image = images->find(surface.material().image);
         if (image == images->end()) return glm::vec2(factor);
-        const AlphaTexture texture(image->second, surface.material().sampler);
+        const AlphaTexture texture(*image->second, surface.material().sampler);
         std::array<glm::dvec2, 3> texels;
         for (std::size_t i = 0; i < texels.size(); ++i)
             texels[i] = surface.texcoord(places[i]) * texture.size();

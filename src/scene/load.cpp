@@ -14,28 +14,30 @@ const char* nameOf(LoadStage stage) {
         return "read";
     case LoadStage::flatten:
         return "flatten";
+    case LoadStage::images:
+        return "images";
     case LoadStage::shadows:
         break;
     }
     return "shadows";
 }
 
-LoadedScene loadScene(const std::filesystem::path& path,
+LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
                       const std::function<void(LoadStage)>& onStage) {
-    const auto enter = [&](LoadStage stage) {
-        if (onStage) onStage(stage);
-    };
-    enter(LoadStage::read);
+    if (onStage) onStage(LoadStage::read);
     LoadedScene loaded;
     loaded.document = readGltf(path, limits);
     const auto header = readShadowHeader(loaded.document);
-    const bool usePacked = header && (!wanted || *wanted == header->settings);
-    loaded.settings = usePacked ? header->settings : wanted.value_or(CasterSettings());
-    enter(LoadStage::flatten);
+    loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
+    if (onStage) onStage(LoadStage::flatten);
     loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance);
-    enter(LoadStage::shadows);
-    if (usePacked) {
+    return loaded;
+}
+
+void addShadows(LoadedScene& loaded) {
+    const auto header = readShadowHeader(loaded.document);
+    if (header && header->settings == loaded.settings) {
         readCasters(loaded.document, *header, loaded.scene);
         if (header->encoding != Encoding::none)
             loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
@@ -47,7 +49,24 @@ LoadedScene loadScene(const std::filesystem::path& path,
     }
     loaded.adapted =
         buildAdapted(loaded.scene, loaded.settings.castMasked, loaded.settings.flatTolerance);
+}
+
+LoadedScene loadScene(const std::filesystem::path& path,
+                      const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
+                      const std::function<void(LoadStage)>& onStage) {
+    LoadedScene loaded = readScene(path, wanted, limits, onStage);
+    if (onStage) onStage(LoadStage::images);
+    loaded.images = decodeImages(loaded.document, loaded.scene);
+    if (onStage) onStage(LoadStage::shadows);
+    addShadows(loaded);
     return loaded;
+}
+
+std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image) {
+    const auto found = loaded.images.find(image);
+    if (found != loaded.images.end()) return found->second;
+    MemoryBudget memory = loaded.document.memory;
+    return std::make_shared<const Image>(decodeImage(loaded.document, image, memory));
 }
 
 namespace {

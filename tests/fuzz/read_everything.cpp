@@ -3,7 +3,7 @@
 #include "preprocess/animation_reading.hpp"
 #include "preprocess/flatten.hpp"
 #include "preprocess/pack.hpp"
-#include "src/image/decode.hpp"
+#include "src/image/image_choice.hpp"
 #include "tests/fuzz/refusal.hpp"
 
 #include <optional>
@@ -26,11 +26,11 @@ void readAnimationOf(const GltfDocument& document) {
 }
 
 void readImages(const GltfDocument& document) {
-    const std::size_t count = document.json.contains("images") ? document.json["images"].size() : 0;
-    MemoryBudget memory = document.memory;
-    for (int image = 0; image < static_cast<int>(count); ++image)
-        decodeImage(encodedImageBytes(document, image),
-                    document.where("images[" + std::to_string(image) + "]"), memory);
+    Scene scene = flattenScene(document, 0.0);
+    scene.warnings = {};
+    decodeImages(document, scene);
+    for (const std::string& warning : scene.warnings.sentences())
+        requireSentence(warning);
 }
 
 void packAgain(GltfDocument document) {

@@ -1,8 +1,10 @@
+#include "preprocess/pack.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/scene_triangles.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/support/webp_encoding.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -193,12 +195,63 @@ TEST(PackContent, ViewsOfABufferWithoutBytesKeepOne) {
     }
 }
 
-TEST(PackContent, AMissingImageIsNamed) {
+TEST(PackContent, WhatKindOfPictureAnImageIsItsBytesSay) {
+    const Bytes ktx2 = {0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, '\r', '\n', 0x1A, '\n', 0};
+    const std::pair<Bytes, const char*> kinds[] = {
+        {smallPng(), "image/png"}, {smallWebp(), "image/webp"}, {ktx2, "image/ktx2"}};
+    for (const auto& [bytes, type] : kinds)
+        for (const Json& said : {Json(), Json{{"mimeType", "image/jpeg"}}}) {
+            GltfBuilder gltf = variedScene();
+            Json image = said.is_null() ? Json::object() : said;
+            image["uri"] = dataUri(bytes, "image/jpeg");
+            gltf.addImage(image);
+            const Packed result = packedWithWarnings(gltf.glb(), Encoding::none);
+            EXPECT_TRUE(result.warnings.empty());
+            const GlbParts parts(result.glb);
+            EXPECT_EQ(parts.json["images"][0]["mimeType"], type);
+            EXPECT_FALSE(parts.json["images"][0].contains("uri"));
+            EXPECT_EQ(viewOf(parts, parts.json["images"][0]["bufferView"].get<std::size_t>()),
+                      bytes);
+        }
+}
+
+TEST(PackContent, AnImageThatCantBeEmbeddedStaysAsItIsWithAWarning) {
     const TempFolder folder;
+    folder.write("image.gif", std::string_view("GIF89a"));
     GltfBuilder gltf = variedScene();
-    gltf.addImage({{"uri", "gone.png"}});
-    expectInputError([&] { packed(gltf.glb(), Encoding::none, {}, folder / "scene.glb"); },
-                     {"gone.png"});
+    gltf.addImage({{"uri", "gone.png"}, {"name", "kept"}});
+    gltf.addImage({{"uri", "../outside.png"}});
+    gltf.addImage({{"uri", "image.gif"}, {"mimeType", "image/gif"}});
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    for (const Encoding encoding : everyEncoding) {
+        const Packed result = packedWithWarnings(gltf.glb(), encoding, {}, folder / "scene.glb");
+        const Json images = GlbParts(result.glb).json["images"];
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(images[i], gltf.json["images"][i]);
+        EXPECT_TRUE(images[3].contains("bufferView"));
+        ASSERT_EQ(result.warnings.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NE(result.warnings[i].find("images[" + std::to_string(i) + "]"),
+                      std::string::npos);
+            EXPECT_TRUE(result.warnings[i].ends_with("; it is not embedded."));
+        }
+        EXPECT_NE(result.warnings[0].find("gone.png' does not exist"), std::string::npos);
+        // Packing it again finds the same.
+        EXPECT_EQ(packed(result.glb, encoding, {}, folder / "scene.glb"), result.glb);
+    }
+}
+
+TEST(PackContent, AnImageBeyondALimitIsAnError) {
+    const TempFolder folder;
+    folder.write("large.png", Bytes(200'000));
+    GltfBuilder gltf = variedScene();
+    gltf.addImage({{"uri", "large.png"}});
+    ReadingLimits limits;
+    limits.fileBytes = 100'000;
+    const auto path = folder.write("scene.glb", gltf.glb());
+    PackInput input = readForPacking(path, {}, limits);
+    expectInputError([&] { packBytes(input, Encoding::none, {}); },
+                     {"images[0].uri", "large.png", "limit of a file is 100000"});
 }
 
 } // namespace edgeshade::test
