@@ -11,7 +11,7 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
                                     [&](const auto& other) { return other->settings == wanted; });
     if (found != others_.end()) return *found;
     return others_.emplace_back(std::make_shared<const LoadedScene>(
-        loadScene(path_, wanted, own_.document.memory.limits())));
+        loadScene(path_, wanted, own_.document.memory.limits(), {}, own_.variant)));
 }
 
 nlohmann::ordered_json casterJson(const CasterSettings& settings) {

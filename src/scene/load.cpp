@@ -22,7 +22,7 @@ const char* nameOf(LoadStage stage) {
 
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
-                      const std::function<void(LoadStage)>& onStage) {
+                      const std::function<void(LoadStage)>& onStage, const std::string& variant) {
     const auto enter = [&](LoadStage stage) {
         if (onStage) onStage(stage);
     };
@@ -30,10 +30,12 @@ LoadedScene loadScene(const std::filesystem::path& path,
     LoadedScene loaded;
     loaded.document = readGltf(path, limits);
     const auto header = readShadowHeader(loaded.document);
-    const bool usePacked = header && (!wanted || *wanted == header->settings);
-    loaded.settings = usePacked ? header->settings : wanted.value_or(CasterSettings());
+    const bool fits = header && (!wanted || *wanted == header->settings);
+    const bool usePacked = fits && variant.empty();
+    loaded.settings = fits ? header->settings : wanted.value_or(CasterSettings());
+    loaded.variant = variant;
     enter(LoadStage::flatten);
-    loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance);
+    loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance, variant);
     enter(LoadStage::shadows);
     if (usePacked) {
         readCasters(loaded.document, *header, loaded.scene);
@@ -41,7 +43,7 @@ LoadedScene loadScene(const std::filesystem::path& path,
             loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
     } else {
         simplifyCasters(loaded.scene, loaded.settings.casterError);
-        if (header)
+        if (header && !fits)
             loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
                                       "data are made anew.");
     }

@@ -15,6 +15,7 @@ struct LoadedScene {
     std::vector<std::shared_ptr<const AdaptedShadow>> adapted; ///< one a batch
     std::vector<BatchShadow> shadows; ///< the published layout where the file has it; or empty
     CasterSettings settings;
+    std::string variant = {}; ///< as it was asked for, KHR_materials_variants; empty: none
 };
 
 /// What loading does, in this order.
@@ -25,10 +26,12 @@ const char* nameOf(LoadStage stage);
 
 /// Reads a file, packed or not. `wanted`: what the user asked for, if anything; shadow data packed
 /// with other settings are left aside and made anew, with a warning. What passes `limits` is
-/// refused. `onStage` is called at the start of each stage. Throws InputError.
+/// refused. `onStage` is called at the start of each stage. `variant`: see flattenScene(); what it
+/// shades may differ, so that nothing packed is used with it. Throws InputError.
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
-                      const std::function<void(LoadStage)>& onStage = {});
+                      const std::function<void(LoadStage)>& onStage = {},
+                      const std::string& variant = {});
 
 /// What tells the holes of a batch's published caps: three vec4s a cap, one a corner of the sorted
 /// triangle, (u, v, alpha of the vertex colour, 0).
