@@ -252,4 +252,22 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int index,
     return readIndices(document, index, field);
 }
 
+void requireKind(const GltfDocument& document, int index, int type, bool mayBeSmall,
+                 const char* wanted, const std::string& field) {
+    const tinygltf::Accessor& accessor = accessorAt(document, index, field);
+    const int component = accessor.componentType;
+    const bool isSmall = component == TINYGLTF_COMPONENT_TYPE_BYTE ||
+                         component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                         component == TINYGLTF_COMPONENT_TYPE_SHORT ||
+                         component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+    const bool isRight = component == TINYGLTF_COMPONENT_TYPE_FLOAT ||
+                         (mayBeSmall && isSmall && accessor.normalized);
+    if (accessor.type == type && isRight) return;
+    throw InputError(
+        document.where(field) + " is accessors[" + std::to_string(index) + "], " +
+        document.json["accessors"][static_cast<std::size_t>(index)]["type"].get<std::string>() +
+        " of " + (accessor.normalized ? "normalized " : "") + "componentType " +
+        std::to_string(component) + ", but must be " + wanted + ".");
+}
+
 } // namespace edgeshade

@@ -37,4 +37,10 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accesso
 const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
                                      const std::string& field);
 
+/// Refuses an accessor that holds anything but floats of this tinygltf type or, if `mayBeSmall`,
+/// normalised bytes or shorts (the tables of glTF 2.0, 3.11, and EXT_mesh_gpu_instancing). `wanted`
+/// says so in a message. Throws InputError naming `field`.
+void requireKind(const GltfDocument& document, int accessor, int type, bool mayBeSmall,
+                 const char* wanted, const std::string& field);
+
 } // namespace edgeshade

@@ -109,7 +109,7 @@ class AnimationReader {
     Floats readTimes(int accessor, const std::string& field) {
         Floats& times = times_[accessor];
         if (times) return times;
-        requireKind(accessor, TINYGLTF_TYPE_SCALAR, false, "SCALAR floats", field);
+        requireKind(document_, accessor, TINYGLTF_TYPE_SCALAR, false, "SCALAR floats", field);
         const FloatArray array = readFloats(document_, accessor, field, memory_);
         requireFinite(document_, array, field);
         if (array.values.empty()) throw InputError(document_.where(field) + " has no elements.");
@@ -128,33 +128,14 @@ class AnimationReader {
         Floats& values = values_[{accessor, isRotation, isSpline}];
         if (values) return values;
         if (isRotation)
-            requireKind(accessor, TINYGLTF_TYPE_VEC4, true,
+            requireKind(document_, accessor, TINYGLTF_TYPE_VEC4, true,
                         "VEC4 floats or normalized bytes or shorts", field);
         else
-            requireKind(accessor, TINYGLTF_TYPE_VEC3, false, "VEC3 floats", field);
+            requireKind(document_, accessor, TINYGLTF_TYPE_VEC3, false, "VEC3 floats", field);
         const FloatArray array = readFloats(document_, accessor, field, memory_);
         requireFinite(document_, array, field);
         if (isRotation) requireNoZeroQuaternion(array, isSpline, field);
         return values = std::make_shared<const std::vector<float>>(array.values);
-    }
-
-    /// The table of glTF 2.0, 3.11: floats, or for rotations also small normalised integers.
-    void requireKind(int index, int type, bool mayBeIntegers, const char* wanted,
-                     const std::string& field) const {
-        const tinygltf::Accessor& accessor = accessorAt(document_, index, field);
-        const int component = accessor.componentType;
-        const bool isSmall = component == TINYGLTF_COMPONENT_TYPE_BYTE ||
-                             component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                             component == TINYGLTF_COMPONENT_TYPE_SHORT ||
-                             component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
-        const bool isRight = component == TINYGLTF_COMPONENT_TYPE_FLOAT ||
-                             (mayBeIntegers && isSmall && accessor.normalized);
-        if (accessor.type == type && isRight) return;
-        throw InputError(document_.where(field) + " is accessors[" + std::to_string(index) + "], " +
-                         document_.json["accessors"][static_cast<std::size_t>(index)]["type"]
-                             .get<std::string>() +
-                         " of " + (accessor.normalized ? "normalized " : "") + "componentType " +
-                         std::to_string(component) + ", but must be " + wanted + ".");
     }
 
     /// Zero turns nothing into anything; a spline's tangents may be zero.
@@ -178,11 +159,17 @@ class AnimationReader {
 
 std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings) {
     const auto& animations = document.model.animations;
-    const auto first = std::find_if(animations.begin(), animations.end(), movesNodes);
-    if (first == animations.end()) return std::nullopt;
-    if (std::any_of(first + 1, animations.end(), movesNodes))
-        warnings.add("Only the first of several animations is played.");
-    return AnimationReader(document).read(static_cast<std::size_t>(first - animations.begin()));
+    AnimationReader reader(document);
+    std::optional<Animation> played;
+    for (std::size_t i = 0; i < animations.size(); ++i) {
+        if (!movesNodes(animations[i])) continue;
+        if (played) {
+            warnings.add("Only the first of several animations is played.");
+            break;
+        }
+        readOrWarn(warnings, "the animation is left out", [&] { played = reader.read(i); });
+    }
+    return played;
 }
 
 } // namespace edgeshade

@@ -1,9 +1,11 @@
 #include "preprocess/flatten.hpp"
 
 #include "preprocess/error.hpp"
+#include "preprocess/instances.hpp"
 #include "preprocess/node_walk.hpp"
 #include "preprocess/primitive.hpp"
 #include "preprocess/skin.hpp"
+#include "preprocess/variants.hpp"
 #include "preprocess/weld.hpp"
 
 #include <algorithm>
@@ -49,9 +51,10 @@ class PieceCounter {
     PieceCounter(const GltfDocument& document, MemoryBudget& memory)
         : document_(document), memory_(memory) {}
 
-    void count(const Primitive& primitive, int node) {
+    /// `instances`: how often the node has the primitive.
+    void count(const Primitive& primitive, int node, std::uint64_t instances) {
         const std::uint64_t most = memory_.limits().triangles;
-        triangles_ += primitive.indices.size() / 3;
+        triangles_ += instances * (primitive.indices.size() / 3);
         const std::string field = document_.where("nodes[" + std::to_string(node) + "]");
         if (triangles_ > most)
             throw InputError(field + " brings the scene to " + std::to_string(triangles_) +
@@ -60,8 +63,9 @@ class PieceCounter {
             primitive.normals.empty() ? primitive.indices.size() : primitive.positions.size();
         constexpr std::size_t bytesPerVertex =
             2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4);
-        memory_.take(vertices, bytesPerVertex, field);
-        memory_.take(primitive.indices.size(), sizeof(std::uint32_t), field);
+        memory_.take(instances, sizeof(Piece), field);
+        memory_.take(instances * vertices, bytesPerVertex, field);
+        memory_.take(instances * primitive.indices.size(), sizeof(std::uint32_t), field);
     }
 
   private:
@@ -70,7 +74,8 @@ class PieceCounter {
     std::uint64_t triangles_ = 0;
 };
 
-PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk, Scene& scene) {
+PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
+                           const std::optional<std::size_t>& variant, Scene& scene) {
     MemoryBudget memory = document.memory;
     PieceCounter counter(document, memory);
     PiecesByMover pieces;
@@ -86,12 +91,14 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk, S
         auto& primitives = read[{node.mesh, weights}];
         const auto& sources = document.model.meshes[node.mesh].primitives;
         for (std::size_t p = primitives.size(); p < sources.size(); ++p) {
-            const int material = sources[p].material;
+            const int material = materialInVariant(document, static_cast<std::size_t>(node.mesh), p,
+                                                   variant, scene.warnings);
             const bool known =
                 material >= 0 && static_cast<std::size_t>(material) < scene.materials.size();
             primitives.push_back(std::make_shared<Primitive>(readPrimitive(
                 document, static_cast<std::size_t>(node.mesh), p, weights,
                 known ? scene.materials[material].texcoordSet : 0, scene.warnings, memory)));
+            primitives.back()->material = material;
         }
 
         std::shared_ptr<const std::vector<glm::dmat4>> skin;
@@ -103,14 +110,27 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk, S
                     skinMatrices(document, node.skin, walk.worldFromNode, memory));
             skin = known;
         }
+        const auto isSkinned = [&skin](const Primitive& primitive) {
+            return skin && !primitive.joints.empty();
+        };
+        const std::size_t count = instanceCount(document, visit.node);
+        for (const auto& primitive : primitives)
+            counter.count(*primitive, visit.node, isSkinned(*primitive) ? 1 : count);
+        const std::vector<glm::dmat4> instances = readInstances(document, visit.node, memory);
         for (const auto& primitive : primitives) {
             if (primitive->indices.empty()) continue;
-            counter.count(*primitive, visit.node);
-            const bool skinned = skin && !primitive->joints.empty();
-            // A skin's joints place it in the world; its own node's transform does not count.
-            pieces[skinned ? -1 : visit.mover].push_back(
-                {primitive, materialOf(document, *primitive, scene.materials), visit.moverFromNode,
-                 skinned ? skin : nullptr, visit.node});
+            const bool skinned = isSkinned(*primitive);
+            Piece piece = {primitive, materialOf(document, *primitive, scene.materials),
+                           visit.moverFromNode, skinned ? skin : nullptr, visit.node};
+            // A skin's joints place it in the world; its own node's transforms do not count.
+            if (skinned) {
+                pieces[-1].push_back(std::move(piece));
+                continue;
+            }
+            for (const glm::dmat4& nodeFromInstance : instances) {
+                piece.batchFromMesh = visit.moverFromNode * nodeFromInstance;
+                pieces[visit.mover].push_back(piece);
+            }
         }
     }
     return pieces;
@@ -256,12 +276,14 @@ Batch makeBatch(const GltfDocument& document, int mover, const glm::dmat4& world
 
 } // namespace
 
-Scene flattenScene(const GltfDocument& document, double weldTolerance) {
+Scene flattenScene(const GltfDocument& document, double weldTolerance, const std::string& variant) {
     Scene scene;
+    scene.warnings = document.warnings;
     scene.materials = readMaterials(document);
     const NodeWalk walk = walkNodes(document, scene.warnings);
     scene.movers = walk.movers;
-    PiecesByMover piecesByMover = gatherPieces(document, walk, scene);
+    PiecesByMover piecesByMover =
+        gatherPieces(document, walk, findVariant(document, variant, scene.warnings), scene);
     for (auto& [mover, pieces] : piecesByMover) {
         const glm::dmat4 worldFromMover = mover < 0 ? glm::dmat4(1.0) : walk.worldFromNode[mover];
         scene.batches.push_back(

@@ -1,8 +1,9 @@
 #include "preprocess/gltf_checks.hpp"
 
 #include "preprocess/error.hpp"
+#include "preprocess/extensions.hpp"
 #include "preprocess/json_field.hpp"
-#include "preprocess/shadow_extension.hpp"
+#include "preprocess/utf8.hpp"
 
 #include <algorithm>
 #include <array>
@@ -79,44 +80,6 @@ void checkAsset(const JsonField& asset) {
     });
 }
 
-/// Whether a scene is understood although it needs this extension.
-bool isKnownExtension(const std::string& name) {
-    constexpr std::array known = {
-        "KHR_draco_mesh_compression",
-        "KHR_mesh_quantization",
-        "EXT_meshopt_compression",
-        "KHR_texture_transform",
-        "EXT_texture_webp",
-        "KHR_texture_basisu", // pictures that can't be read are left out
-        "KHR_lights_punctual",
-        shadowExtensionName,
-        "KHR_xmp_json_ld", // metadata
-    };
-    // Materials' extensions change how surfaces look, not where they are.
-    return name.starts_with("KHR_materials_") ||
-           std::find(known.begin(), known.end(), name) != known.end();
-}
-
-void checkExtensions(const JsonField& root) {
-    root.ifPresent("extensions", [](const JsonField& field) { field.requireObject(); });
-    root.ifPresent("extensionsUsed", [](const JsonField& field) {
-        field.forEachItem([](const JsonField& name) { name.text(); });
-    });
-    root.ifPresent("extensionsRequired", [](const JsonField& field) {
-        field.forEachItem([](const JsonField& name) {
-            if (!isKnownExtension(name.text()))
-                name.fail(" is '" + name.text() +
-                          "', an extension that this program does not know");
-        });
-    });
-}
-
-/// How many items the section has.
-std::size_t countOf(const JsonField& root, const char* section) {
-    const auto found = root.find(section);
-    return found ? found->size() : 0;
-}
-
 void checkIndex(const JsonField& object, const char* key) {
     object.ifPresent(key, [](const JsonField& field) { field.index(); });
 }
@@ -133,14 +96,9 @@ void checkIntegers(const JsonField& array) {
     array.forEachItem([](const JsonField& item) { item.integer(); });
 }
 
-/// `count` numbers, or any number of them for 0.
+/// As JsonField::numbers().
 void checkNumbers(const JsonField& object, const char* key, std::size_t count) {
-    object.ifPresent(key, [count](const JsonField& array) {
-        array.forEachItem([](const JsonField& item) { item.number(); });
-        if (count != 0 && array.size() != count)
-            array.fail(" has " + std::to_string(array.size()) + " numbers, not " +
-                       std::to_string(count));
-    });
+    object.ifPresent(key, [count](const JsonField& array) { array.numbers(count); });
 }
 
 void checkBuffer(const JsonField& buffer) {
@@ -219,10 +177,8 @@ void checkPrimitive(const JsonField& primitive, std::size_t accessorCount, std::
     });
     primitive.ifPresent("targets",
                         [&](const JsonField& targets) { targets.forEachItem(checkAttributes); });
-    primitive.ifPresent("extensions", [&](const JsonField& extensions) {
-        extensions.ifPresent("KHR_draco_mesh_compression",
-                             [&](const JsonField& extension) { checkDraco(extension, viewCount); });
-    });
+    primitive.ifExtension("KHR_draco_mesh_compression",
+                          [&](const JsonField& extension) { checkDraco(extension, viewCount); });
 }
 
 void checkNode(const JsonField& node) {
@@ -234,38 +190,42 @@ void checkNode(const JsonField& node) {
     checkNumbers(node, "scale", 3);
     checkNumbers(node, "weights", 0);
     node.ifPresent("children", checkIntegers);
+    node.ifExtension("EXT_mesh_gpu_instancing", [](const JsonField& instancing) {
+        instancing.member("attributes").forEachMember([](const JsonField& accessor) {
+            accessor.index();
+        });
+    });
+    node.ifExtension("KHR_node_visibility", [](const JsonField& visibility) {
+        visibility.ifPresent("visible", [](const JsonField& flag) { flag.boolean(); });
+    });
 }
 
 void checkTextureInfo(const JsonField& info) {
     info.member("index").index();
     checkIndex(info, "texCoord");
-    info.ifPresent("extensions", [](const JsonField& extensions) {
-        extensions.ifPresent("KHR_texture_transform", [](const JsonField& transform) {
-            checkIndex(transform, "texCoord");
-            checkNumbers(transform, "offset", 2);
-            checkNumbers(transform, "scale", 2);
-            transform.ifPresent("rotation", [](const JsonField& angle) { angle.number(); });
-        });
+    info.ifExtension("KHR_texture_transform", [](const JsonField& transform) {
+        checkIndex(transform, "texCoord");
+        checkNumbers(transform, "offset", 2);
+        checkNumbers(transform, "scale", 2);
+        transform.ifPresent("rotation", [](const JsonField& angle) { angle.number(); });
     });
 }
 
 void checkMaterial(const JsonField& material) {
     material.ifPresent("alphaMode", [](const JsonField& mode) {
-        const std::string text = mode.text();
-        if (text != "OPAQUE" && text != "MASK" && text != "BLEND")
-            mode.fail(" is '" + text + "', which is none of OPAQUE, MASK, BLEND");
+        mode.oneOf({"OPAQUE", "MASK", "BLEND"});
     });
     material.ifPresent("alphaCutoff", [](const JsonField& cutoff) { cutoff.number(); });
     material.ifPresent("pbrMetallicRoughness", [](const JsonField& metallic) {
         checkNumbers(metallic, "baseColorFactor", 4);
         metallic.ifPresent("baseColorTexture", checkTextureInfo);
     });
-    material.ifPresent("extensions", [](const JsonField& extensions) {
-        extensions.ifPresent("KHR_materials_pbrSpecularGlossiness", [](const JsonField& glossy) {
-            checkNumbers(glossy, "diffuseFactor", 4);
-            glossy.ifPresent("diffuseTexture", checkTextureInfo);
-        });
+    material.ifExtension("KHR_materials_pbrSpecularGlossiness", [](const JsonField& glossy) {
+        checkNumbers(glossy, "diffuseFactor", 4);
+        glossy.ifPresent("diffuseTexture", checkTextureInfo);
     });
+    material.ifExtension("KHR_materials_unlit",
+                         [](const JsonField& unlit) { unlit.requireObject(); });
 }
 
 /// `meaning`: the values, in words.
@@ -287,46 +247,6 @@ void checkSampler(const JsonField& sampler) {
                "9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
 }
 
-void checkAnimationSampler(const JsonField& sampler, std::size_t accessorCount) {
-    sampler.member("input").indexInto(accessorCount, "accessors");
-    sampler.member("output").indexInto(accessorCount, "accessors");
-    sampler.ifPresent("interpolation", [](const JsonField& interpolation) {
-        const std::string text = interpolation.text();
-        if (text != "STEP" && text != "LINEAR" && text != "CUBICSPLINE")
-            interpolation.fail(" is '" + text + "', which is none of STEP, LINEAR, CUBICSPLINE");
-    });
-}
-
-/// Extensions may move things that are no nodes, and nodes in ways of their own.
-void checkAnimationTarget(const JsonField& target, std::size_t nodeCount) {
-    checkText(target, "path");
-    const auto node = target.find("node");
-    if (!node) return;
-    node->indexInto(nodeCount, "nodes");
-    const JsonField path = target.member("path");
-    constexpr std::array paths = {"translation", "rotation", "scale", "weights"};
-    if (!target.find("extensions") &&
-        std::find(paths.begin(), paths.end(), path.text()) == paths.end())
-        path.fail(" is '" + path.text() +
-                  "', which is none of translation, rotation, scale, weights");
-}
-
-void checkAnimation(const JsonField& animation, std::size_t nodeCount, std::size_t accessorCount) {
-    const std::size_t samplerCount = countOf(animation, "samplers");
-    animation.ifPresent("samplers", [&](const JsonField& samplers) {
-        samplers.forEachItem(
-            [&](const JsonField& sampler) { checkAnimationSampler(sampler, accessorCount); });
-    });
-    animation.ifPresent("channels", [&](const JsonField& channels) {
-        channels.forEachItem([&](const JsonField& channel) {
-            channel.member("sampler").indexInto(samplerCount, "samplers");
-            channel.ifPresent("target", [&](const JsonField& target) {
-                checkAnimationTarget(target, nodeCount);
-            });
-        });
-    });
-}
-
 /// Every section that is there is an array of objects; `check` looks into each.
 template <class Check>
 void checkSection(const JsonField& root, const char* section, Check check) {
@@ -339,11 +259,10 @@ void checkSection(const JsonField& root, const char* section, Check check) {
 }
 
 void checkSections(const JsonField& root) {
-    const std::size_t bufferCount = countOf(root, "buffers");
-    const std::size_t viewCount = countOf(root, "bufferViews");
-    const std::size_t accessorCount = countOf(root, "accessors");
-    const std::size_t samplerCount = countOf(root, "samplers");
-    const std::size_t nodeCount = countOf(root, "nodes");
+    const std::size_t bufferCount = root.countOf("buffers");
+    const std::size_t viewCount = root.countOf("bufferViews");
+    const std::size_t accessorCount = root.countOf("accessors");
+    const std::size_t samplerCount = root.countOf("samplers");
     checkSection(root, "buffers", checkBuffer);
     checkSection(root, "bufferViews",
                  [&](const JsonField& view) { checkBufferView(view, bufferCount); });
@@ -372,17 +291,25 @@ void checkSections(const JsonField& root) {
         });
     });
     checkSection(root, "images", [](const JsonField&) {}); // looked into where they are drawn
-    checkSection(root, "animations", [&](const JsonField& animation) {
-        checkAnimation(animation, nodeCount, accessorCount);
-    });
-    checkSection(root, "cameras", [](const JsonField&) {});
     checkIndex(root, "scene");
+    root.ifExtension("CESIUM_RTC",
+                     [](const JsonField& extension) { extension.member("center").numbers(3); });
+}
+
+/// What is wrong with text that is no JSON.
+std::string jsonFault(std::string_view text, std::size_t byte, bool inGlb) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); // a mark of UTF-8 too
+    const bool begun =
+        start != std::string_view::npos && (text[start] == '{' || text[start] == '[');
+    if (!inGlb && !begun) return " is neither GLB nor JSON.";
+    return " holds JSON that is wrong at byte " + std::to_string(byte) +
+           (byte > text.size() ? ": it ends too early." : ", which JSON does not allow there.");
 }
 
 } // namespace
 
 nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::path& path,
-                                 MemoryBudget& memory) {
+                                 bool inGlb, MemoryBudget& memory, Warnings& warnings) {
     const std::string file = "'" + path.string() + "'";
     const JsonShape shape = shapeOf(text);
     if (shape.depth > deepestNesting)
@@ -392,19 +319,26 @@ nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::p
         throw InputError(file + " has a JSON object of " + std::to_string(shape.members) +
                          " members; at most " + std::to_string(mostMembers) + " are read.");
     memory.take(text.size() + bytesPerValue * shape.values, 1, file + ": its JSON");
+    std::string replaced;
+    if (const auto invalid = firstInvalidUtf8(text)) {
+        warnings.add(file + " holds text that is no UTF-8, at byte " + std::to_string(*invalid) +
+                     " of its JSON first; U+FFFD stands for each such byte.");
+        memory.take(3 * text.size(), 1, file + ": its JSON");
+        text = replaced = withValidUtf8(text);
+    }
     try {
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
-        throw InputError(file + " is neither GLB nor JSON: byte " + std::to_string(error.byte) +
-                         " is not what JSON allows there.");
+        throw InputError(file + jsonFault(text, error.byte, inGlb));
     }
 }
 
-void requireSoundGltf(const nlohmann::ordered_json& json, const std::filesystem::path& path) {
+void requireSoundGltf(const nlohmann::ordered_json& json, const std::filesystem::path& path,
+                      Warnings& warnings) {
     if (!json.is_object()) throw InputError("'" + path.string() + "' holds no JSON object.");
     const JsonField root(path, json);
     checkAsset(root.member("asset"));
-    checkExtensions(root);
+    checkExtensions(root, warnings);
     checkSections(root);
 }
 

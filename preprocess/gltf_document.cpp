@@ -1,38 +1,23 @@
 #include "preprocess/gltf_document.hpp"
 
+#include "preprocess/data_uri.hpp"
 #include "preprocess/error.hpp"
 #include "preprocess/glb.hpp"
 #include "preprocess/gltf_checks.hpp"
+#include "preprocess/gltf_mending.hpp"
 #include "preprocess/json_field.hpp"
 #include "preprocess/meshopt_view.hpp"
+#include "preprocess/optional_checks.hpp"
+#include "preprocess/percent_encoding.hpp"
 #include "preprocess/tinygltf_model.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 
 namespace edgeshade {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Undoes %XX (RFC 3986, 2.1); other characters stay.
-std::string percentDecoded(const std::string& uri) {
-    std::string decoded;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        unsigned value = 0;
-        if (uri[i] == '%' && i + 2 < uri.size()) {
-            const char* digits = uri.data() + i + 1;
-            if (std::from_chars(digits, digits + 2, value, 16).ptr == digits + 2) {
-                decoded.push_back(static_cast<char>(value));
-                i += 2;
-                continue;
-            }
-        }
-        decoded.push_back(uri[i]);
-    }
-    return decoded;
-}
 
 /// Whether the decoded uri says a place in its folder or below: no root, no way up, and no
 /// character that means more than a name on some system.
@@ -67,22 +52,15 @@ std::filesystem::path pathOfUri(const GltfDocument& document, const std::string&
 
 /// The bytes behind a data URI or a file name.
 Bytes resolveUri(const GltfDocument& document, const std::string& field, const std::string& uri) {
-    if (!uri.starts_with("data:")) {
-        const std::filesystem::path file = pathOfUri(document, field, uri);
-        try {
-            return readFile(file, document.memory.limits().fileBytes);
-        } catch (const LimitError& error) {
-            throw LimitError(document.where(field) + ": " + error.what());
-        } catch (const InputError& error) {
-            throw InputError(document.where(field) + ": " + error.what());
-        }
+    if (isDataUri(uri)) return dataOfUri(uri, document.where(field));
+    const std::filesystem::path file = pathOfUri(document, field, uri);
+    try {
+        return readFile(file, document.memory.limits().fileBytes);
+    } catch (const LimitError& error) {
+        throw LimitError(document.where(field) + ": " + error.what());
+    } catch (const InputError& error) {
+        throw InputError(document.where(field) + ": " + error.what());
     }
-    Bytes bytes;
-    std::string mimeType;
-    if (!tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))
-        throw InputError(document.where(field) + " is a data URI that can't be decoded: '" +
-                         uri.substr(0, 40) + "...'.");
-    return bytes;
 }
 
 void resolveBuffers(GltfDocument& document, std::optional<Bytes> binaryChunk) {
@@ -118,15 +96,19 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
     document.path = path;
     document.memory = MemoryBudget(limits);
     if (bytes.empty()) throw InputError("'" + path.string() + "' is empty.");
+    const bool inGlb = isGlb(bytes);
     GlbChunks chunks;
-    if (isGlb(bytes))
+    if (inGlb)
         chunks = splitGlb(bytes, path);
     else
         chunks.json.assign(bytes.begin(), bytes.end());
-    document.json = parseJson(chunks.json, path, document.memory);
-    requireSoundGltf(document.json, path);
+    document.json = parseJson(chunks.json, path, inGlb, document.memory, document.warnings);
+    mendGltf(document.json, path, document.warnings);
+    requireSoundGltf(document.json, path, document.warnings);
+    tagMeshoptFallbacks(document.json);
     requireWithinLimits(document.json, path, document.memory);
-    document.model = typedModel(document.json, path);
+    const BrokenParts broken = findBrokenParts(document.json, path, document.warnings);
+    document.model = typedModel(document.json, broken.animations, path);
     resolveBuffers(document, std::move(chunks.binary));
     document.decodedViews.resize(document.model.bufferViews.size());
     decodeMeshoptViews(document);

@@ -2,6 +2,7 @@
 
 #include "preprocess/file_io.hpp"
 #include "preprocess/limits.hpp"
+#include "preprocess/warnings.hpp"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -22,7 +23,8 @@ struct GltfDocument {
     nlohmann::ordered_json json; ///< the source, key order kept
     tinygltf::Model model;       ///< the same, typed
     std::vector<Bytes> buffers;  ///< one a glTF buffer; empty for meshopt fallbacks
-    std::vector<std::optional<Bytes>> decodedViews; ///< EXT_meshopt_compression views, decoded
+    std::vector<std::optional<Bytes>> decodedViews; ///< compressed by meshopt, decoded
+    Warnings warnings;                              ///< of parsing; flattenScene() hands them on
     MemoryBudget memory; ///< what parsing took; whoever makes more of it goes on with a copy
 
     /// An error message's start: the file's name and the field.

@@ -46,6 +46,11 @@ JsonField JsonField::member(const char* key) const {
     return JsonField(*this, *found, key);
 }
 
+std::size_t JsonField::countOf(const char* key) const {
+    const auto field = find(key);
+    return field ? field->size() : 0;
+}
+
 void JsonField::requireObject() const {
     if (!value_.is_object()) failKind("an object");
 }
@@ -59,9 +64,27 @@ std::string JsonField::text() const {
     return value_.get<std::string>();
 }
 
+std::string JsonField::oneOf(std::initializer_list<const char*> words) const {
+    const std::string given = text();
+    std::string all;
+    for (const char* word : words) {
+        if (given == word) return given;
+        all += (all.empty() ? "" : ", ") + std::string(word);
+    }
+    fail(" is '" + given + "', which is none of " + all);
+}
+
 double JsonField::number() const {
     if (!value_.is_number()) failKind("a number");
     return value_.get<double>();
+}
+
+std::vector<double> JsonField::numbers(std::size_t count) const {
+    std::vector<double> all;
+    forEachItem([&](const JsonField& item) { all.push_back(item.number()); });
+    if (count != 0 && all.size() != count)
+        fail(" has " + std::to_string(all.size()) + " numbers, not " + std::to_string(count));
+    return all;
 }
 
 bool JsonField::boolean() const {

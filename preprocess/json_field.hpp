@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace edgeshade {
 
@@ -33,11 +35,17 @@ class JsonField {
     std::optional<JsonField> find(const char* key) const;
     std::size_t size() const { return value_.size(); }
     JsonField item(std::size_t i) const { return JsonField(*this, value_.at(i), i); }
+    /// How many items the member has; 0 where it isn't there.
+    std::size_t countOf(const char* key) const;
 
     void requireObject() const;
     void requireArray() const;
     std::string text() const;
+    /// One of these words.
+    std::string oneOf(std::initializer_list<const char*> words) const;
     double number() const;
+    /// An array of numbers, `count` of them, or any number of them for 0.
+    std::vector<double> numbers(std::size_t count = 0) const;
     bool boolean() const;
     std::int64_t integer() const; ///< as wide as an int
     std::uint64_t wholeNumber(std::uint64_t most = std::numeric_limits<std::int64_t>::max()) const;
@@ -66,6 +74,13 @@ class JsonField {
     template <class Check>
     void ifPresent(const char* key, Check check) const {
         if (const auto field = find(key)) check(*field);
+    }
+
+    /// Calls check(JsonField) for the extension of that name, if this object has it.
+    template <class Check>
+    void ifExtension(const char* name, Check check) const {
+        ifPresent("extensions",
+                  [&](const JsonField& extensions) { extensions.ifPresent(name, check); });
     }
 
     const char* key() const { return key_; } ///< of a member; empty for an item

@@ -109,6 +109,7 @@ Material readMaterial(const GltfDocument& document, std::size_t index) {
     if (source.alphaMode == "MASK") material.alphaMode = AlphaMode::mask;
     if (source.alphaMode == "BLEND") material.alphaMode = AlphaMode::blend;
     material.alphaCutoff = static_cast<float>(source.alphaCutoff);
+    material.unlit = source.extensions.contains("KHR_materials_unlit");
     readMetallicRoughness(document, source, material);
     const auto glossy = source.extensions.find("KHR_materials_pbrSpecularGlossiness");
     if (glossy != source.extensions.end())

@@ -13,6 +13,7 @@ enum class AlphaMode { opaque, mask, blend };
 /// What of a glTF material this program draws: its base colour and whether light gets through.
 struct Material {
     AlphaMode alphaMode = AlphaMode::opaque;
+    bool unlit = false; ///< KHR_materials_unlit: its colour as it is; it casts all the same
     float alphaCutoff = 0.5f;
     glm::vec4 baseColorFactor{1.0f}; ///< linear; pbrSpecularGlossiness' diffuse where used
     int texture = -1;                ///< of the base colour, as the file says; -1: none

@@ -1,18 +1,24 @@
 #include "preprocess/meshopt_view.hpp"
 
+#include "preprocess/color_filter.hpp"
 #include "preprocess/gltf_document.hpp"
 #include "preprocess/json_field.hpp"
 
 #include <limits>
 #include <meshoptimizer.h>
 #include <string>
+#include <string_view>
 
 namespace edgeshade {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* extensionName = "EXT_meshopt_compression";
+/// The second is the first with a newer vertex codec and one filter more.
+constexpr const char* extensionNames[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
+constexpr bool isKhronos(std::string_view name) {
+    return name == extensionNames[1];
+}
 constexpr std::uint64_t largestDecodedView = std::uint64_t{1} << 31; // bytes
 
 /// Bytes that one compressed byte can stand for. The vertex codec's least is two bits for sixteen
@@ -77,9 +83,21 @@ void requireSupported(const CompressedView& view, const JsonField& extension) {
     const bool octahedral = view.filter == "OCTAHEDRAL" && (view.stride == 4 || view.stride == 8);
     const bool quaternion = view.filter == "QUATERNION" && view.stride == 8;
     const bool exponential = view.filter == "EXPONENTIAL" && view.stride % 4 == 0;
-    if (view.filter != "NONE" && !(attributes && (octahedral || quaternion || exponential)))
+    const bool color = view.filter == "COLOR" && (view.stride == 4 || view.stride == 8) &&
+                       isKhronos(extension.key());
+    if (view.filter != "NONE" &&
+        !(attributes && (octahedral || quaternion || exponential || color)))
         extension.fail(".filter is '" + view.filter + "' with byteStride " +
                        std::to_string(view.stride) + ", which is not allowed");
+}
+
+/// A stream's first byte has its codec in the upper four bits and its version in the lower.
+void requireKnownVersion(const CompressedView& view, const JsonField& extension) {
+    constexpr int vertexCodec = 0xA0;
+    const int version = view.bytes.empty() ? 0 : view.bytes[0] - vertexCodec;
+    if (view.mode == "ATTRIBUTES" && version > 0 && version < 16)
+        extension.fail(" holds vertices of codec version " + std::to_string(version) +
+                       ", but this program decodes version 0 alone");
 }
 
 /// The count is checked against what is there before memory is set aside for it.
@@ -104,31 +122,62 @@ void applyFilter(const CompressedView& view, Bytes& decoded) {
         meshopt_decodeFilterQuat(decoded.data(), view.count, view.stride);
     else if (view.filter == "EXPONENTIAL")
         meshopt_decodeFilterExp(decoded.data(), view.count, view.stride);
+    else if (view.filter == "COLOR")
+        decodeColorFilter(decoded, view.stride);
 }
 
-/// The bytes of the view, if it is compressed.
-std::optional<Bytes> decodedView(GltfDocument& document, const JsonField& viewField) {
-    const auto extensions = viewField.find("extensions");
-    const auto extension = extensions ? extensions->find(extensionName) : std::nullopt;
-    if (!extension) return std::nullopt;
-    const CompressedView view = readFields(document, *extension);
-    requireSupported(view, *extension);
-    requirePlausible(view, viewField.member("byteLength").wholeNumber(), *extension);
+Bytes decodedView(GltfDocument& document, const JsonField& viewField, const JsonField& extension) {
+    const CompressedView view = readFields(document, extension);
+    requireSupported(view, extension);
+    requirePlausible(view, viewField.member("byteLength").wholeNumber(), extension);
+    requireKnownVersion(view, extension);
     document.memory.take(view.count, view.stride,
-                         document.where(extension->name()) + ".count is " +
+                         document.where(extension.name()) + ".count is " +
                              std::to_string(view.count) + ", which");
     Bytes decoded(view.count * view.stride);
-    if (!decodeMode(view, decoded)) extension->fail(" holds data that can't be decoded");
+    if (!decodeMode(view, decoded)) extension.fail(" holds data that can't be decoded");
     applyFilter(view, decoded);
     return decoded;
+}
+
+/// What the extension, whichever of the two it is, says of a buffer or a view; or null.
+const Json* extensionOf(const Json& object) {
+    const auto extensions = object.find("extensions");
+    if (extensions == object.end() || !extensions->is_object()) return nullptr;
+    for (const char* name : extensionNames)
+        if (const auto extension = extensions->find(name); extension != extensions->end())
+            return &*extension;
+    return nullptr;
 }
 
 } // namespace
 
 bool isMeshoptFallback(const Json& buffer) {
-    const auto extensions = buffer.find("extensions");
-    return extensions != buffer.end() && extensions->is_object() &&
-           extensions->contains(extensionName);
+    return extensionOf(buffer) != nullptr;
+}
+
+void tagMeshoptFallbacks(Json& json) {
+    if (!json.contains("buffers") || !json.contains("bufferViews")) return;
+    Json& buffers = json["buffers"];
+    std::vector<const char*> compressedBy(buffers.size(), nullptr);
+    std::vector<bool> needed(buffers.size(), false);
+    for (const Json& view : json["bufferViews"]) {
+        const auto buffer = view["buffer"].get<std::size_t>();
+        const Json* extension = extensionOf(view);
+        if (!extension) {
+            needed[buffer] = true;
+            continue;
+        }
+        compressedBy[buffer] =
+            view["extensions"].contains(extensionNames[0]) ? extensionNames[0] : extensionNames[1];
+        const auto source = extension->find("buffer");
+        if (source != extension->end() && source->is_number_integer())
+            needed[source->get<std::size_t>()] = true;
+    }
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+        if (!needed[i] && compressedBy[i] && !buffers[i].contains("uri") &&
+            !isMeshoptFallback(buffers[i]))
+            buffers[i]["extensions"][compressedBy[i]]["fallback"] = true;
 }
 
 void decodeMeshoptViews(GltfDocument& document) {
@@ -136,7 +185,11 @@ void decodeMeshoptViews(GltfDocument& document) {
     std::size_t index = 0;
     root.ifPresent("bufferViews", [&](const JsonField& views) {
         views.forEachItem([&](const JsonField& view) {
-            document.decodedViews[index++] = decodedView(document, view);
+            std::optional<Bytes>& decoded = document.decodedViews[index++];
+            for (const char* name : extensionNames)
+                view.ifExtension(name, [&](const JsonField& extension) {
+                    decoded = decodedView(document, view, extension);
+                });
         });
     });
 }

@@ -6,10 +6,15 @@ namespace edgeshade {
 
 struct GltfDocument;
 
-/// Whether a glTF buffer is only the fallback of EXT_meshopt_compression, without bytes of its own.
+/// Whether a glTF buffer is only the fallback of EXT_ or KHR_meshopt_compression, without bytes of
+/// its own.
 bool isMeshoptFallback(const nlohmann::ordered_json& buffer);
 
-/// Decodes every buffer view that EXT_meshopt_compression compressed into
+/// Says of the buffers of sound `json` that are such a fallback, without saying so, that they are:
+/// those without a uri to which none but compressed views refer.
+void tagMeshoptFallbacks(nlohmann::ordered_json& json);
+
+/// Decodes every buffer view that EXT_ or KHR_meshopt_compression compressed into
 /// document.decodedViews. Safe on untrusted input. Throws InputError.
 void decodeMeshoptViews(GltfDocument& document);
 

@@ -1,10 +1,12 @@
 #include "preprocess/node_walk.hpp"
 
 #include "preprocess/error.hpp"
+#include "preprocess/json_field.hpp"
 #include "preprocess/node_transform.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <set>
 
 namespace edgeshade {
@@ -52,9 +54,33 @@ void requireAllReached(const GltfDocument& document, const std::vector<bool>& re
                          "] is its own ancestor or below such a node; the nodes must be a tree.");
 }
 
+/// Where CESIUM_RTC puts the origin of the asset.
+glm::dvec3 centerOf(const GltfDocument& document) {
+    glm::dvec3 center(0.0);
+    JsonField(document.path, document.json)
+        .ifExtension("CESIUM_RTC", [&](const JsonField& extension) {
+            const std::vector<double> numbers = extension.member("center").numbers(3);
+            center = {numbers[0], numbers[1], numbers[2]};
+        });
+    return center;
+}
+
+/// Whether KHR_node_visibility leaves the node in the scene, and with it what is below it.
+bool isVisible(const GltfDocument& document, int node) {
+    const auto& source = document.json.at("nodes").at(static_cast<std::size_t>(node));
+    bool visible = true;
+    JsonField(document.path, source)
+        .ifExtension("KHR_node_visibility", [&](const JsonField& extension) {
+            extension.ifPresent("visible",
+                                [&](const JsonField& flag) { visible = flag.boolean(); });
+        });
+    return visible;
+}
+
 struct Visit {
     int node;
     int mover;
+    bool visible;        ///< all nodes above it are
     std::uint64_t depth; ///< 1: a root
     glm::dmat4 moverFromParent;
     glm::dmat4 worldFromParent;
@@ -69,13 +95,15 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
     walk.worldFromNode.assign(nodes.size(), glm::dmat4(1.0));
     std::vector<bool> reached(nodes.size(), false);
     std::vector<Visit> open;
-    const auto openAll = [&open](const std::vector<int>& children, int mover, std::uint64_t depth,
-                                 const glm::dmat4& moverFrom, const glm::dmat4& worldFrom) {
+    const auto openAll = [&open](const std::vector<int>& children, int mover, bool visible,
+                                 std::uint64_t depth, const glm::dmat4& moverFrom,
+                                 const glm::dmat4& worldFrom) {
         for (auto child = children.rbegin(); child != children.rend(); ++child)
-            open.push_back({*child, mover, depth, moverFrom, worldFrom});
+            open.push_back({*child, mover, visible, depth, moverFrom, worldFrom});
     };
     const std::uint64_t deepest = document.memory.limits().nodeDepth;
-    openAll(rootNodes(document), -1, 1, glm::dmat4(1.0), glm::dmat4(1.0));
+    const glm::dmat4 worldFromAsset = glm::translate(glm::dmat4(1.0), centerOf(document));
+    openAll(rootNodes(document), -1, true, 1, worldFromAsset, worldFromAsset);
     while (!open.empty()) {
         const Visit visit = open.back();
         open.pop_back();
@@ -110,8 +138,9 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
                 warnings.add("An animated node that is scaled to nothing at rest stays static.");
             }
         }
-        if (node.mesh >= 0) walk.meshNodes.push_back({visit.node, mover, moverFromNode});
-        openAll(node.children, mover, visit.depth + 1, moverFromNode, worldFromNode);
+        const bool visible = visit.visible && isVisible(document, visit.node);
+        if (node.mesh >= 0 && visible) walk.meshNodes.push_back({visit.node, mover, moverFromNode});
+        openAll(node.children, mover, visible, visit.depth + 1, moverFromNode, worldFromNode);
     }
     requireAllReached(document, reached);
     return walk;

@@ -22,7 +22,8 @@ struct NodeWalk {
     std::vector<glm::dmat4> worldFromNode; ///< of every node of the scene; identity elsewhere
 };
 
-/// Walks the default scene (the first if none is named; all roots if there are no scenes). Throws
+/// Walks the default scene (the first if none is named; all roots if there are no scenes), from
+/// where CESIUM_RTC puts it; meshes that KHR_node_visibility hides are left out. Throws
 /// InputError for a missing node, a node reached twice or too deep, or a transform that is not
 /// finite.
 NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings);

@@ -4,6 +4,7 @@
 #include "preprocess/flatten.hpp"
 #include "preprocess/packed_file.hpp"
 #include "preprocess/stopwatch.hpp"
+#include "preprocess/variants.hpp"
 #include "shaders_es2/record_layout.glsl"
 
 #include <limits>
@@ -55,6 +56,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
           {"cast-masked", report.settings.castMasked},
           {"caster-error", report.settings.casterError},
           {"flat-tolerance", report.settings.flatTolerance}}},
+        {"variants", report.variants},
         {"warnings", report.warnings},
     };
 }
@@ -100,6 +102,7 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
     std::error_code error;
     const auto fileBytes = std::filesystem::file_size(input.document.path, error);
     report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
+    report.variants = variantNames(input.document);
     report.warnings = input.scene.warnings.sentences();
     return input;
 }

@@ -20,6 +20,7 @@ struct PackReport {
     std::size_t fileBytes = 0;
     double readSeconds = 0.0;
     BuildSeconds build;
+    std::vector<std::string> variants; ///< names, as the document lists them
     std::vector<std::string> warnings;
 };
 

@@ -2,13 +2,17 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <tiny_gltf.h>
 
 namespace edgeshade {
 
-/// tinygltf's typed view of sound glTF JSON. Its buffers and images stay empty. tinygltf refuses
-/// some assets that glTF allows; it gets a copy with stand-ins there, and no trace of them is left
-/// in what is returned. Throws InputError naming `path`.
-tinygltf::Model typedModel(const nlohmann::ordered_json& json, const std::filesystem::path& path);
+/// tinygltf's typed view of what this program reads of sound glTF JSON; all else, names too, is
+/// left out of it. Its buffers and images stay empty, and so do the animations of the indices
+/// `brokenAnimations`. tinygltf refuses some assets that glTF allows; it gets a copy with stand-ins
+/// there, and no trace of them is left in what is returned. Throws InputError naming `path`.
+tinygltf::Model typedModel(const nlohmann::ordered_json& json,
+                           const std::set<std::size_t>& brokenAnimations,
+                           const std::filesystem::path& path);
 
 } // namespace edgeshade

@@ -182,6 +182,10 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
     addChoice(verb, "--gl-limits", options.glLimits, limitNames,
               "What is used of the GL: all that the device has, or only what every OpenGL ES 2.0 "
               "has: no extensions, 8 attributes, 16 bits of depth (device)");
+    verb.add_option("--variant", options.variant,
+                    "Which of the scene's variants of materials is drawn; info lists them (the "
+                    "scene's own materials)")
+        ->type_name("NAME");
     addLimitOptions(verb, options.limits);
 }
 

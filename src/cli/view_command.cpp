@@ -40,15 +40,15 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
 }
 
 void view(const WindowOptions& options) {
-    const auto load = [&](const std::filesystem::path& path) {
-        LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits);
+    const auto load = [&](const std::filesystem::path& path, const std::string& variant) {
+        LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits, {}, variant);
         printWarnings(loaded.scene.warnings.sentences());
         return loaded;
     };
     std::optional<LoadedScene> loaded;
     Json state;
     if (!options.input.empty()) {
-        loaded = load(options.input);
+        loaded = load(options.input, options.variant);
         state = stateFrom(options, loaded->scene);
     }
 
@@ -63,7 +63,7 @@ void view(const WindowOptions& options) {
                       options.view.height, options.samples, options.glLimits},
                      settings, load);
     if (loaded) {
-        app.viewer().show(std::move(*loaded));
+        app.show(options.input, std::move(*loaded));
         app.viewer().change(state);
     }
     if (options.screenshot.empty())

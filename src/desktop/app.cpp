@@ -1,6 +1,7 @@
 #include "src/desktop/app.hpp"
 
 #include "preprocess/error.hpp"
+#include "preprocess/variants.hpp"
 #include "src/desktop/keys.hpp"
 #include "src/desktop/screenshot.hpp"
 #include "src/desktop/text.hpp"
@@ -30,8 +31,7 @@ PointerButton buttonFrom(int button) {
 
 } // namespace
 
-App::App(const WindowRequest& request, const viewer::ViewerSettings& settings,
-         std::function<LoadedScene(const std::filesystem::path&)> load)
+App::App(const WindowRequest& request, const viewer::ViewerSettings& settings, Load load)
     : window_(request), viewer_(window_.capabilities(), settings), load_(std::move(load)) {
     connect();
     fitToWindow();
@@ -70,6 +70,27 @@ void App::fitToWindow() {
     float scaleY = 1.0f;
     glfwGetWindowContentScale(window_.handle(), &scale_, &scaleY);
     viewer_.resize(width_, height_, scale_);
+}
+
+void App::show(const std::filesystem::path& path, LoadedScene loaded) {
+    std::vector<std::string> variants = variantNames(loaded.document);
+    variants.insert(variants.begin(), "");
+    const auto shown = std::find(variants.begin(), variants.end(), loaded.variant);
+    const auto index =
+        shown == variants.end() ? 0 : static_cast<std::size_t>(shown - variants.begin());
+    viewer_.show(std::move(loaded));
+    path_ = path;
+    variants_ = std::move(variants);
+    variant_ = index;
+}
+
+void App::showNextVariant() {
+    if (variants_.size() == 1) return say("The scene has no variants");
+    const std::string next = variants_[(variant_ + 1) % variants_.size()];
+    const auto state = viewer::toJson(viewer_.state());
+    show(path_, load_(path_, next));
+    viewer_.change(state);
+    say(next.empty() ? "The scene's own materials" : "Variant " + next);
 }
 
 void App::run() {
@@ -164,6 +185,8 @@ void App::onCharacter(unsigned character) {
             saveScreenshot(path);
             std::cerr << path.string() << std::endl;
             say("Saved as " + path.string());
+        } else if (character == 'k') {
+            showNextVariant();
         } else if (const auto command = commandForCharacter(character)) {
             viewer_.run(*command);
         }
@@ -208,7 +231,7 @@ void App::onDrop(const std::filesystem::path& path) {
     guarded([&] {
         say("Loading " + name);
         draw();
-        viewer_.show(load_(path));
+        show(path, load_(path, ""));
         glfwSetWindowTitle(window_.handle(), (name + " - edgeshade").c_str());
         say("");
     });

@@ -6,20 +6,29 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace edgeshade::desktop {
 
 /// The viewer in a window: events in, pictures out, text over them.
 class App {
   public:
-    /// `load` reads a file that was dropped onto the window. Throws Error(unavailable).
-    App(const WindowRequest& request, const viewer::ViewerSettings& settings,
-        std::function<LoadedScene(const std::filesystem::path&)> load);
+    /// Reads a file in one of its variants of materials; an empty name: its own materials.
+    using Load =
+        std::function<LoadedScene(const std::filesystem::path&, const std::string& variant)>;
+
+    /// `load` is for what is dropped onto the window and for other variants. Throws
+    /// Error(unavailable).
+    App(const WindowRequest& request, const viewer::ViewerSettings& settings, Load load);
     App(const App&) = delete;
     App& operator=(const App&) = delete;
 
     viewer::Viewer& viewer() { return viewer_; }
     const gl::Capabilities& capabilities() const { return window_.capabilities(); }
+
+    /// Shows what was loaded from there, and frames it. Throws Error; what was on show stays then.
+    void show(const std::filesystem::path& path, LoadedScene loaded);
 
     /// Until the window is closed. Waits for events where nothing is to be drawn.
     void run();
@@ -40,13 +49,18 @@ class App {
     void onButton(int button, int action, int modifiers);
     void onMove(double x, double y);
     void onDrop(const std::filesystem::path& path);
+    void showNextVariant();
     viewer::Pointer pointer() const; ///< where the cursor is, with what pressed_ says
     std::string figures() const;
 
     Window window_;
     viewer::Viewer viewer_;
     viewer::OverlayPass overlay_;
-    std::function<LoadedScene(const std::filesystem::path&)> load_;
+    Load load_;
+    std::filesystem::path path_; ///< of the scene on show
+    /// Its variants of materials behind an empty name, which is its own materials; which is shown.
+    std::vector<std::string> variants_ = {""};
+    std::size_t variant_ = 0;
     int width_ = 1; ///< of the picture, pixels
     int height_ = 1;
     float scale_ = 1.0f; ///< of the display's contents

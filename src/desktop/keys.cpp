@@ -87,6 +87,7 @@ std::string helpText() {
            "S / , .\ttwo kinds side by side / move the line\n"
            "V\tshow the volumes\n"
            "Space / [ ]\tplay / slower, faster\n"
+           "K\tnext variant of materials\n"
            "I\tfigures\n"
            "P, F12\tsave the picture\n"
            "H, ? / Esc\tthis help / end\n"

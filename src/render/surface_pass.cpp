@@ -73,6 +73,18 @@ void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool cast
     program.set("u_casts", casts ? 1.0f : 0.0f);
 }
 
+/// What an unlit material draws: all of its colour with ambient light, and black for what adds
+/// light, which of surfaces that coincide is drawn for the first as well.
+SurfaceShading unlitShading(SurfaceShading shading) {
+    const bool addsLight = shading.light && !shading.withAmbient;
+    shading.ambient = addsLight ? 0.0f : 1.0f;
+    shading.light.reset();
+    shading.withAmbient = false;
+    shading.map = nullptr;
+    shading.coarse = nullptr;
+    return shading;
+}
+
 bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
     return std::none_of(view.planes.begin(), view.planes.end(),
                         [&](const glm::dvec4& plane) { return isOutside(chunk.bounds, plane); });
@@ -153,6 +165,15 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
                                    const BatchView& view, const glm::dvec3& eye,
                                    const SurfaceShading& shading) {
     if (!mayBeSeen(chunk, view)) return 0;
+    const bool shaded = !shading.mask && !shading.planes;
+    if (shaded && scene.materials[chunk.material].unlit)
+        return drawSeen(scene, chunk, view, eye, unlitShading(shading));
+    return drawSeen(scene, chunk, view, eye, shading);
+}
+
+std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chunk,
+                                  const BatchView& view, const glm::dvec3& eye,
+                                  const SurfaceShading& shading) {
     const Material& material = scene.materials[chunk.material];
     const bool casts = material.alphaMode == AlphaMode::opaque || scene.castMasked;
     const Variant variant = variantOf(scene, chunk, shading);

@@ -32,6 +32,8 @@ struct SurfaceShading {
 };
 
 /// Draws visible surfaces from both sides; depth, stencil and blending are the caller's state.
+/// Those of unlit materials have their own colour whatever the light; masks show where it falls on
+/// them.
 class SurfacePass {
   public:
     /// `pcf`: how many texels of a shadow map are compared, along each axis; odd.
@@ -79,6 +81,8 @@ class SurfacePass {
     };
     static const std::array<Attribute, 4> attributes_; ///< in the order of their locations
 
+    std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
+                         const glm::dvec3& eye, const SurfaceShading& shading);
     static Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
                              const SurfaceShading& shading);
     gl::Program& program(const Variant& variant);

@@ -24,26 +24,28 @@ const char* nameOf(LoadStage stage) {
 
 LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
-                      const std::function<void(LoadStage)>& onStage) {
+                      const std::function<void(LoadStage)>& onStage, const std::string& variant) {
     if (onStage) onStage(LoadStage::read);
     LoadedScene loaded;
     loaded.document = readGltf(path, limits);
+    loaded.variant = variant;
     const auto header = readShadowHeader(loaded.document);
     loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
     if (onStage) onStage(LoadStage::flatten);
-    loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance);
+    loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance, variant);
     return loaded;
 }
 
 void addShadows(LoadedScene& loaded) {
     const auto header = readShadowHeader(loaded.document);
-    if (header && header->settings == loaded.settings) {
+    const bool fits = header && header->settings == loaded.settings;
+    if (fits && loaded.variant.empty()) {
         readCasters(loaded.document, *header, loaded.scene);
         if (header->encoding != Encoding::none)
             loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
     } else {
         simplifyCasters(loaded.scene, loaded.settings.casterError);
-        if (header)
+        if (header && !fits)
             loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
                                       "data are made anew.");
     }
@@ -53,8 +55,8 @@ void addShadows(LoadedScene& loaded) {
 
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
-                      const std::function<void(LoadStage)>& onStage) {
-    LoadedScene loaded = readScene(path, wanted, limits, onStage);
+                      const std::function<void(LoadStage)>& onStage, const std::string& variant) {
+    LoadedScene loaded = readScene(path, wanted, limits, onStage, variant);
     if (onStage) onStage(LoadStage::images);
     loaded.images = decodeImages(loaded.document, loaded.scene);
     if (onStage) onStage(LoadStage::shadows);

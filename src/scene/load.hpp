@@ -17,6 +17,7 @@ struct LoadedScene {
     std::vector<std::shared_ptr<const AdaptedShadow>> adapted; ///< one a batch
     std::vector<BatchShadow> shadows; ///< the published layout where the file has it; or empty
     CasterSettings settings;
+    std::string variant = {}; ///< as it was asked for, KHR_materials_variants; empty: none
 };
 
 /// What loading does, in this order.
@@ -27,15 +28,18 @@ const char* nameOf(LoadStage stage);
 
 /// Reads a file, packed or not. `wanted`: what the user asked for, if anything; shadow data packed
 /// with other settings are left aside and made anew, with a warning. What passes `limits` is
-/// refused. `onStage` is called at the start of each stage. Throws InputError.
+/// refused. `onStage` is called at the start of each stage. `variant`: see flattenScene(); what it
+/// shades may differ, so that nothing packed is used with it. Throws InputError.
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
-                      const std::function<void(LoadStage)>& onStage = {});
+                      const std::function<void(LoadStage)>& onStage = {},
+                      const std::string& variant = {});
 
 /// Its first two stages; decoding the images is the caller's.
 LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
-                      const std::function<void(LoadStage)>& onStage = {});
+                      const std::function<void(LoadStage)>& onStage = {},
+                      const std::string& variant = {});
 
 /// Its last stage. Throws InputError.
 void addShadows(LoadedScene& loaded);

@@ -29,6 +29,11 @@ BadInput badScene(const std::string& name, const std::function<void(GltfBuilder&
         words);
 }
 
+BadInput warned(BadInput row) {
+    row.warned = true;
+    return row;
+}
+
 GltfBuilder soundScene() {
     GltfBuilder gltf;
     gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});

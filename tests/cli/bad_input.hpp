@@ -20,6 +20,7 @@ struct BadInput {
     std::vector<std::string> words; ///< what the message says beside the file's name
     std::vector<std::string> verbs = {"info", "pack", "render"};
     std::vector<std::string> options = {}; ///< of each verb
+    bool warned = false; ///< not refused: drawn without what is wrong, with the message as warning
 };
 
 /// A row whose input is these bytes.
@@ -36,6 +37,9 @@ BadInput badText(const std::string& name, const std::string& text,
 BadInput badScene(const std::string& name, const std::function<void(GltfBuilder&)>& change,
                   const std::vector<std::string>& words);
 
+/// The row as one whose input is drawn like the sound scene, with a warning.
+BadInput warned(BadInput row);
+
 /// The sound scene.
 GltfBuilder soundScene();
 
@@ -50,6 +54,7 @@ std::vector<BadInput> badFiles();
 std::vector<BadInput> badAccessors();
 std::vector<BadInput> badNodes();
 std::vector<BadInput> badAnimations();
+std::vector<BadInput> badOptionalParts();
 std::vector<BadInput> badImages();
 std::vector<BadInput> badCompression();
 std::vector<BadInput> badShadowData();

@@ -1,5 +1,7 @@
 // Bad inputs, run through the real program: it says what is wrong in one sentence that names the
-// file, ends with status 2, and leaves nothing behind.
+// file, ends with status 2, and leaves nothing behind; or, where a scene can do without, it warns
+// in one sentence and draws the rest.
+#include "preprocess/file_io.hpp"
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
@@ -14,8 +16,9 @@ constexpr std::size_t mostMemory = std::size_t{1} << 30; // a small file must no
 
 std::vector<BadInput> wholeTable() {
     std::vector<BadInput> table;
-    for (const auto& part : {badContainers, badJson, badFiles, badAccessors, badNodes,
-                             badAnimations, badImages, badCompression, badShadowData, badLimits})
+    for (const auto& part :
+         {badContainers, badJson, badFiles, badAccessors, badNodes, badAnimations, badOptionalParts,
+          badImages, badCompression, badShadowData, badLimits})
         for (BadInput& row : part())
             table.push_back(std::move(row));
     return table;
@@ -53,20 +56,48 @@ void expectRefused(const BadInput& row, const std::string& verb) {
     EXPECT_EQ(result.out, "");
 }
 
+Bytes pictureOfSoundScene() {
+    const TempFolder folder;
+    const auto input = folder.write("sound.glb", soundScene().glb());
+    runEdgeshade({"render", input, folder / "output", "--size", "16x16"});
+    return readFile(folder / "output");
+}
+
+void expectWarned(const BadInput& row, const std::string& verb) {
+    SCOPED_TRACE(verb);
+    const TempFolder folder;
+    const std::filesystem::path input = row.make(folder);
+    const ProcessResult result = run(row, verb, folder, input);
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_LT(result.peakBytes, mostMemory);
+    const std::string warning = warningsOf(result);
+    EXPECT_EQ(std::count(warning.begin(), warning.end(), '\n'), 0) << warning;
+    EXPECT_TRUE(warning.ends_with(".") && !warning.ends_with("..")) << warning;
+    EXPECT_NE(warning.find(input.string()), std::string::npos) << "the file is not named";
+    for (const std::string& word : row.words)
+        EXPECT_NE(warning.find(word), std::string::npos)
+            << "'" << word << "' is missing from: " << warning;
+    if (verb == "render") {
+        EXPECT_EQ(readFile(folder / "output"), pictureOfSoundScene());
+    }
+}
+
 /// The row as the table in the documentation has it: of its first verb, the folder left out.
 std::string documentedRow(const BadInput& row) {
     const TempFolder folder;
     const ProcessResult result = run(row, row.verbs.front(), folder, row.make(folder));
-    const std::string message = withoutFolder(messageOf(result), folder.path());
+    const std::string message =
+        withoutFolder(row.warned ? warningsOf(result) : messageOf(result), folder.path());
     return "| " + row.name + " | " + row.verbs.front() + " | " + std::to_string(result.status) +
-           " | " + cellOf(message.substr(std::string("edgeshade: ").size())) + " |";
+           " | " + cellOf(message.substr(row.warned ? 0 : std::string("edgeshade: ").size())) +
+           " |";
 }
 
 } // namespace
 
-TEST_P(BadInputTest, IsRefused) {
+TEST_P(BadInputTest, IsToldOf) {
     for (const std::string& verb : GetParam().verbs)
-        expectRefused(GetParam(), verb);
+        GetParam().warned ? expectWarned(GetParam(), verb) : expectRefused(GetParam(), verb);
 }
 
 void PrintTo(const BadInput& row, std::ostream* stream) {

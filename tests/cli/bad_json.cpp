@@ -1,4 +1,5 @@
 // JSON that is none, or that is no glTF.
+#include "preprocess/glb.hpp"
 #include "tests/cli/bad_input.hpp"
 
 namespace edgeshade::test {
@@ -15,15 +16,32 @@ std::string nested(std::size_t depth) {
            std::string(depth, ']') + "}";
 }
 
+/// The sound scene with a name that is no UTF-8.
+std::string inLatin1() {
+    GltfBuilder gltf = soundScene();
+    gltf.json["nodes"][0]["name"] = "caf?";
+    std::string text = gltf.gltf();
+    text[text.find("caf?") + 3] = '\xE9';
+    return text;
+}
+
 } // namespace
 
 std::vector<BadInput> badJson() {
     return {
-        badText("Text", "This is not a scene.", {"neither GLB nor JSON"}),
-        badText("JsonCutOff", R"({"asset":{"version":"2.0")", {"neither GLB nor JSON"}),
-        badText("JsonWithMoreBehind", R"({"asset":{"version":"2.0"}} more)", {"JSON"}),
-        badText("JsonOfInvalidUtf8", "{\"asset\":{\"version\":\"2.0\",\"generator\":\"\xFF\"}}",
-                {"JSON"}),
+        badText("Text", "This is not a scene.", {"is neither GLB nor JSON."}),
+        badText("JsonCutOff", R"({"asset":{"version":"2.0")",
+                {"holds JSON", "at byte 26", "ends too early"}),
+        badText("JsonWithMoreBehind", R"({"asset":{"version":"2.0"}} more)",
+                {"holds JSON", "at byte 29", "not allow"}),
+        badText("JsonWithAMarkOfUtf8", "\xEF\xBB\xBF{\"asset\":7,}", {"holds JSON", "at byte"}),
+        badBytes("JsonChunkOfText", [] { return joinGlb("scene", {}); },
+                 {"holds JSON", "at byte 1,"}),
+        warned(badText("JsonInLatin1", inLatin1(), {"no UTF-8", "at byte", "U+FFFD"})),
+        badText("FileNamedInLatin1",
+                "{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"byteLength\":1,"
+                "\"uri\":\"caf\xE9.bin\"}]}",
+                {"buffers[0].uri", "caf\xEF\xBF\xBD.bin' does not exist"}),
         badText("JsonNestedVeryDeep", nested(1000000), {}),
         badText("JsonArray", "[]", {"JSON object"}),
         badText("JsonNumber", "5", {"JSON object"}),
@@ -50,8 +68,7 @@ std::vector<BadInput> badJson() {
         section("TexturesAreTrue", "textures", true),
         section("SamplersAreANumber", "samplers", 7),
         section("SkinsAreNumbers", "skins", {1}),
-        section("AnimationsAreText", "animations", "animations"),
-        section("CamerasAreANumber", "cameras", 7),
+        warned(section("AnimationsAreText", "animations", "animations")),
         section("ExtensionsAreANumber", "extensions", 7),
         section("ExtensionsUsedIsText", "extensionsUsed", "all"),
         section("ExtensionsUsedAreNumbers", "extensionsUsed", {1, 2}),
@@ -68,6 +85,14 @@ std::vector<BadInput> badJson() {
                  [](GltfBuilder& gltf) { primitiveOf(gltf)["attributes"] = 7; }, {"attributes"}),
         badScene("AttributeIsText",
                  [](GltfBuilder& gltf) { primitiveOf(gltf)["attributes"]["POSITION"] = "0"; }, {}),
+        badScene("CountIsNoWholeNumber",
+                 [](GltfBuilder& gltf) { gltf.json["accessors"][0]["count"] = 1.5; },
+                 {"accessors[0].count is 1.5", "a whole number"}),
+        badScene("CountIsAHugeNumber",
+                 [](GltfBuilder& gltf) { gltf.json["accessors"][0]["count"] = 1e30; },
+                 {"accessors[0].count is 1e+30", "a whole number"}),
+        badScene("ModeIsNoWholeNumber", [](GltfBuilder& gltf) { primitiveOf(gltf)["mode"] = 4.5; },
+                 {"mode is 4.5", "a whole number"}),
         badScene("ModeIsUnknown", [](GltfBuilder& gltf) { primitiveOf(gltf)["mode"] = 99; },
                  {"mode"}),
     };

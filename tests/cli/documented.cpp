@@ -9,8 +9,6 @@
 namespace edgeshade::test {
 namespace {
 
-const std::string path = EDGESHADE_DOCS "/bad-inputs.md";
-
 std::vector<std::string> linesOf(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream stream(text);
@@ -21,7 +19,9 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 } // namespace
 
-void expectDocumented(const std::string& section, const std::vector<std::string>& rows) {
+void expectDocumented(const std::string& section, const std::vector<std::string>& rows,
+                      const std::string& page) {
+    const std::string path = EDGESHADE_DOCS "/" + page;
     const Bytes bytes = readFile(path);
     const std::string text(bytes.begin(), bytes.end());
     const std::string begin = "<!-- " + section + ": begin -->\n";

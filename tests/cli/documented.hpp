@@ -5,10 +5,11 @@
 
 namespace edgeshade::test {
 
-/// Expects that docs/bad-inputs.md holds exactly these table rows between the comments
+/// Expects that the page of docs/ holds exactly these table rows between the comments
 /// "<section>: begin" and "<section>: end". With EDGESHADE_UPDATE_DOCS in the environment it writes
 /// them there instead.
-void expectDocumented(const std::string& section, const std::vector<std::string>& rows);
+void expectDocumented(const std::string& section, const std::vector<std::string>& rows,
+                      const std::string& page = "bad-inputs.md");
 
 /// `text` without the path of a folder that is another one each time.
 std::string withoutFolder(std::string text, const std::string& folder);

@@ -8,18 +8,28 @@
 
 namespace edgeshade::test {
 
-/// What the program says about its failure: its standard error without warnings, the bar that shows
-/// progress, and the last line's end.
-inline std::string messageOf(const ProcessResult& result) {
-    std::string message;
+/// The lines of its standard error that are warnings, or those that are not, without the bar that
+/// shows progress and the last line's end.
+inline std::string linesOf(const ProcessResult& result, bool warnings) {
+    std::string lines;
     for (std::size_t start = 0; start < result.err.size();) {
         const std::size_t end = std::min(result.err.find('\n', start), result.err.size());
         const std::string line = result.err.substr(start, end - start);
-        if (!line.starts_with("warning: ") && !line.starts_with('\r'))
-            message += (message.empty() ? "" : "\n") + line;
+        if (line.starts_with("warning: ") == warnings && !line.starts_with('\r'))
+            lines += (lines.empty() ? "" : "\n") + line;
         start = end + 1;
     }
-    return message;
+    return lines;
+}
+
+/// What the program says about its failure.
+inline std::string messageOf(const ProcessResult& result) {
+    return linesOf(result, false);
+}
+
+/// What it warns of.
+inline std::string warningsOf(const ProcessResult& result) {
+    return linesOf(result, true);
 }
 
 /// Expects one line that is a sentence and does not blame the program.

@@ -222,4 +222,34 @@ TEST(Rendering, EveryNumberOfSamplesThatTheGlHasWorks) {
     EXPECT_EQ(image.width, 320);
 }
 
+TEST(Rendering, AVariantIsDrawn) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.useExtension("KHR_materials_variants", false);
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}}}});
+    gltf.addMaterial({{"alphaMode", "BLEND"}});
+    gltf.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "glass"}}};
+    const Json mappings = {{{"material", 1}, {"variants", {0}}}};
+    gltf.addShapeNode(
+        box(glm::vec3(1.0f)),
+        {{"material", 0}, {"extensions", {{"KHR_materials_variants", {{"mappings", mappings}}}}}});
+    const auto scene = folder.write("scene.glb", gltf.glb());
+    const auto packedScene = folder / "packed.glb";
+    ASSERT_EQ(runEdgeshade({"pack", scene, packedScene, "--encoding", "indexed"}).status, 0);
+
+    const Bytes own = pictureOf(scene), glass = pictureOf(scene, {"--variant", "glass"});
+    EXPECT_NE(own, glass);
+    // What was packed casts otherwise; it is not used, and nobody needs to know.
+    EXPECT_EQ(pictureOf(packedScene, {"--variant", "glass"}), glass);
+    EXPECT_EQ(pictureOf(packedScene), own);
+    const ProcessResult unknown = runEdgeshade(
+        {"render", scene, folder / "picture.png", "--size", "320x180", "--variant", "gold"});
+    EXPECT_EQ(unknown.status, 0);
+    EXPECT_NE(unknown.err.find("warning: "), std::string::npos);
+    EXPECT_NE(unknown.err.find("has no variant 'gold'; it has 'glass'."), std::string::npos);
+    EXPECT_EQ(readFile(folder / "picture.png"), own);
+    EXPECT_NE(runEdgeshade({"info", scene}).out.find("variant                   glass"),
+              std::string::npos);
+}
+
 } // namespace edgeshade::test

@@ -40,6 +40,27 @@ TEST(Material, AlphaModesAreRead) {
     EXPECT_EQ(materialOf({{"alphaMode", "BLEND"}}).alphaMode, AlphaMode::blend);
 }
 
+TEST(Material, UnlitOnesAreTold) {
+    EXPECT_FALSE(materialOf({{"name", "plain"}}).unlit);
+    EXPECT_TRUE(materialOf({{"extensions", {{"KHR_materials_unlit", Json::object()}}}}).unlit);
+}
+
+TEST(Material, TexturesThatAreNotDrawnMayBeBroken) {
+    // What isn't used isn't read.
+    GltfBuilder gltf;
+    gltf.addMaterial(
+        {{"normalTexture", Json::object()},
+         {"occlusionTexture", {{"index", "one"}}},
+         {"emissiveTexture", 7},
+         {"emissiveFactor", "bright"},
+         {"doubleSided", 1},
+         {"pbrMetallicRoughness",
+          {{"metallicFactor", "shiny"}, {"metallicRoughnessTexture", {{"index", -1}}}}},
+         {"extras", nullptr}});
+    gltf.addShapeNode(tetrahedron(), {{"material", 0}});
+    EXPECT_EQ(sceneOf(gltf).triangleCount(), 4u);
+}
+
 TEST(Material, GroupsStandOpaqueFirstThenMaskThenBlend) {
     const Scene scene = sceneOfEveryAlphaMode();
     const auto& groups = scene.batches.at(0).groups;

@@ -1,4 +1,5 @@
 #include "tests/support/gltf_builder.hpp"
+#include "tests/support/input_error.hpp"
 #include "tests/support/scene_triangles.hpp"
 
 #include <algorithm>
@@ -213,6 +214,50 @@ TEST(Node, AnimatedMorphWeightsDoNotMakeABatch) {
     gltf.animate(node);
     gltf.json["animations"][0]["channels"][0]["target"]["path"] = "weights";
     EXPECT_EQ(sceneOf(gltf).batches.at(0).node, -1);
+}
+
+TEST(Node, AnInvisibleNodeAndWhatIsBelowItAreLeftOut) {
+    GltfBuilder gltf;
+    gltf.useExtension("KHR_node_visibility");
+    const auto visibility = [](bool visible) {
+        return Json{{"KHR_node_visibility", {{"visible", visible}}}};
+    };
+    const int mesh = gltf.addShape(box(glm::vec3(1.0f)));
+    const int below = gltf.addNode({{"mesh", mesh}, {"extensions", visibility(true)}}, false);
+    gltf.addNode({{"mesh", mesh}, {"children", {below}}, {"extensions", visibility(false)}});
+    gltf.addNode({{"mesh", gltf.addShape(tetrahedron())}, {"extensions", visibility(true)}});
+    const Scene scene = sceneOf(gltf);
+    EXPECT_EQ(scene.triangleCount(), 4u);
+    EXPECT_TRUE(scene.warnings.sentences().empty());
+    gltf.json["nodes"][1]["extensions"] = {{"KHR_node_visibility", Json::object()}};
+    EXPECT_EQ(sceneOf(gltf).triangleCount(), 28u); // visible where it does not say
+    gltf.json["nodes"][1]["extensions"] = {{"KHR_node_visibility", {{"visible", "no"}}}};
+    expectInputError([&] { sceneOf(gltf); },
+                     {"nodes[1].extensions.KHR_node_visibility.visible is \"no\""});
+}
+
+TEST(Node, TheWholeSceneMayBeMovedFarAway) {
+    GltfBuilder gltf;
+    gltf.useExtension("CESIUM_RTC");
+    gltf.json["extensions"]["CESIUM_RTC"]["center"] = {1215012.125, -4736313.5, 4081605.25};
+    Shape fine;
+    fine.positions = {{0, 0, 0}, {0.001f, 0, 0}, {0, 0.001f, 0}, {1, 1, 1}};
+    fine.indices = {0, 1, 2, 1, 2, 3};
+    gltf.addShapeNode(fine);
+    const int moving = gltf.addNode({{"mesh", 0}, {"translation", {10.0, 0.0, 0.0}}});
+    gltf.animate(moving);
+    const Scene scene = sceneOf(gltf);
+    ASSERT_EQ(scene.batches.size(), 2u);
+    EXPECT_EQ(scene.batches[0].node, -1);
+    const auto triangles = worldTriangles(scene);
+    const glm::dvec3 center(1215012.125, -4736313.5, 4081605.25);
+    EXPECT_LT(glm::distance(triangles[0][0].position, center), 1e-6);
+    EXPECT_NEAR(glm::distance(triangles[0][0].position, triangles[0][1].position), 1e-3, 1e-7);
+    EXPECT_LT(glm::distance(triangles[2][0].position, center + glm::dvec3(10, 0, 0)), 1e-6);
+    EXPECT_LT(worldBounds(scene).diagonal(), 12.0);
+
+    gltf.json["extensions"]["CESIUM_RTC"]["center"] = {1, 2};
+    expectInputError([&] { sceneOf(gltf); }, {"extensions.CESIUM_RTC.center has 2 numbers, not 3"});
 }
 
 } // namespace edgeshade::test

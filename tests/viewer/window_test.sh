@@ -97,4 +97,34 @@ status=0
 wait "$window_program" || status=$?
 window_program=
 [[ $status == 0 ]] || fail "the window ended with status $status: $(cat window.log)"
+
+# K goes from the file's own materials through its variants and back.
+cat >variants.gltf <<END
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "extensionsUsed": ["KHR_materials_variants"],
+ "extensions": {"KHR_materials_variants": {"variants": [{"name": "red"}]}},
+ "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1]}},
+               {"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0, "extensions":
+   {"KHR_materials_variants": {"mappings": [{"material": 1, "variants": [0]}]}}}]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                "min": [-1, -1, 0], "max": [1, 1, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "buffers": [{"byteLength": 36, "uri": "data:;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAAAAAAAAgD8AAAAA"}]}
+END
+"$program" view variants.gltf --size 400x300 2>window.log &
+window_program=$!
+window=$(timeout 60 xdotool search --sync --onlyvisible --name 'variants.gltf - edgeshade$' | head -1)
+xdotool windowfocus --sync "$window"
+own=$((shots + 1))
+shoot
+xdotool key k
+shoot
+at_most 20 edgeshade-$own.png edgeshade-$shots.png && fail "K did nothing"
+xdotool key k
+shoot
+at_most 0 edgeshade-$own.png edgeshade-$shots.png || fail "K does not lead back"
+xdotool key Escape
+wait "$window_program" || fail "the window ended badly: $(cat window.log)"
+window_program=
 echo "the window shows what render draws, and reacts"

@@ -1,0 +1,184 @@
+// EXT_mesh_gpu_instancing: a node's mesh at many places, each drawn and casting.
+#include "preprocess/flatten.hpp"
+#include "preprocess/limits.hpp"
+#include "preprocess/topology.hpp"
+#include "tests/support/gltf_builder.hpp"
+#include "tests/support/input_error.hpp"
+#include "tests/support/packing.hpp"
+#include "tests/support/scene_triangles.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+const Json turnedAroundZ = {0.0, 0.0, 0.70710678118654752, 0.70710678118654752}; // 90 degrees
+
+Json instancing(const Json& attributes) {
+    return {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}};
+}
+
+/// Three tetrahedra of one node: moved, turned and scaled, the last mirrored.
+struct Instances {
+    GltfBuilder gltf;
+    int node = 0;
+
+    explicit Instances(bool required = true) {
+        gltf.useExtension("EXT_mesh_gpu_instancing", required);
+        const int translations = gltf.addArray<float>({0, 0, 0, 5, 0, 0, 0, 7, 0}, 3);
+        const int rotations =
+            gltf.addArray<float>({0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f, 0, 0, 0, 1}, 4);
+        const int scales = gltf.addArray<float>({1, 1, 1, 2, 2, 2, -1, 1, 1}, 3);
+        node = gltf.addNode({{"mesh", gltf.addShape(tetrahedron())},
+                             {"translation", {0.0, 0.0, 3.0}},
+                             {"extensions", instancing({{"TRANSLATION", translations},
+                                                        {"ROTATION", rotations},
+                                                        {"SCALE", scales}})}});
+    }
+    Json& attributes() {
+        return gltf.json["nodes"][node]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+    }
+    void expectRefused(std::initializer_list<const char*> words) const {
+        expectInputError([&] { sceneOf(gltf); }, words);
+    }
+};
+
+/// The same, each of them a node of its own.
+GltfBuilder asNodes() {
+    GltfBuilder gltf;
+    const int mesh = gltf.addShape(tetrahedron());
+    const Json nodes = {{{"mesh", mesh}},
+                        {{"mesh", mesh},
+                         {"translation", {5, 0, 0}},
+                         {"rotation", turnedAroundZ},
+                         {"scale", {2, 2, 2}}},
+                        {{"mesh", mesh}, {"translation", {0, 7, 0}}, {"scale", {-1, 1, 1}}}};
+    Json children = Json::array();
+    for (const Json& node : nodes)
+        children.push_back(gltf.addNode(node, false));
+    gltf.addNode({{"children", children}, {"translation", {0.0, 0.0, 3.0}}});
+    return gltf;
+}
+
+} // namespace
+
+TEST(Instances, AreDrawnLikeNodesOfTheirOwn) {
+    for (const bool required : {true, false}) {
+        const Scene scene = sceneOf(Instances(required).gltf);
+        expectSameTriangles(worldTriangles(scene), worldTriangles(sceneOf(asNodes())), 1e-6);
+        EXPECT_TRUE(scene.warnings.sentences().empty());
+    }
+}
+
+TEST(Instances, AllCast) {
+    const Scene scene = sceneOf(Instances().gltf);
+    EXPECT_EQ(castersOf(scene.batches.at(0), scene.materials, false).indices.size(), 3u * 4u * 3u);
+}
+
+TEST(Instances, ArePackedAsTheyAre) {
+    const Bytes asset = Instances().gltf.glb();
+    const Bytes packedAsset = packed(asset, Encoding::indexed);
+    EXPECT_EQ(worldTriangles(sceneOf(packedAsset)).size(), 12u);
+    expectSameShadows(readBack(packedAsset), built(asset));
+}
+
+TEST(Instances, MayHaveSomeAttributesAlone) {
+    Instances moved;
+    moved.attributes().erase("ROTATION");
+    moved.attributes().erase("SCALE");
+    EXPECT_EQ(worldBounds(sceneOf(moved.gltf)).high, glm::dvec3(6, 8, 4));
+    Instances counted; // an attribute of its own tells how many there are
+    counted.attributes() = {{"_ID", counted.gltf.addArray<float>({1, 2}, 1)}};
+    EXPECT_EQ(sceneOf(counted.gltf).triangleCount(), 8u);
+}
+
+TEST(Instances, MayBeNone) {
+    Instances scene;
+    scene.attributes() = {{"TRANSLATION", scene.gltf.addAccessor(-1, 5126, 0, "VEC3")}};
+    EXPECT_EQ(sceneOf(scene.gltf).triangleCount(), 0u);
+}
+
+TEST(Instances, RotationsMayBeSmallIntegers) {
+    const auto expected = worldTriangles(sceneOf(asNodes()));
+    Instances shorts;
+    shorts.attributes()["ROTATION"] = shorts.gltf.addArray<std::int16_t>(
+        {0, 0, 0, 32767, 0, 0, 23170, 23170, 0, 0, 0, 32767}, 4, {{"normalized", true}});
+    expectSameTriangles(worldTriangles(sceneOf(shorts.gltf)), expected, 1e-5);
+    Instances bytes; // 90/127 is no cosine of 45 degrees, but its direction is right
+    bytes.attributes()["ROTATION"] = bytes.gltf.addArray<std::int8_t>(
+        {0, 0, 0, 127, 0, 0, 90, 90, 0, 0, 0, 127}, 4, {{"normalized", true}});
+    expectSameTriangles(worldTriangles(sceneOf(bytes.gltf)), expected, 1e-5);
+}
+
+TEST(Instances, OfQuantizedMeshes) {
+    GltfBuilder gltf;
+    gltf.useExtension("KHR_mesh_quantization");
+    gltf.useExtension("EXT_mesh_gpu_instancing");
+    const std::vector<std::int16_t> corners = {0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0, 0};
+    const int positions = gltf.addAccessor(gltf.addView(bytesOf(corners), 8), 5122, 3, "VEC3");
+    const int translations = gltf.addArray<float>({0, 0, 0, 5, 0, 0}, 3);
+    gltf.addNode({{"mesh", gltf.addMesh({{"attributes", {{"POSITION", positions}}}})},
+                  {"scale", {0.01, 0.01, 0.01}},
+                  {"extensions", instancing({{"TRANSLATION", translations}})}});
+    EXPECT_EQ(sceneOf(gltf).triangleCount(), 2u);
+    EXPECT_NEAR(worldBounds(sceneOf(gltf)).high.x, 1.05, 1e-6); // scaled with the node
+}
+
+TEST(Instances, FollowAnAnimatedNode) {
+    Instances scene;
+    scene.gltf.animate(scene.node);
+    const Scene flat = sceneOf(scene.gltf);
+    ASSERT_EQ(flat.batches.size(), 1u);
+    EXPECT_EQ(flat.batches[0].node, scene.node);
+    expectSameTriangles(worldTriangles(flat), worldTriangles(sceneOf(asNodes())), 1e-6);
+}
+
+TEST(Instances, AreCountedBeforeTheyAreMade) {
+    Instances scene;
+    ReadingLimits limits;
+    limits.triangles = 11;
+    expectInputError([&] { flattenScene(parseGltf(scene.gltf.glb(), "test.glb", limits), 0.0); },
+                     {"nodes[0] brings the scene to 12 triangles", "limit is 11"});
+    // A count that is a mere claim.
+    Instances many;
+    many.attributes() = {{"TRANSLATION", many.gltf.addAccessor(-1, 5126, 16'000'000, "VEC3")}};
+    many.expectRefused({"nodes[0] brings the scene to 64000000 triangles"});
+    limits = {};
+    limits.triangles = 100'000'000;
+    limits.memoryBytes = 1'000'000'000;
+    expectInputError([&] { flattenScene(parseGltf(many.gltf.glb(), "test.glb", limits), 0.0); },
+                     {"nodes[0] takes", "the limit is 1000000000"});
+}
+
+TEST(Instances, MustAgreeAndBePlaces) {
+    const char* const field = "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes";
+    Instances few;
+    few.attributes()["SCALE"] = few.gltf.addArray<float>({1, 1, 1}, 3);
+    few.expectRefused({field, "SCALE has 1 elements, but TRANSLATION has 3"});
+    Instances empty;
+    empty.attributes() = Json::object();
+    empty.expectRefused({field, "is empty"});
+    Instances missing;
+    missing.gltf.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = Json::object();
+    missing.expectRefused({field, "is missing"});
+    Instances noAccessor;
+    noAccessor.attributes()["SCALE"] = 99;
+    noAccessor.expectRefused({field, "SCALE is accessor 99"});
+    Instances text;
+    text.attributes()["SCALE"] = "3";
+    text.expectRefused({field, "SCALE is \"3\"", "whole number"});
+    Instances integers;
+    integers.attributes()["SCALE"] = integers.gltf.addArray<std::int16_t>(
+        {1, 1, 1, 1, 1, 1, 1, 1, 1}, 3, {{"normalized", true}});
+    integers.expectRefused({field, "componentType 5122", "must be VEC3 floats"});
+    Instances zero;
+    zero.attributes()["ROTATION"] =
+        zero.gltf.addArray<float>({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1}, 4);
+    zero.expectRefused({field, "(0, 0, 0, 0) at element 1", "no rotation"});
+    Instances infinite;
+    infinite.attributes()["TRANSLATION"] =
+        infinite.gltf.addArray<float>({0, 0, 0, 0, INFINITY, 0, 0, 0, 0}, 3);
+    infinite.expectRefused({field, "infinite value at element 1"});
+}
+
+} // namespace edgeshade::test
