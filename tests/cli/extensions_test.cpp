@@ -1,6 +1,6 @@
 // What becomes of every extension: a scene that requires it is drawn by the real program, with it
 // and without. A new row is a call of row() with what puts the extension into a scene.
-#include "preprocess/extensions.hpp"
+#include "preprocess/gltf/extensions.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
 #include "tests/support/child_process.hpp"

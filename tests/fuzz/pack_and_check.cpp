@@ -1,8 +1,9 @@
 #include "tests/fuzz/pack_and_check.hpp"
 
-#include "preprocess/flatten.hpp"
-#include "preprocess/pack.hpp"
-#include "preprocess/packed_file.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/packing/pack.hpp"
+#include "preprocess/packing/packed_file.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/fuzz/gltf_structure.hpp"
 #include "tests/fuzz/refusal.hpp"
 #include "tests/support/packing.hpp"
@@ -107,7 +108,9 @@ void check(const Bytes& bytes, const PackInput& source, Encoding encoding,
     requireSameShadows(readShadows(packed, *header, scene), source.topology,
                        header->maxMultiplicity);
     const PackInput again = readForPacking(std::move(packed), settings, true);
-    require(packedGlb(again.document, again.scene, again.topology, encoding, settings) == bytes,
+    Warnings warnings;
+    require(packedGlb(again.document, again.scene, again.topology, encoding, settings, warnings) ==
+                bytes,
             "packs to other bytes");
 }
 
@@ -123,7 +126,9 @@ bool packAndCheck(std::span<const std::uint8_t> bytes) {
         GltfDocument document = parseGltf(bytes, fuzzedPath, smallLimits());
         settings = settingsFor(document, choice / std::size(everyEncoding));
         source = readForPacking(std::move(document), settings, true);
-        packed = packedGlb(source.document, source.scene, source.topology, encoding, settings);
+        Warnings warnings;
+        packed =
+            packedGlb(source.document, source.scene, source.topology, encoding, settings, warnings);
     });
     if (!isPacked) return false;
     try {

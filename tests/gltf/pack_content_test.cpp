@@ -1,4 +1,4 @@
-#include "preprocess/pack.hpp"
+#include "preprocess/packing/pack.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
