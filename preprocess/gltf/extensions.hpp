@@ -20,14 +20,15 @@ enum class ExtensionUse {
 struct KnownExtension {
     const char* name;
     ExtensionUse use;
-    const char* lack = nullptr; ///< of an ignored one: what becomes of it, to end a sentence with
+    /// Of an ignored one: what becomes of it, to end a warning with. Null: no warning names it.
+    const char* lack = nullptr;
 };
 
 /// All extensions that an asset may require, by name.
 std::span<const KnownExtension> knownExtensions();
 
 /// Looks through the asset's lists of extensions: warns once of each that it requires and that is
-/// ignored. Throws InputError where it requires one that is not known.
+/// ignored, where there is something to say of it. Throws InputError where it requires one that is not known.
 void checkExtensions(const JsonField& root, Warnings& warnings);
 
 } // namespace edgeshade

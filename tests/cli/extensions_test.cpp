@@ -288,7 +288,8 @@ TEST_P(ExtensionTest, BecomesWhatIsSaid) {
     else
         EXPECT_EQ(with.picture, plain.picture);
     const bool named = said.find(row.name) != std::string::npos;
-    EXPECT_EQ(named, word == "ignored") << said;
+    // A picture of KTX2 is named itself where there is no other one: see left_out_images.cpp.
+    EXPECT_EQ(named, word == "ignored" && row.name != "KHR_texture_basisu") << said;
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, ExtensionTest, testing::ValuesIn(wholeTable()),
