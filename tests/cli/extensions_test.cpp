@@ -47,11 +47,13 @@ ExtensionRow row(const std::string& name, const std::function<void(GltfBuilder&)
             }};
 }
 
-/// The extension on the box's texture, which has another image there.
-ExtensionRow onTexture(const std::string& name, const Bytes& image, const std::string& type) {
+/// The extension on the box's texture, which has another image there, or none without it.
+ExtensionRow onTexture(const std::string& name, const Bytes& image, bool hasOther) {
     return row(name, [=](GltfBuilder& gltf) {
-        const int source = gltf.addImage({{"uri", dataUri(image, type)}});
-        gltf.json["textures"][0]["extensions"][name] = {{"source", source}};
+        const int source = gltf.addImage({{"uri", dataUri(image)}});
+        Json& texture = gltf.json["textures"][0];
+        texture["extensions"][name] = {{"source", source}};
+        if (!hasOther) texture.erase("source");
     });
 }
 
@@ -159,9 +161,8 @@ std::vector<ExtensionRow> materialRows() {
                 metallic["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
                     {"offset", {0.25, 0.5}}, {"scale", {4.0, 3.0}}};
             }),
-        onTexture("EXT_texture_webp", smallWebp(), "image/webp"),
-        onTexture("KHR_texture_basisu", Bytes{0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB},
-                  "image/ktx2"),
+        onTexture("EXT_texture_webp", smallWebp(), false),
+        onTexture("KHR_texture_basisu", Bytes{0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB}, true),
         onMaterial("KHR_materials_unlit", Json::object()),
         onMaterial("KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0, 1, 0, 1}}}),
         onMaterial("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}}),
