@@ -38,7 +38,7 @@ TEST(Seeds, ScenesArePacked) {
 
 TEST(Seeds, ImagesAreAccepted) {
     for (const auto& [name, bytes] : imageSeeds())
-        EXPECT_TRUE(readImage(bytes)) << name;
+        EXPECT_EQ(readImage(bytes), name != "animated.webp") << name; // no picture of it is the one
 }
 
 } // namespace edgeshade::test
