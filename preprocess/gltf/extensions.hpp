@@ -28,7 +28,8 @@ struct KnownExtension {
 std::span<const KnownExtension> knownExtensions();
 
 /// Looks through the asset's lists of extensions: warns once of each that it requires and that is
-/// ignored, where there is something to say of it. Throws InputError where it requires one that is not known.
+/// ignored, where there is something to say of it. Throws InputError where it requires one that is
+/// not known.
 void checkExtensions(const JsonField& root, Warnings& warnings);
 
 } // namespace edgeshade
