@@ -56,7 +56,7 @@ test('a WebP is drawn as the PNG of its pixels, and as natively', async () => {
       assert.equal((await compare(page, webp.png, png.png)).different, 0, what);
       const { different, pixels, colors } = await compare(page, webp.png, without.png);
       assert.ok(different > 0.01 * pixels && colors > 50, `${what}: ${different} pixels, ${colors} colours`);
-      if (animated) continue;
+      if (animated || material.alphaMode === 'BLEND') continue; // blending rounds as each device likes
       const native = rendered(await stateOf(page), [], { scene });
       const { astray } = await compare(page, webp.png, native);
       // Where alpha decides, two rasterisers' filters may disagree along the edges of texels.
