@@ -1,3 +1,4 @@
+#include "preprocess/dangling_indices.hpp"
 #include "preprocess/error.hpp"
 #include "preprocess/gltf_checks.hpp"
 #include "preprocess/shadow_extension.hpp"
@@ -61,8 +62,10 @@ void removeData(Json& json, Bytes& binary, const std::set<int>& accessors,
     if (usedEnd(json) > shadowStart) failRearranged(path);
     binary.resize(shadowStart);
     // Whatever else refers to them would refer to what is added next.
+    if (eraseDanglingIndices(json)) failRearranged(path);
     try {
-        requireSoundGltf(json, path);
+        Warnings given; // when the file was read
+        requireSoundGltf(json, path, given);
     } catch (const InputError&) {
         failRearranged(path);
     }
