@@ -1,4 +1,4 @@
-// Sides of the shadow volumes from records of one or two planes (preprocess/adapted_data.hpp).
+// Sides of the shadow volumes from records of one or two planes (preprocess/volumes/adapted_data.hpp).
 //
 // Variants: PAIR, two planes, else one; SUN, volumes end at infinity, where all points coincide, so
 // that a side is the triangle of A, B and the first of them; CAP, the triangle between a side's edge

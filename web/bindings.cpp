@@ -138,6 +138,7 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("finish", &SceneReader::finish)
         .function("bytes", &SceneReader::bytes)
         .function("warnings", &SceneReader::warnings)
+        .function("variants", &SceneReader::variants)
         .function("triangles", &SceneReader::triangles);
 }
 

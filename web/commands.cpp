@@ -1,6 +1,6 @@
 #include "web/commands.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <string>
 #include <utility>

@@ -1,7 +1,8 @@
 #include "web/scene_reader.hpp"
 
-#include "preprocess/error.hpp"
-#include "preprocess/image_type.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/image_type.hpp"
+#include "preprocess/reading/variants.hpp"
 #include "src/image/webp.hpp"
 #include "web/scene_transfer.hpp"
 #include "web/sentence.hpp"
@@ -25,10 +26,12 @@ std::string SceneReader::nameOfImage(int image) const {
     return loaded_.document.where("images[" + std::to_string(image) + "]");
 }
 
-std::string SceneReader::read(const std::string& name, emscripten::val onStage) {
+std::string SceneReader::read(const std::string& name, const std::string& variant,
+                              emscripten::val onStage) {
     return sentenceOfFailure([&] {
-        loaded_ = readScene(name, std::nullopt, ReadingLimits(),
-                            [&](LoadStage stage) { enter(onStage, stage); });
+        loaded_ = readScene(
+            name, std::nullopt, ReadingLimits(), [&](LoadStage stage) { enter(onStage, stage); },
+            variant);
         enter(onStage, LoadStage::images);
         memory_ = loaded_.document.memory;
         choice_.emplace(loaded_.document, loaded_.scene);
@@ -101,6 +104,10 @@ emscripten::val SceneReader::bytes() const {
 
 std::string SceneReader::warnings() const {
     return nlohmann::ordered_json(loaded_.scene.warnings.sentences()).dump();
+}
+
+std::string SceneReader::variants() const {
+    return nlohmann::ordered_json(variantNames(loaded_.document)).dump();
 }
 
 } // namespace edgeshade::web

@@ -11,7 +11,7 @@ namespace edgeshade::web {
 /// The worker's half: reads a scene from files of the current folder of the file system in memory.
 /// Images come in between, as fetching them and decoding WebP is the browser's:
 ///
-///     read(name, onStage)
+///     read(name, variant, onStage)
 ///     while wantedImages() has some: for each of them
 ///         webpOf(image), where that has bytes roomFor(...) and the pixels into room()
 ///         decideImage(image, "")
@@ -20,8 +20,9 @@ namespace edgeshade::web {
 /// Failures are returned as sentences, "" where all went well. `onStage` gets a stage's name.
 class SceneReader {
   public:
-    /// All but images and shadow data.
-    std::string read(const std::string& name, emscripten::val onStage);
+    /// All but images and shadow data. `variant`: see flattenScene(); "" for the file's own
+    /// materials.
+    std::string read(const std::string& name, const std::string& variant, emscripten::val onStage);
 
     /// JSON, [{image, uri}]: images to decide on next. The uri is "" where no file is named.
     std::string wantedImages() const;
@@ -42,6 +43,7 @@ class SceneReader {
 
     emscripten::val bytes() const; ///< see toTransfer()
     std::string warnings() const;  ///< JSON, an array of sentences
+    std::string variants() const;  ///< JSON, an array of names
     std::size_t triangles() const { return loaded_.scene.triangleCount(); }
 
   private:

@@ -1,8 +1,9 @@
 #include "web/scene_transfer.hpp"
 
-#include "preprocess/buffer_view.hpp"
-#include "preprocess/glb.hpp"
-#include "preprocess/packed_file.hpp"
+#include "preprocess/gltf/buffer_view.hpp"
+#include "preprocess/gltf/glb.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/packing/packed_file.hpp"
 
 #include <concepts>
 #include <cstring>

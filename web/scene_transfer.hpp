@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/file_io.hpp"
+#include "preprocess/base/file_io.hpp"
 #include "src/scene/load.hpp"
 
 #include <span>

@@ -1,7 +1,7 @@
 #include "src/bench/bench.hpp"
 
-#include "preprocess/error.hpp"
-#include "preprocess/stopwatch.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
 
@@ -40,7 +40,7 @@ class Stage {
     /// `volumes`: somebody draws them.
     void look(const FrameRequest& request, bool volumes) {
         Stopwatch watch;
-        view_ = makeFrameView(loaded_, request, bounds_);
+        view_ = makeFrameView(loaded_.scene, request, bounds_);
         planMs_ = 1e3 * watch.lap();
         layersMs_ = 0.0;
         if (layersAreOf(request.lights) || !volumes) return;

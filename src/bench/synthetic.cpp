@@ -1,6 +1,6 @@
 #include "src/bench/synthetic.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/bench/statistics.hpp"
 #include "src/bench/synthetic_layouts.hpp"
 #include "src/gl/headless_context.hpp"

@@ -1,7 +1,7 @@
 #include "src/bench/synthetic_layouts.hpp"
 
-#include "src/render/adapted_volumes.hpp"
-#include "src/render/sides_pass.hpp"
+#include "src/render/volumes/adapted_volumes.hpp"
+#include "src/render/volumes/published/sides_pass.hpp"
 
 #include <algorithm>
 
@@ -46,7 +46,8 @@ glm::vec4 planeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, a)));
 }
 
-/// Records of one plane or two (preprocess/adapted_data.hpp), with no flat edges among them.
+/// Records of one plane or two (preprocess/volumes/adapted_data.hpp), with no flat edges among
+/// them.
 class AdaptedSubject : public SyntheticSubject {
   public:
     AdaptedSubject(const SyntheticMesh& mesh, SidesLayout layout,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/edges.hpp"
+#include "preprocess/mesh/edges.hpp"
 
 #include <glm/glm.hpp>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/bench/bench.hpp"
 #include "src/cli/bench_report.hpp"
 #include "src/cli/caster_variants.hpp"

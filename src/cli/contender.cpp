@@ -1,6 +1,6 @@
 #include "src/cli/contender.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 namespace edgeshade::cli {
 

@@ -1,6 +1,6 @@
 #include "src/cli/draw_settings.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/cli/options.hpp"
 
 #include <algorithm>

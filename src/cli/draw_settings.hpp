@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/cli/options.hpp"
-#include "src/render/frame.hpp"
+#include "src/render/frame/frame.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

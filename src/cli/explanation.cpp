@@ -1,6 +1,6 @@
 #include "src/cli/explanation.hpp"
 
-#include "src/render/explain.hpp"
+#include "src/render/frame/explain.hpp"
 
 #include <sstream>
 

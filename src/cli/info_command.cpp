@@ -1,5 +1,6 @@
-#include "preprocess/pack.hpp"
-#include "preprocess/stopwatch.hpp"
+#include "preprocess/base/stopwatch.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/packing/pack.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"

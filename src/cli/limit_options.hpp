@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/limits.hpp"
+#include "preprocess/base/limits.hpp"
 
 #include <CLI/CLI.hpp>
 

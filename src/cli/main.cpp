@@ -1,4 +1,4 @@
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/cli/commands.hpp"
 
 #include <csignal>

@@ -1,6 +1,6 @@
 #include "src/cli/options.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/cli/limit_options.hpp"
 
 #include <charconv>

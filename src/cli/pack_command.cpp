@@ -1,4 +1,4 @@
-#include "preprocess/pack.hpp"
+#include "preprocess/packing/pack.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/limit_options.hpp"
 #include "src/cli/options.hpp"

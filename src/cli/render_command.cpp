@@ -1,5 +1,5 @@
-#include "preprocess/error.hpp"
-#include "preprocess/stopwatch.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/base/stopwatch.hpp"
 #include "src/cli/commands.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/explanation.hpp"
@@ -7,7 +7,7 @@
 #include "src/cli/report.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/image/png.hpp"
-#include "src/render/volume_tint_pass.hpp"
+#include "src/render/frame/volume_tint_pass.hpp"
 
 #include <memory>
 
@@ -76,7 +76,7 @@ void render(const RenderOptions& options) {
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);
     request.depth.slices = options.settings.depthSlices;
-    FrameView view = makeFrameView(loaded, request);
+    FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
     view.mask = options.mask;
     const std::vector<std::string> more = warningsOf(view);
     printWarnings(more);

@@ -1,7 +1,7 @@
 #include "src/cli/report.hpp"
 
-#include "preprocess/error.hpp"
-#include "preprocess/file_io.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/base/file_io.hpp"
 
 #include <iostream>
 

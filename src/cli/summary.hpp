@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/pack.hpp"
+#include "preprocess/packing/pack.hpp"
 
 #include <string>
 

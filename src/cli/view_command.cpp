@@ -1,6 +1,6 @@
 #include "src/cli/commands.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #ifdef EDGESHADE_HAS_WINDOW
 #include "src/cli/draw_settings.hpp"

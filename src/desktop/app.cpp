@@ -1,7 +1,7 @@
 #include "src/desktop/app.hpp"
 
-#include "preprocess/error.hpp"
-#include "preprocess/variants.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/reading/variants.hpp"
 #include "src/desktop/keys.hpp"
 #include "src/desktop/screenshot.hpp"
 #include "src/desktop/text.hpp"

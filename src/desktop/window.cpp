@@ -1,6 +1,6 @@
 #include "src/desktop/window.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/gl/depth_precision.hpp"
 
 #define GLFW_INCLUDE_NONE

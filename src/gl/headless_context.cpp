@@ -1,6 +1,6 @@
 #include "src/gl/headless_context.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/gl/depth_precision.hpp"
 #include "src/gl/entry_points.hpp"
 #include "src/gl/objects.hpp"

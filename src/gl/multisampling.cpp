@@ -1,6 +1,6 @@
 #include "src/gl/multisampling.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/gl/entry_points.hpp"
 
 #include <GLES2/gl2.h>

@@ -3,7 +3,7 @@
 // Thin owners of GL objects: one C++ object owns one GL object and deletes it. They need a current
 // context for their whole life and know nothing of shadows.
 
-#include "preprocess/sampler.hpp"
+#include "preprocess/scene/sampler.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "src/gl/program.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <GLES2/gl2.h>
 #include <glm/gtc/type_ptr.hpp>

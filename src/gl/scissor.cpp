@@ -5,20 +5,6 @@
 
 namespace edgeshade::gl {
 
-PixelRectangle intersection(const PixelRectangle& a, const PixelRectangle& b) {
-    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
-    return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
-            std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
-}
-
-PixelRectangle united(const PixelRectangle& a, const PixelRectangle& b) {
-    if (a.empty()) return b;
-    if (b.empty()) return a;
-    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-    return {x, y, std::max(a.x + a.width, b.x + b.width) - x,
-            std::max(a.y + a.height, b.y + b.height) - y};
-}
-
 PixelRectangle scissored(int width, int height) {
     const PixelRectangle whole{0, 0, width, height};
     if (glIsEnabled(GL_SCISSOR_TEST) != GL_TRUE) return whole;

@@ -1,6 +1,6 @@
 #include "src/gl/span_timer.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <chrono>
 #include <ctime>

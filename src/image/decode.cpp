@@ -1,7 +1,7 @@
 #include "src/image/decode.hpp"
 
-#include "preprocess/error.hpp"
-#include "preprocess/image_type.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/image_type.hpp"
 #include "src/image/allocation_bound.hpp"
 #include "src/image/jpeg_checks.hpp"
 #include "src/image/webp.hpp"
@@ -16,10 +16,6 @@
 namespace edgeshade {
 
 namespace {
-
-std::string sizeText(int width, int height) {
-    return std::to_string(width) + "x" + std::to_string(height) + " pixels";
-}
 
 /// PNG or JPEG.
 Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
@@ -61,12 +57,6 @@ Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
 }
 
 } // namespace
-
-void countPixels(int width, int height, const std::string& name, MemoryBudget& memory) {
-    constexpr std::uint64_t bytesPerPixel = 12; // decoded, as RGBA, and the copy that is returned
-    memory.take(std::uint64_t(width) * static_cast<std::uint64_t>(height), bytesPerPixel,
-                name + " has " + sizeText(width, height) + ", which");
-}
 
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
                   MemoryBudget& memory) {

@@ -1,6 +1,6 @@
 #include "src/image/image_choice.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <set>
 

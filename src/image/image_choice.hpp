@@ -1,7 +1,7 @@
 #pragma once
 
-#include "preprocess/scene.hpp"
-#include "preprocess/texture_sources.hpp"
+#include "preprocess/reading/texture_sources.hpp"
+#include "preprocess/scene/scene.hpp"
 #include "src/image/decode.hpp"
 
 #include <functional>

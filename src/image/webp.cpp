@@ -1,6 +1,6 @@
 #include "src/image/webp.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <string_view>
 #ifdef EDGESHADE_HAS_WEBP

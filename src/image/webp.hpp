@@ -1,6 +1,10 @@
 #pragma once
 
-#include "src/image/decode.hpp"
+#include "preprocess/base/limits.hpp"
+#include "src/image/image.hpp"
+
+#include <span>
+#include <string>
 
 namespace edgeshade {
 

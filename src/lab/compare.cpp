@@ -58,7 +58,7 @@ struct JudgedView {
 };
 
 FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request) {
-    FrameView frame = makeFrameView(loaded, request);
+    FrameView frame = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
     frame.drawBlended = false;
     return frame;
 }

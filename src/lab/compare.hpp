@@ -2,7 +2,7 @@
 
 #include "src/lab/verdicts.hpp"
 #include "src/lab/views.hpp"
-#include "src/render/frame.hpp"
+#include "src/render/frame/frame.hpp"
 #include "src/scene/load.hpp"
 
 #include <functional>

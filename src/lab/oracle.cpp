@@ -1,6 +1,6 @@
 #include "src/lab/oracle.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <atomic>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "src/lab/eye_triangles.hpp"
-#include "src/scene/camera.hpp"
-#include "src/scene/light.hpp"
+#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/light.hpp"
 
 #include <array>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/render/frame_view.hpp"
+#include "src/shadow/geometry/frame_view.hpp"
 
 #include <cstdint>
 #include <functional>

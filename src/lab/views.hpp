@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/scene/camera.hpp"
-#include "src/scene/light.hpp"
+#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/light.hpp"
 
 #include <string>
 #include <vector>

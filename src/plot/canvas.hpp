@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/file_io.hpp"
+#include "preprocess/base/file_io.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "src/plot/canvas.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #ifdef EDGESHADE_HAS_CAIRO
 #include "src/image/png.hpp"

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "preprocess/adapted_data.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
 #include "src/gl/objects.hpp"
 #include "src/scene/shadow_buffers.hpp"
+#include "src/shadow/plan/side_records.hpp"
 
 #include <memory>
 #include <optional>
@@ -16,10 +17,6 @@ namespace edgeshade {
 inline constexpr std::size_t pairFloats = sizeof(PairRecord) / sizeof(float);
 inline constexpr std::size_t singleFloats = sizeof(SingleRecord) / sizeof(float);
 inline constexpr std::size_t capFloats = sizeof(CapRecord) / sizeof(float);
-
-/// Vertices of a quad of sides, and of one cap.
-inline constexpr int verticesPerQuad = 4;
-inline constexpr int verticesPerCap = 3;
 
 /// One cluster's caps, or some of them. Copied for every vertex, all front caps come first, then
 /// all back caps; `holes` in the same order.

@@ -10,7 +10,7 @@ namespace edgeshade {
 
 /// What shadow volumes are drawn from.
 enum class VolumeLayout {
-    adapted,   ///< records that hold what the scene requires: preprocess/adapted_data.hpp
+    adapted,   ///< records that hold what the scene requires: preprocess/volumes/adapted_data.hpp
     published, ///< one global multiplicity, every edge, opposite vertices: the baseline
 };
 

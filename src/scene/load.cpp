@@ -1,7 +1,8 @@
 #include "src/scene/load.hpp"
 
-#include "preprocess/caster_simplification.hpp"
-#include "preprocess/flatten.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/mesh/caster_simplification.hpp"
+#include "preprocess/reading/flatten.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "preprocess/adapted_data.hpp"
-#include "preprocess/shadow_extension.hpp"
+#include "preprocess/packing/shadow_extension.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
 #include "src/image/image_choice.hpp"
 
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "preprocess/material.hpp"
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/scene/material.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 #include "src/gl/objects.hpp"
 
 #include <vector>

@@ -1,6 +1,6 @@
 #include "src/viewer/caster_groups.hpp"
 
-#include "src/render/frame_view.hpp"
+#include "src/shadow/geometry/frame_view.hpp"
 
 #include <algorithm>
 #include <cmath>

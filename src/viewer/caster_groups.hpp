@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/scene/gpu_scene.hpp"
-#include "src/scene/light.hpp"
+#include "src/shadow/geometry/light.hpp"
 
 #include <optional>
 

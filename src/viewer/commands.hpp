@@ -1,7 +1,8 @@
 #pragma once
 
+#include "src/viewer/input.hpp"
 #include "src/viewer/stage.hpp"
-#include "src/viewer/viewer.hpp"
+#include "src/viewer/view_state.hpp"
 
 namespace edgeshade::viewer {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/viewer/viewer.hpp"
+#include "src/viewer/input.hpp"
 
 #include <glm/glm.hpp>
 #include <optional>

@@ -2,6 +2,7 @@
 
 #include "src/viewer/gestures.hpp"
 #include "src/viewer/stage.hpp"
+#include "src/viewer/view_state.hpp"
 
 namespace edgeshade::viewer {
 

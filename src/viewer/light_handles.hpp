@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/scene/light.hpp"
+#include "src/shadow/geometry/light.hpp"
 #include "src/viewer/orbit.hpp"
 
 #include <optional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/scene/camera.hpp"
+#include "src/shadow/geometry/camera.hpp"
 
 namespace edgeshade::viewer {
 

@@ -1,7 +1,7 @@
 #include "src/viewer/overlay_pass.hpp"
 
 #include "shaders_es2.hpp"
-#include "src/render/attributes.hpp"
+#include "src/render/drawing/attributes.hpp"
 
 #include <cstddef>
 

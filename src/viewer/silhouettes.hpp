@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/scene/light.hpp"
 #include "src/scene/load.hpp"
+#include "src/shadow/geometry/light.hpp"
 
 namespace edgeshade::viewer {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/render/stage_timer.hpp"
+#include "src/render/timing/stage_timer.hpp"
 
 #include <chrono>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "src/viewer/view_state.hpp"
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/render/frame.hpp"
+#include "src/render/frame/frame.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string>

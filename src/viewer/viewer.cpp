@@ -1,6 +1,6 @@
 #include "src/viewer/viewer.hpp"
 
-#include "src/render/volume_tint_pass.hpp"
+#include "src/render/frame/volume_tint_pass.hpp"
 #include "src/viewer/caster_groups.hpp"
 #include "src/viewer/commands.hpp"
 #include "src/viewer/frame_clock.hpp"
@@ -12,8 +12,8 @@
 #include "src/viewer/silhouettes.hpp"
 #include "src/viewer/stage_watch.hpp"
 
-#include "preprocess/animation_reading.hpp"
-#include "preprocess/stopwatch.hpp"
+#include "preprocess/base/stopwatch.hpp"
+#include "preprocess/reading/animation_reading.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>
@@ -173,7 +173,7 @@ void Viewer::Parts::draw() {
     request.height = stage.height;
     request.lights = state.lights;
     request.depth = settings.depth;
-    const FrameView view = makeFrameView(*loaded, request, stage.bounds);
+    const FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
     groupsFor(state.left);
     if (state.split) groupsFor(state.right);
     const double planSeconds = watch.lap();

@@ -15,7 +15,7 @@ using test::pointLight;
 
 LoadedScene yard() {
     const Scene scene = test::yard().scene();
-    return {{}, scene, buildAdapted(scene, false), {}, {}};
+    return {{}, scene, {}, buildAdapted(scene, false), {}, {}};
 }
 
 Setting settingOf(ShadowMethod shadows) {
@@ -147,7 +147,8 @@ std::vector<std::uint8_t> pictureOf(ShadowMethod shadows, StageClock* clock) {
     request.width = request.height = 64;
     request.lights = {pointLight({2.0, 6.0, 3.0})};
     request.depth.slices = 1;
-    renderer.draw(scene, makeFrameView(loaded, request), {}, clock);
+    renderer.draw(scene, makeFrameView(loaded.scene, loaded.settings.castMasked, request), {},
+                  clock);
     return context.readPixels();
 }
 

@@ -1,8 +1,9 @@
 // Triangles a second of the preprocessor's steps, on one thread, beside meshoptimizer's adjacency
 // of the same mesh in the same process. `preprocess_throughput SCENE...` prints JSON.
-#include "preprocess/adapted_data.hpp"
-#include "preprocess/flatten.hpp"
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 
 #include <algorithm>
 #include <ctime>

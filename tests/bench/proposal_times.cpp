@@ -1,8 +1,8 @@
 // What proposing silhouettes takes on one thread, and how many records are left, for a light at
 // rest and for balls around it. `proposal_times SCENE...` prints JSON.
-#include "src/render/proposal.hpp"
-#include "src/scene/light.hpp"
 #include "src/scene/load.hpp"
+#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/silhouette/proposal.hpp"
 
 #include <algorithm>
 #include <ctime>

@@ -1,7 +1,7 @@
 // Bad inputs, run through the real program: it says what is wrong in one sentence that names the
 // file, ends with status 2, and leaves nothing behind; or, where a scene can do without, it warns
 // in one sentence and draws the rest.
-#include "preprocess/file_io.hpp"
+#include "preprocess/base/file_io.hpp"
 #include "tests/cli/bad_input.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"

@@ -1,5 +1,5 @@
 // JSON that is none, or that is no glTF.
-#include "preprocess/glb.hpp"
+#include "preprocess/gltf/glb.hpp"
 #include "tests/cli/bad_input.hpp"
 
 namespace edgeshade::test {

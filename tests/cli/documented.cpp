@@ -1,6 +1,6 @@
 #include "tests/cli/documented.hpp"
 
-#include "preprocess/file_io.hpp"
+#include "preprocess/base/file_io.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>

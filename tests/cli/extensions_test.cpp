@@ -1,6 +1,6 @@
 // What becomes of every extension: a scene that requires it is drawn by the real program, with it
 // and without. A new row is a call of row() with what puts the extension into a scene.
-#include "preprocess/extensions.hpp"
+#include "preprocess/gltf/extensions.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
 #include "tests/support/child_process.hpp"
@@ -47,11 +47,13 @@ ExtensionRow row(const std::string& name, const std::function<void(GltfBuilder&)
             }};
 }
 
-/// The extension on the box's texture, which has another image there.
-ExtensionRow onTexture(const std::string& name, const Bytes& image, const std::string& type) {
+/// The extension on the box's texture, which has another image there, or none without it.
+ExtensionRow onTexture(const std::string& name, const Bytes& image, bool hasOther) {
     return row(name, [=](GltfBuilder& gltf) {
-        const int source = gltf.addImage({{"uri", dataUri(image, type)}});
-        gltf.json["textures"][0]["extensions"][name] = {{"source", source}};
+        const int source = gltf.addImage({{"uri", dataUri(image)}});
+        Json& texture = gltf.json["textures"][0];
+        texture["extensions"][name] = {{"source", source}};
+        if (!hasOther) texture.erase("source");
     });
 }
 
@@ -159,9 +161,8 @@ std::vector<ExtensionRow> materialRows() {
                 metallic["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
                     {"offset", {0.25, 0.5}}, {"scale", {4.0, 3.0}}};
             }),
-        onTexture("EXT_texture_webp", smallWebp(), "image/webp"),
-        onTexture("KHR_texture_basisu", Bytes{0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB},
-                  "image/ktx2"),
+        onTexture("EXT_texture_webp", smallWebp(), false),
+        onTexture("KHR_texture_basisu", Bytes{0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB}, true),
         onMaterial("KHR_materials_unlit", Json::object()),
         onMaterial("KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0, 1, 0, 1}}}),
         onMaterial("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}}),
@@ -288,7 +289,8 @@ TEST_P(ExtensionTest, BecomesWhatIsSaid) {
     else
         EXPECT_EQ(with.picture, plain.picture);
     const bool named = said.find(row.name) != std::string::npos;
-    EXPECT_EQ(named, word == "ignored") << said;
+    // A picture of KTX2 is named itself where there is no other one: see left_out_images.cpp.
+    EXPECT_EQ(named, word == "ignored" && row.name != "KHR_texture_basisu") << said;
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, ExtensionTest, testing::ValuesIn(wholeTable()),

@@ -1,6 +1,6 @@
 // Faults from outside: a full disk, a folder that can't be written, signals, too little memory,
 // two programs at once. The output is the old file or the new one, and nothing is left beside it.
-#include "preprocess/gltf_document.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
 #include "tests/cli/documented.hpp"
 #include "tests/cli/message.hpp"
 #include "tests/support/gltf_builder.hpp"

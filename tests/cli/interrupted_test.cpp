@@ -1,5 +1,5 @@
 // Being interrupted, and doing the same thing twice at once.
-#include "preprocess/gltf_document.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"

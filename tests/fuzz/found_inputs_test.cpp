@@ -1,5 +1,5 @@
 // What fuzzers start from and what they found, in the ordinary build.
-#include "preprocess/file_io.hpp"
+#include "preprocess/base/file_io.hpp"
 #include "tests/fuzz/gltf_structure.hpp"
 #include "tests/fuzz/pack_and_check.hpp"
 #include "tests/fuzz/read_everything.hpp"
@@ -38,7 +38,7 @@ TEST(Seeds, ScenesArePacked) {
 
 TEST(Seeds, ImagesAreAccepted) {
     for (const auto& [name, bytes] : imageSeeds())
-        EXPECT_TRUE(readImage(bytes)) << name;
+        EXPECT_EQ(readImage(bytes), name != "animated.webp") << name; // no picture of it is the one
 }
 
 } // namespace edgeshade::test

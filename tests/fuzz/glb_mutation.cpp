@@ -1,6 +1,6 @@
 #include "tests/fuzz/glb_mutation.hpp"
 
-#include "preprocess/glb.hpp"
+#include "preprocess/gltf/glb.hpp"
 
 #include <algorithm>
 #include <cstring>

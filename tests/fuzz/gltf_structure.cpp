@@ -1,5 +1,6 @@
 #include "tests/fuzz/gltf_structure.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <optional>
 
@@ -114,6 +115,13 @@ class Structure {
         return at && list.is_array() && *at < list.size() ? list[*at] : nothing;
     }
 
+    /// How much of a view lies within its buffer.
+    std::uint64_t lengthOf(const Json& view) {
+        const std::uint64_t end = numberIn(itemOf("buffers", in(view, "buffer")), "byteLength");
+        const std::uint64_t offset = std::min(numberIn(view, "byteOffset"), end);
+        return std::min(numberIn(view, "byteLength"), end - offset);
+    }
+
     /// A view's range, or that of its compressed bytes.
     void checkRange(const Json& range, const std::string& where) {
         for (const char* key : {"buffer", "byteLength"})
@@ -150,7 +158,7 @@ class Structure {
         if (view.is_null() || count == 0 || size == 0) return;
         const std::uint64_t offset = numberIn(source, "byteOffset");
         const std::uint64_t stride = numberIn(view, "byteStride", size);
-        const std::uint64_t length = numberIn(view, "byteLength");
+        const std::uint64_t length = lengthOf(view);
         if (offset > length || size > length - offset ||
             (stride != 0 && (count - 1) > (length - offset - size) / stride))
             fault(where, "ends past its view");

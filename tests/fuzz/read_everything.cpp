@@ -1,8 +1,11 @@
 #include "tests/fuzz/read_everything.hpp"
 
-#include "preprocess/animation_reading.hpp"
-#include "preprocess/flatten.hpp"
-#include "preprocess/pack.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/packing/pack.hpp"
+#include "preprocess/reading/animation_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
+#include "src/image/decode.hpp"
 #include "src/image/image_choice.hpp"
 #include "tests/fuzz/refusal.hpp"
 

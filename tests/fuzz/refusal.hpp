@@ -1,7 +1,7 @@
 #pragma once
 
-#include "preprocess/error.hpp"
-#include "preprocess/limits.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/base/limits.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 // EDGESHADE_shadow_volume: the extension's JSON, the accessors and views that it names, and their
 // bytes change; the geometry, and with it the hash, stays what was packed.
-#include "preprocess/shadow_extension.hpp"
+#include "preprocess/packing/shadow_extension.hpp"
 #include "tests/fuzz/glb_mutation.hpp"
 
 using namespace edgeshade::test;

@@ -1,4 +1,5 @@
-#include "preprocess/accessor.hpp"
+#include "preprocess/gltf/accessor.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
 
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"

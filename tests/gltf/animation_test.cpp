@@ -1,5 +1,6 @@
-#include "preprocess/animation_reading.hpp"
-#include "preprocess/flatten.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/animation_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/support/gltf_builder.hpp"
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // Keyframes that are none: the animation is left out, with one warning that names the field and the
 // value. Indices and words are looked at earlier: tests/cli/bad_animations.cpp.
-#include "preprocess/animation_reading.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/animation_reading.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"
 

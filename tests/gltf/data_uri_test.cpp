@@ -1,4 +1,5 @@
-#include "preprocess/data_uri.hpp"
+#include "preprocess/gltf/data_uri.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/scene_triangles.hpp"

@@ -1,4 +1,5 @@
-#include "preprocess/flatten.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/scene_triangles.hpp"

@@ -1,7 +1,8 @@
 // EXT_mesh_gpu_instancing: a node's mesh at many places, each drawn and casting.
-#include "preprocess/flatten.hpp"
-#include "preprocess/limits.hpp"
-#include "preprocess/topology.hpp"
+#include "preprocess/base/limits.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/mesh/topology.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/packing.hpp"

@@ -1,8 +1,9 @@
 // What a file may ask for: each limit refuses in time, in a sentence, and lets through what is at
 // it.
-#include "preprocess/animation_reading.hpp"
-#include "preprocess/flatten.hpp"
-#include "preprocess/weld.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/mesh/weld.hpp"
+#include "preprocess/reading/animation_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/support/draco_encoding.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"

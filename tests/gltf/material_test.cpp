@@ -1,6 +1,7 @@
-#include "preprocess/material.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/material_reading.hpp"
 
-#include "preprocess/topology.hpp"
+#include "preprocess/mesh/topology.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"
 

@@ -1,5 +1,5 @@
 // What exporters write that glTF does not allow, and that has one meaning all the same.
-#include "preprocess/utf8.hpp"
+#include "preprocess/gltf/utf8.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/packing.hpp"

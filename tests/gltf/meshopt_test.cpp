@@ -1,4 +1,4 @@
-#include "preprocess/color_filter.hpp"
+#include "preprocess/gltf/color_filter.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"

@@ -1,5 +1,5 @@
 // Assets that glTF 2.0 allows and few writers make: they must be read.
-#include "preprocess/glb.hpp"
+#include "preprocess/gltf/glb.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"
 

@@ -1,4 +1,4 @@
-#include "preprocess/pack.hpp"
+#include "preprocess/packing/pack.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
@@ -183,12 +183,16 @@ TEST(PackContent, AFallbackBufferKeepsNoUri) {
 }
 
 TEST(PackContent, ViewsOfABufferWithoutBytesKeepOne) {
-    GltfBuilder gltf;
-    gltf.json["buffers"] = {
-        {{"byteLength", 0}, {"uri", "data:application/octet-stream;base64,AA=="}}};
-    gltf.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", 0}}};
-    const Bytes once = packed(gltf.glb(), Encoding::indexed);
-    EXPECT_EQ(packed(once, Encoding::indexed), once);
+    const Json meshopt = {{"EXT_meshopt_compression", {{"fallback", true}}}};
+    for (const Json& buffer :
+         {Json({{"byteLength", 0}, {"uri", "data:application/octet-stream;base64,AA=="}}),
+          Json({{"byteLength", 8}, {"extensions", meshopt}})}) {
+        GltfBuilder gltf;
+        gltf.json["buffers"] = Json::array({buffer});
+        gltf.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", buffer["byteLength"]}}};
+        const Bytes once = packed(gltf.glb(), Encoding::indexed);
+        EXPECT_EQ(packed(once, Encoding::indexed), once);
+    }
 }
 
 TEST(PackContent, AccessorsNeedNoViews) {

@@ -1,5 +1,5 @@
-#include "preprocess/edge_codec.hpp"
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/packing/edge_codec.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/packing.hpp"
 

@@ -1,7 +1,8 @@
-#include "preprocess/variants.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/variants.hpp"
 
-#include "preprocess/flatten.hpp"
-#include "preprocess/topology.hpp"
+#include "preprocess/mesh/topology.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"
 

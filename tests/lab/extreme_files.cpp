@@ -1,5 +1,6 @@
 // The extremes that need a glTF file: nodes far off, textures.
-#include "preprocess/flatten.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "src/image/png.hpp"
 #include "tests/lab/extreme_scenes.hpp"
 #include "tests/support/gltf_builder.hpp"

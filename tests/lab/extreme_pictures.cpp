@@ -1,6 +1,6 @@
 #include "src/gl/headless_context.hpp"
 #include "src/gl/objects.hpp"
-#include "src/render/frame.hpp"
+#include "src/render/frame/frame.hpp"
 #include "tests/lab/extreme_check.hpp"
 
 #include <cmath>
@@ -31,7 +31,8 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
     shadows.layout = plain.layout = bestLayout(capabilities);
     plain.shadows = ShadowMethod::none;
     FrameView frame = makeFrameView(
-        scene, {extreme.camera, extreme.width, extreme.height, extreme.lights, extreme.depth});
+        scene.scene, scene.settings.castMasked,
+        {extreme.camera, extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
     const GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
     const auto draw = [&](const RenderSettings& settings, const FrameView& view,

@@ -1,8 +1,10 @@
-#include "src/render/layer_bound.hpp"
+#include "src/shadow/geometry/layer_bound.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <random>
 
 namespace edgeshade {
@@ -19,6 +21,38 @@ Scene stack(int sheets) {
     return builder.scene();
 }
 
+/// How many triangles of each group a line from the light through a point meets; from a sun, the
+/// whole line.
+std::vector<std::size_t> trianglesMetByGroup(const Batch& batch, const Light& light,
+                                             const glm::dvec3& through, const LayerBound& bound) {
+    const bool sun = light.position.w == 0.0;
+    const glm::dvec3 origin = sun ? through : glm::dvec3(light.position);
+    const glm::dvec3 way = sun ? glm::dvec3(light.position) : through - origin;
+    std::vector<std::size_t> met(bound.groupCount, 0);
+    for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
+        const glm::dvec3 a(batch.positions[batch.indices[i]]);
+        const glm::dvec3 ab = glm::dvec3(batch.positions[batch.indices[i + 1]]) - a;
+        const glm::dvec3 ac = glm::dvec3(batch.positions[batch.indices[i + 2]]) - a;
+        const glm::dvec3 across = glm::cross(way, ac);
+        const double volume = glm::dot(ab, across);
+        const double u = glm::dot(origin - a, across) / volume;
+        const glm::dvec3 side = glm::cross(origin - a, ab);
+        const double v = glm::dot(way, side) / volume;
+        const std::size_t group = bound.groupOf.empty() ? 0 : bound.groupOf[i / 3];
+        met[group] +=
+            u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (sun || glm::dot(ac, side) / volume > 0.0);
+    }
+    return met;
+}
+
+std::size_t sum(const std::vector<std::size_t>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+std::size_t most(const std::vector<std::size_t>& counts) {
+    return *std::max_element(counts.begin(), counts.end());
+}
+
 TEST(LayerBound, FewTrianglesNeedNoGroups) {
     const LayerBound bound = boundLayers(stack(100), false, test::pointLight({0, 9, 0}), 255);
     EXPECT_EQ(bound.groupCount, 1u);
@@ -32,6 +66,22 @@ TEST(LayerBound, IsNeverBelowTheTruth) {
         EXPECT_GE(bound.most, 300u);
         EXPECT_GT(bound.groupCount, 1u);
         EXPECT_EQ(bound.groupOf.size(), 600u);
+        EXPECT_GE(sum(trianglesMetByGroup(stack(300).batches.front(), light, {0.2, 0, 0.1}, bound)),
+                  300u);
+    }
+}
+
+// 256 triangles of one group over one pixel would come out lit.
+TEST(LayerBound, OneGroupHasNoMoreLayersThanTheLimit) {
+    for (const int sheets : {256, 511}) {
+        const Scene scene = stack(sheets);
+        for (const Light& light : {test::pointLight({0.3, 9, 0.1}), test::sun({0.01, 1, 0.02})}) {
+            const LayerBound bound = boundLayers(scene, false, light, 255);
+            const auto met =
+                trianglesMetByGroup(scene.batches.front(), light, {0.2, 0, 0.1}, bound);
+            EXPECT_EQ(sum(met), static_cast<std::size_t>(sheets));
+            EXPECT_LE(most(met), 255u) << sheets << " sheets";
+        }
     }
 }
 
@@ -64,26 +114,6 @@ TEST(LayerBound, MoreGroupsThanAreWorthItAreNone) {
     EXPECT_GE(tooMany.most, 6000u);
 }
 
-/// How many triangles a line from the light through a point meets; from a sun, the whole line.
-std::size_t trianglesMet(const Batch& batch, const Light& light, const glm::dvec3& through) {
-    const bool sun = light.position.w == 0.0;
-    const glm::dvec3 origin = sun ? through : glm::dvec3(light.position);
-    const glm::dvec3 way = sun ? glm::dvec3(light.position) : through - origin;
-    std::size_t met = 0;
-    for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
-        const glm::dvec3 a(batch.positions[batch.indices[i]]);
-        const glm::dvec3 ab = glm::dvec3(batch.positions[batch.indices[i + 1]]) - a;
-        const glm::dvec3 ac = glm::dvec3(batch.positions[batch.indices[i + 2]]) - a;
-        const glm::dvec3 across = glm::cross(way, ac);
-        const double volume = glm::dot(ab, across);
-        const double u = glm::dot(origin - a, across) / volume;
-        const glm::dvec3 side = glm::cross(origin - a, ab);
-        const double v = glm::dot(way, side) / volume;
-        met += u >= 0.0 && v >= 0.0 && u + v <= 1.0 && (sun || glm::dot(ac, side) / volume > 0.0);
-    }
-    return met;
-}
-
 TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
     // All around the lamp, so that many triangles lie on two and three faces of its cube.
     std::mt19937 random(7);
@@ -105,11 +135,18 @@ TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
         // The grid alone, close looks where it is too coarse, and groups.
         for (const std::size_t limit : {1000u, 20u, 5u}) {
             const LayerBound bound = boundLayers(scene, false, light, limit);
-            std::size_t most = 0;
-            for (int i = 0; i < 3000; ++i)
-                most = std::max(most, trianglesMet(batch, light, glm::dvec3(vector(around))));
-            EXPECT_LE(most, bound.most);
-            EXPECT_GE(most, 6u) << "the lines should meet something";
+            std::size_t mostMet = 0, mostOfOneGroup = 0;
+            for (int i = 0; i < 3000; ++i) {
+                const auto met =
+                    trianglesMetByGroup(batch, light, glm::dvec3(vector(around)), bound);
+                mostMet = std::max(mostMet, sum(met));
+                mostOfOneGroup = std::max(mostOfOneGroup, most(met));
+            }
+            EXPECT_LE(mostMet, bound.most);
+            EXPECT_GE(mostMet, 6u) << "the lines should meet something";
+            if (!bound.mayOverflow) {
+                EXPECT_LE(mostOfOneGroup, limit);
+            }
             EXPECT_LT(bound.most, batch.indices.size() / 3);
         }
     }

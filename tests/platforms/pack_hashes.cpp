@@ -1,8 +1,9 @@
 // pack_hashes [FILE...]: packs scenes drawn in code, then the files, in every way that there is,
 // and prints a line "HASH BYTES WAY SCENE" for each. Built for every platform: the lines must be
 // the same. The scenes take no mathematical function but roots, which are exact everywhere.
-#include "preprocess/error.hpp"
-#include "preprocess/pack.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/packing/pack.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/hard_lights.hpp"
 

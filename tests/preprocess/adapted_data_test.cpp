@@ -1,8 +1,9 @@
-#include "preprocess/adapted_data.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/clustering.hpp"
 
-#include "preprocess/coplanar.hpp"
-#include "preprocess/opposite_pairs.hpp"
-#include "preprocess/triangle_planes.hpp"
+#include "preprocess/mesh/coplanar.hpp"
+#include "preprocess/volumes/opposite_pairs.hpp"
+#include "preprocess/volumes/triangle_planes.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/tiny_meshes.hpp"
 

@@ -1,4 +1,4 @@
-#include "preprocess/caps_data.hpp"
+#include "preprocess/volumes/published/caps_data.hpp"
 
 #include "tests/support/record_multiplicity.hpp"
 #include "tests/support/tiny_meshes.hpp"

@@ -1,7 +1,7 @@
-#include "preprocess/caster_simplification.hpp"
+#include "preprocess/mesh/caster_simplification.hpp"
 
-#include "preprocess/mesh_statistics.hpp"
-#include "preprocess/topology.hpp"
+#include "preprocess/mesh/mesh_statistics.hpp"
+#include "preprocess/mesh/topology.hpp"
 #include "tests/support/adapted_chain.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/scene_builder.hpp"

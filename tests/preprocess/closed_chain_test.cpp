@@ -2,7 +2,7 @@
 // no boundary. Here the chain itself is built, triangle by triangle, from the records that the
 // packer emits; closed_chain_bulk_test.cpp tries many more by their multiplicities alone.
 #include "open_chain_tally.hpp"
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 #include "tests/support/emitted_chain.hpp"
 #include "tests/support/open_edges.hpp"
 #include "tests/support/small_soups.hpp"

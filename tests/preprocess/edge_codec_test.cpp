@@ -1,4 +1,4 @@
-#include "preprocess/edge_codec.hpp"
+#include "preprocess/packing/edge_codec.hpp"
 
 #include "tests/support/small_soups.hpp"
 

@@ -1,4 +1,4 @@
-#include "preprocess/edges.hpp"
+#include "preprocess/mesh/edges.hpp"
 
 #include "tests/support/tiny_meshes.hpp"
 

@@ -1,5 +1,5 @@
 // What a mesh's records depend on: its triangles as sets of positions, and nothing else.
-#include "preprocess/caps_data.hpp"
+#include "preprocess/volumes/published/caps_data.hpp"
 #include "tests/support/record_multiplicity.hpp"
 #include "tests/support/small_soups.hpp"
 #include "tests/support/tiny_meshes.hpp"

@@ -1,4 +1,4 @@
-#include "preprocess/mesh_statistics.hpp"
+#include "preprocess/mesh/mesh_statistics.hpp"
 
 #include "tests/support/small_soups.hpp"
 

@@ -2,8 +2,8 @@
 
 // The models beside the repository, where they are there.
 
-#include "preprocess/flatten.hpp"
-#include "preprocess/gltf_document.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 // The closed chain on real models: their own records, ten lights each.
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 #include "shared_scene.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/open_edges.hpp"

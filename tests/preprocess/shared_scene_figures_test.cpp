@@ -1,6 +1,6 @@
 // What real models are made of (docs/method.md), welded on exact positions. Closed counts edges
 // with as many triangles in one direction as in the other, any number of them.
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 #include "shared_scene.hpp"
 
 #include <gtest/gtest.h>

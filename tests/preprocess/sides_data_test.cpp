@@ -1,4 +1,4 @@
-#include "preprocess/sides_data.hpp"
+#include "preprocess/volumes/published/sides_data.hpp"
 
 #include "shaders_es2/record_layout.glsl"
 #include "tests/support/record_multiplicity.hpp"

@@ -1,4 +1,4 @@
-#include "preprocess/weld.hpp"
+#include "preprocess/mesh/weld.hpp"
 #include "tests/support/hard_lights.hpp"
 
 #include <gtest/gtest.h>

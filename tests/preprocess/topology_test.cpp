@@ -1,6 +1,6 @@
-#include "preprocess/topology.hpp"
+#include "preprocess/mesh/topology.hpp"
 
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "preprocess/weld.hpp"
+#include "preprocess/mesh/weld.hpp"
 
 #include "tests/support/tiny_meshes.hpp"
 

@@ -1,4 +1,4 @@
-#include "src/scene/camera.hpp"
+#include "src/shadow/geometry/camera.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -2,7 +2,7 @@
 // in full elsewhere (docs/method.md, C8 and C9): light and eye inside and outside, in the same and
 // in different components, nested and self-intersecting ones.
 
-#include "preprocess/adapted_data.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -1,7 +1,7 @@
 // Volumes counted at a lower resolution (--mask-scale): the same answer as ray casting away from
 // the boundaries of shadows, and none that leaks over the outline of a surface.
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/gl/headless_context.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/headless.hpp"
@@ -210,8 +210,9 @@ TEST(CoarseMask, PictureAndMaskAgree) {
 struct Yard {
     explicit Yard(const gl::Capabilities& capabilities, int scale) {
         const Scene scene = test::yard().scene();
-        loaded = {{}, scene, buildAdapted(scene, false), {}, {}};
-        view = makeFrameView(loaded, {corner, width, height, {lights[1]}, {}});
+        loaded = {{}, scene, {}, buildAdapted(scene, false), {}, {}};
+        view = makeFrameView(loaded.scene, loaded.settings.castMasked,
+                             {corner, width, height, {lights[1]}, {}});
         RenderSettings settings = coarse(scale);
         settings.layout = bestLayout(capabilities);
         renderer.emplace(settings, capabilities);

@@ -1,6 +1,7 @@
 // The closed chain on the numbers that the GL implementation really computes (docs/method.md, C1).
 
-#include "preprocess/flatten.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/support/adapted_probe.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/lights.hpp"

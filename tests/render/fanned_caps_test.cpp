@@ -105,7 +105,7 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
     for (int i = 0; i < 60; ++i) {
         glm::dmat4 placing = glm::translate(glm::dmat4(1.0), 3.0 * random.inCube());
         if (i % 3 == 1) placing = glm::scale(placing, {-0.5, 2.0, 1.0}); // mirrored
-        LoadedScene loaded{{}, ball.scene(random, i % 2 ? 1 : 0, placing), {}, {}, {}};
+        LoadedScene loaded{{}, ball.scene(random, i % 2 ? 1 : 0, placing), {}, {}, {}, {}};
         // The eye right behind a point of the ball, as the light sees it: outlines of shadows run
         // through many a near rectangle there.
         const auto inWorld = [&](const glm::dvec3& p) {
@@ -124,7 +124,8 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
         const Camera camera{eye, to, random.uniform(30, 100)};
         DepthChoice depth;
         depth.near = 0.25;
-        FrameView view = makeFrameView(loaded, {camera, width, height, {light}, depth});
+        FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
+                                       {camera, width, height, {light}, depth});
         view.mask = true;
 
         const PlanView planned = planView(view, view.slices.back(), light, placing);

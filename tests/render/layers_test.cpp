@@ -1,8 +1,8 @@
 // Layers between a near rectangle and a light: where they are said to be even, every point of the
 // rectangle must be within as many volumes as any other, by counting in the plainest way.
-#include "src/render/layers.hpp"
+#include "src/shadow/plan/layers.hpp"
 
-#include "src/render/light_facings.hpp"
+#include "src/shadow/silhouette/light_facings.hpp"
 #include "tests/support/small_soups.hpp"
 #include "tests/support/soup_shadow.hpp"
 

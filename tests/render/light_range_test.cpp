@@ -2,7 +2,7 @@
 // out because they can't reach it.
 
 #include "src/gl/headless_context.hpp"
-#include "src/render/light_reach.hpp"
+#include "src/shadow/geometry/light_reach.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
@@ -46,7 +46,7 @@ TEST(LightReach, HoldsEveryVisiblePointOfTheBall) {
         const FrameView view = viewFrom(camera, near, farthest);
         const Light light =
             lamp(camera.from + random.inCube() * random.magnitude(-2, 1), random.magnitude(-3, 1));
-        const gl::PixelRectangle reach = lightReach(view, view.slices[0], light);
+        const PixelRectangle reach = lightReach(view, view.slices[0], light);
         const glm::dvec3 center(light.position);
         const double depth = -(viewFromWorld(camera) * light.position).z;
         inside += glm::distance(center, camera.from) < light.range;
@@ -79,7 +79,7 @@ TEST(LightReach, HoldsEveryVisiblePointOfTheBall) {
 TEST(LightReach, IsTightAroundASmallBall) {
     const FrameView view = viewFrom({{0, 0, 0}, {0, 0, -1}, 90.0}, 0.1, 100.0);
     // At depth 10 the picture is 20 high: the ball's outline is little more than 18 pixels.
-    const gl::PixelRectangle reach = lightReach(view, view.slices[0], lamp({0, 5, -10}, 1.0));
+    const PixelRectangle reach = lightReach(view, view.slices[0], lamp({0, 5, -10}, 1.0));
     EXPECT_NEAR(reach.width, 18, 4);
     EXPECT_NEAR(reach.height, 20, 5);
     EXPECT_NEAR(reach.x + reach.width / 2, width / 2, 2);
@@ -121,12 +121,12 @@ TEST(LightReach, ARangeInAnObjectIsNoLess) {
 TEST(LightReach, ScaledHoldsTheSamePixels) {
     const FrameView view = viewFrom({}, 0.1, 10.0);
     const glm::ivec2 size(61, 45);
-    const gl::PixelRectangle part = scaledReach({100, 50, 21, 11}, view, size);
+    const PixelRectangle part = scaledReach({100, 50, 21, 11}, view, size);
     EXPECT_LE(part.x, 24);
     EXPECT_GE(part.x + part.width, 32);
     EXPECT_LE(part.y, 12);
     EXPECT_GE(part.y + part.height, 16);
-    const gl::PixelRectangle whole = scaledReach({0, 0, width, height}, view, size);
+    const PixelRectangle whole = scaledReach({0, 0, width, height}, view, size);
     EXPECT_EQ(whole.width, 61);
     EXPECT_EQ(whole.height, 45);
 }
@@ -227,9 +227,10 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
     settings.maskScale = maskScale;
     settings.multiplicity = method;
     settings.layout = bestLayout(context.capabilities());
-    const LoadedScene loaded{{}, builder.scene(), buildAdapted(builder.scene(), false), {}, {}};
+    const LoadedScene loaded{{}, builder.scene(), {}, buildAdapted(builder.scene(), false), {}, {}};
     const FrameView view =
-        makeFrameView(loaded, {{{0, 6, 14}, {0, 0, 0}, 60.0}, width, height, {light}, {}});
+        makeFrameView(loaded.scene, loaded.settings.castMasked,
+                      {{{0, 6, 14}, {0, 0, 0}, 60.0}, width, height, {light}, {}});
     const GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     glScissor(1, 2, 3, 4);

@@ -1,6 +1,6 @@
 // Proposals (docs/method.md, C24): no record that is left out may have a multiplicity other than 0
 // for any light of the ball.
-#include "src/render/proposal.hpp"
+#include "src/shadow/silhouette/proposal.hpp"
 
 #include "tests/support/adapted_chain.hpp"
 #include "tests/support/rounded_arithmetic.hpp"

@@ -32,7 +32,7 @@ Scene twoBatches() {
 class Pair {
   public:
     explicit Pair(SidesLayout layout)
-        : loaded_{{}, twoBatches(), {}, {}, {}}, context_({width, height}),
+        : loaded_{{}, twoBatches(), {}, {}, {}, {}}, context_({width, height}),
           all_(settingsFor(SilhouetteChoice::all, layout), context_.capabilities()),
           proposed_(settingsFor(SilhouetteChoice::proposed, layout), context_.capabilities()) {
         loaded_.adapted = buildAdapted(loaded_.scene, false);
@@ -40,7 +40,8 @@ class Pair {
     }
 
     void expectSame(const Camera& camera, const std::vector<Light>& lights) {
-        const FrameView view = makeFrameView(loaded_, {camera, width, height, lights, {}});
+        const FrameView view = makeFrameView(loaded_.scene, loaded_.settings.castMasked,
+                                             {camera, width, height, lights, {}});
         EXPECT_EQ(draw(proposed_, view), draw(all_, view));
         EXPECT_LE(proposed_.vertexRuns(), all_.vertexRuns());
         FrameView mask = view;

@@ -1,7 +1,7 @@
 // Shadow maps against ray casting: never exact, but close, closer with more texels, and whole
 // across the edges of the cube.
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"

@@ -14,8 +14,8 @@ using test::SceneBuilder;
 
 constexpr int width = 640, height = 360;
 
-/// A low open ridge of `segments` segments, curved so that its crest is a silhouette, before a wall.
-/// Its sides are seen almost from the edge.
+/// A low open ridge of `segments` segments, curved so that its crest is a silhouette, before a
+/// wall. Its sides are seen almost from the edge.
 Scene ridge(int segments) {
     const auto ring = [segments](int segment, int vertex) {
         const double p = -0.1 + 0.2 * segment / segments;

@@ -1,8 +1,8 @@
 // What is left out of a picture because it can't be in it: boxes by the planes of a slice.
 
-#include "src/render/view_planes.hpp"
+#include "src/shadow/geometry/view_planes.hpp"
 
-#include "src/render/box_plane.hpp"
+#include "src/shadow/geometry/box_plane.hpp"
 #include "tests/support/hard_lights.hpp"
 
 #include <algorithm>

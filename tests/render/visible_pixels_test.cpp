@@ -1,6 +1,6 @@
 // Shadows are counted within the pixels that surfaces are in: none of them may be missed.
 
-#include "src/render/light_reach.hpp"
+#include "src/shadow/geometry/light_reach.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -18,28 +18,28 @@ using test::TestView;
 constexpr int width = 120, height = 90;
 
 /// The pixels from the lower left in which a picture of the scene has surfaces.
-gl::PixelRectangle drawnPixels(const Scene& scene, const Camera& camera) {
+PixelRectangle drawnPixels(const Scene& scene, const Camera& camera) {
     RenderSettings settings;
     settings.shadows = ShadowMethod::none;
     const TestView view{camera, {test::sun({0, 1, 0})}, width, height, true};
     const auto mask = test::drawScene(scene, view, settings);
-    gl::PixelRectangle drawn;
+    PixelRectangle drawn;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             if (mask[static_cast<std::size_t>(4 * (y * width + x) + 3)] != 0)
-                drawn = gl::united(drawn, {x, height - 1 - y, 1, 1});
+                drawn = united(drawn, {x, height - 1 - y, 1, 1});
     return drawn;
 }
 
-gl::PixelRectangle visiblePixelsOf(const Scene& scene, const Camera& camera) {
+PixelRectangle visiblePixelsOf(const Scene& scene, const Camera& camera) {
     LoadedScene loaded;
     loaded.scene = scene;
     const FrameRequest request{camera, width, height, {test::sun({0, 1, 0})}, {}};
-    return visiblePixels(makeFrameView(loaded, request, worldBounds(scene)));
+    return visiblePixels(makeFrameView(loaded.scene, request, worldBounds(scene)));
 }
 
-bool holds(const gl::PixelRectangle& outer, const gl::PixelRectangle& inner) {
-    const gl::PixelRectangle both = gl::intersection(outer, inner);
+bool holds(const PixelRectangle& outer, const PixelRectangle& inner) {
+    const PixelRectangle both = intersection(outer, inner);
     return both.width == inner.width && both.height == inner.height;
 }
 
@@ -66,9 +66,9 @@ TEST(VisiblePixels, HoldWhatIsDrawnAndLittleMore) {
         };
         const Camera camera{inWorld(center + 4.0 * random.inCube()),
                             inWorld(center + random.inCube()), random.uniform(10, 120)};
-        const gl::PixelRectangle found = drawnPixels(scene, camera);
+        const PixelRectangle found = drawnPixels(scene, camera);
         if (found.empty()) continue;
-        const gl::PixelRectangle visible = visiblePixelsOf(scene, camera);
+        const PixelRectangle visible = visiblePixelsOf(scene, camera);
         ASSERT_TRUE(holds(visible, found))
             << i << ": " << found.width << "x" << found.height << " at " << found.x << ", "
             << found.y << " in " << visible.width << "x" << visible.height << " at " << visible.x
@@ -87,7 +87,7 @@ TEST(VisiblePixels, AreAllWhereNothingIsKnown) {
     FrameView view;
     view.width = width;
     view.height = height;
-    const gl::PixelRectangle all = visiblePixels(view);
+    const PixelRectangle all = visiblePixels(view);
     EXPECT_TRUE(holds(all, {0, 0, width, height}));
 }
 

@@ -1,4 +1,4 @@
-#include "src/render/volume_plan.hpp"
+#include "src/shadow/plan/volume_plan.hpp"
 
 #include "tests/support/hard_lights.hpp"
 
@@ -439,6 +439,36 @@ TEST(VolumePlan, ClustersOutOfALightsRangeAreLeftOut) {
     // Seen from a batch of twice the scale all is half as far from the light, which is at z = -5.
     EXPECT_GT(draws(20.0, glm::dmat4(glm::dmat3(2.0))), 0u);
     EXPECT_EQ(draws(5.0, glm::dmat4(glm::dmat3(2.0))), 0u);
+}
+
+// A fan's triangles are pushed away from the light like the triangles that they stand for: around a
+// light within the cluster they would close on the wrong side of it.
+TEST(VolumePlan, BackCapsAreNoFansAroundALightWithinTheCluster) {
+    const glm::dvec4 light(0, 0, -20, 1);
+    const auto drawWithBounds = [&](const Box& bounds) {
+        // A shell whose silhouette crosses the way from the near rectangle to the light.
+        AdaptedShadow shadow;
+        appendShell(boxAround({0.5, 0, -10}, 0.5), shadow.caps);
+        ShadowCluster cluster;
+        cluster.bounds = bounds;
+        cluster.caps = {0, 12};
+        cluster.parts = {0, 1};
+        shadow.parts.push_back(bounds);
+        shadow.clusters.push_back(cluster);
+        const FrameView view = viewAlongZ();
+        const auto draws =
+            planVolumes(shadow, planView(view, view.slices[0], {light}, glm::dmat4(1.0))).draws;
+        EXPECT_EQ(draws.size(), 1u);
+        return draws.empty() ? VolumeDraw() : draws.front();
+    };
+    const VolumeDraw around = drawWithBounds(boxAround({0, 0, -16}, 6.0));
+    EXPECT_TRUE(around.zFail());
+    EXPECT_TRUE(around.backCaps);
+    EXPECT_FALSE(around.nearDiscard);
+    EXPECT_FALSE(around.fannedCaps);
+    const VolumeDraw apart = drawWithBounds(boxAround({0, 0, -10}, 2.0));
+    EXPECT_TRUE(apart.zFail());
+    EXPECT_TRUE(apart.fannedCaps);
 }
 
 } // namespace edgeshade

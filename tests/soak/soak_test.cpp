@@ -44,7 +44,7 @@ void expectFlat(const char* what, int times, Step step) {
 TEST(Soak, TwentyThousandFrames) {
     const gl::HeadlessContext context(testPicture(width, height));
     const Scene scene = yard().scene();
-    const LoadedScene loaded{{}, scene, buildAdapted(scene, false), {}, {}};
+    const LoadedScene loaded{{}, scene, {}, buildAdapted(scene, false), {}, {}};
     const Box bounds = worldBounds(scene);
     const bench::Flythrough flight(bounds, 50.0, double(width) / height);
     const std::vector<Light> lights = {pointLight({2, 4, 1}), sun({0.4, 1, 0.3})};
@@ -64,7 +64,7 @@ TEST(Soak, TwentyThousandFrames) {
         const double share = frame / 1000.0;
         FrameRequest request{flight.cameraAt(share), width, height, {}, {}};
         request.lights = bench::movedLights(lights, bounds, share);
-        const FrameView view = makeFrameView(loaded, request, bounds);
+        const FrameView view = makeFrameView(loaded.scene, request, bounds);
         const auto way = static_cast<std::size_t>(frame % 8 < 6 ? 0 : frame % 8 - 5);
         renderers[way]->draw(gpu, view);
         if (frame % 100 == 0) context.readPixels();

@@ -3,8 +3,8 @@
 // What the shaders emit for adapted records, as a chain over symbolic vertices; emitted_chain.hpp
 // does the same for published ones.
 
-#include "preprocess/adapted_data.hpp"
-#include "preprocess/components.hpp"
+#include "preprocess/mesh/components.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
 #include "tests/support/emitted_chain.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/render/adapted_volumes.hpp"
+#include "src/render/volumes/adapted_volumes.hpp"
 #include "tests/support/adapted_chain.hpp"
 #include "tests/support/probe_points.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 
 #include <cstdlib>
 #include <span>

@@ -4,8 +4,8 @@
 // mesh, or its point at infinity (docs/method.md, The closed chain). Positions serve the signs
 // alone, so nothing here depends on rounding but the signs themselves.
 
-#include "preprocess/caps_data.hpp"
-#include "preprocess/sides_data.hpp"
+#include "preprocess/volumes/published/caps_data.hpp"
+#include "preprocess/volumes/published/sides_data.hpp"
 #include "tests/support/record_multiplicity.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "tests/support/gltf_builder.hpp"
 
-#include "preprocess/glb.hpp"
+#include "preprocess/gltf/glb.hpp"
 
 namespace edgeshade::test {
 namespace {

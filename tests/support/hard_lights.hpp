@@ -3,7 +3,7 @@
 // Random triangles of every scale and shape, and lights where signs are hardest to tell: on face
 // planes, edges and vertices, a few units in the last place beside them.
 
-#include "preprocess/weld.hpp"
+#include "preprocess/mesh/weld.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/gl/headless_context.hpp"
-#include "src/render/frame.hpp"
+#include "src/render/frame/frame.hpp"
 
 namespace edgeshade::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 
 #include <gtest/gtest.h>
 #include <initializer_list>

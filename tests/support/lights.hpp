@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/weld.hpp"
+#include "preprocess/mesh/weld.hpp"
 
 #include <cmath>
 #include <random>

@@ -2,7 +2,7 @@
 
 // The closed chain (docs/method.md) on packed records, by multiplicities alone.
 
-#include "preprocess/shadow_data.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/record_multiplicity.hpp"
 

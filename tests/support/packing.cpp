@@ -1,9 +1,10 @@
 #include "tests/support/packing.hpp"
 
-#include "preprocess/caster_simplification.hpp"
-#include "preprocess/error.hpp"
-#include "preprocess/flatten.hpp"
-#include "preprocess/packed_file.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/mesh/caster_simplification.hpp"
+#include "preprocess/packing/packed_file.hpp"
+#include "preprocess/reading/flatten.hpp"
 
 #include <gtest/gtest.h>
 

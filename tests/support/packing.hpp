@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/shadow_extension.hpp"
+#include "preprocess/packing/shadow_extension.hpp"
 #include "tests/support/gltf_builder.hpp"
 
 #include <filesystem>

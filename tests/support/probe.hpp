@@ -1,7 +1,7 @@
 #pragma once
 
-#include "preprocess/shadow_data.hpp"
-#include "src/render/volume_program.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
+#include "src/render/volumes/published/volume_program.hpp"
 #include "tests/support/probe_points.hpp"
 
 #include <map>

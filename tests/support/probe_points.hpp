@@ -2,7 +2,7 @@
 
 #include "src/gl/headless_context.hpp"
 #include "src/gl/program.hpp"
-#include "src/render/attributes.hpp"
+#include "src/render/drawing/attributes.hpp"
 
 #include <functional>
 

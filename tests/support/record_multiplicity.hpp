@@ -2,8 +2,8 @@
 
 // What sides.vert and caps.vert find for one record. `Method` is one of shader_arithmetic.hpp's.
 
-#include "preprocess/caps_data.hpp"
-#include "preprocess/sides_data.hpp"
+#include "preprocess/volumes/published/caps_data.hpp"
+#include "preprocess/volumes/published/sides_data.hpp"
 #include "tests/support/shader_arithmetic.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/scene.hpp"
+#include "preprocess/scene/scene.hpp"
 
 #include <array>
 

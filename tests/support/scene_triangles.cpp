@@ -1,6 +1,7 @@
 #include "tests/support/scene_triangles.hpp"
 
-#include "preprocess/flatten.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "tests/support/gltf_builder.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "preprocess/file_io.hpp"
-#include "preprocess/scene.hpp"
+#include "preprocess/base/file_io.hpp"
+#include "preprocess/scene/scene.hpp"
 
 #include <array>
 #include <glm/glm.hpp>

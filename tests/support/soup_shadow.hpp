@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/adapted_data.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
 #include "tests/support/tiny_meshes.hpp"
 
 namespace edgeshade::test {

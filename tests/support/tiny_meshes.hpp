@@ -3,9 +3,9 @@
 // Meshes small enough to know by heart. Coordinates are small integers, so that every sign is
 // computed exactly and a light can lie in a plane.
 
-#include "preprocess/edges.hpp"
-#include "preprocess/sides_data.hpp"
-#include "preprocess/weld.hpp"
+#include "preprocess/mesh/edges.hpp"
+#include "preprocess/mesh/weld.hpp"
+#include "preprocess/volumes/published/sides_data.hpp"
 
 #include <cstdint>
 #include <glm/glm.hpp>

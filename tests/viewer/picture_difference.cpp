@@ -1,7 +1,7 @@
 // picture_difference A.png B.png: prints how many pixels per thousand differ, "sizes" if the
 // pictures have other sizes.
 
-#include "preprocess/file_io.hpp"
+#include "preprocess/base/file_io.hpp"
 #include "src/image/decode.hpp"
 
 #include <algorithm>

@@ -27,8 +27,9 @@ LoadedScene transferred(bool animated) {
     }
     if (animated) gltf.animate(0);
     const TempFolder folder;
-    return web::fromTransfer(
-        web::toTransfer(loadScene(folder.write("scene.glb", gltf.glb()), std::nullopt)));
+    LoadedScene loaded = loadScene(folder.write("scene.glb", gltf.glb()), std::nullopt);
+    loaded.images.clear(); // the page decodes them
+    return web::fromTransfer(web::toTransfer(loaded));
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // The state's JSON: what is written is read back, and what is wrong is named.
 
-#include "preprocess/error.hpp"
+#include "preprocess/base/error.hpp"
 #include "src/viewer/view_state.hpp"
 
 #include <cmath>

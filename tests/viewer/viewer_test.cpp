@@ -1,8 +1,9 @@
 // The viewer against plain pictures of the same views.
 
-#include "preprocess/animation_reading.hpp"
-#include "preprocess/error.hpp"
-#include "preprocess/flatten.hpp"
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/reading/animation_reading.hpp"
+#include "preprocess/reading/flatten.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/gltf_builder.hpp"
@@ -22,7 +23,7 @@ constexpr int height = 120;
 
 LoadedScene yardScene() {
     const Scene scene = test::yard().scene();
-    return {{}, scene, buildAdapted(scene, false), {}, {}};
+    return {{}, scene, {}, buildAdapted(scene, false), {}, {}};
 }
 
 /// A viewer with the yard in a context of its own, without handles.

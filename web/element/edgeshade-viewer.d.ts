@@ -75,6 +75,8 @@ export interface LoadDetail {
   triangles: number;
   fileBytes: number;
   warnings: string[];
+  /** Names that the attribute `variant` chooses from (KHR_materials_variants). */
+  variants: string[];
   /** By stage: download, read, flatten, images, shadows, hand over, upload, draw. */
   milliseconds: Record<string, number>;
   /** From the call of load() to the first frame. */
@@ -117,6 +119,7 @@ export interface EdgeshadeViewerEventMap {
  *   lights      off: no handles
  *   playing, speed, time: the animation's
  *   antialias   off: no multisampling (read once)
+ *   variant     which of the file's variants of materials; where it changes, the scene is read anew
  *   label       what screen readers say of the picture
  *
  * Behind the scene is the element's CSS background-color, by default a light or a dark one as the

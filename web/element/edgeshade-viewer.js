@@ -20,7 +20,7 @@ export { sizeText } from './files.js';
 const nextFrame = () => new Promise((resolve) => requestAnimationFrame(() => resolve()));
 
 export class EdgeshadeViewer extends HTMLElement {
-  static observedAttributes = ['src', 'label', ...viewAttributes];
+  static observedAttributes = ['src', 'label', 'variant', ...viewAttributes];
 
   #canvas;
   #notices;
@@ -34,6 +34,7 @@ export class EdgeshadeViewer extends HTMLElement {
   #viewer = null; // null: not started, or it can't be
   #lost = false;
   #stopWatching = () => {};
+  #shown = null; // what load() was given last that is shown
   #home = null; // changes that reset() goes back to; null: what the attributes say
 
   constructor() {
@@ -76,6 +77,7 @@ export class EdgeshadeViewer extends HTMLElement {
     if (name === 'src') {
       if (after) this.load(after).catch(() => {});
     } else if (name === 'label') this.#label();
+    else if (name === 'variant') this.#reload();
     else if (this.loaded) this.#applyAttributes([name]);
   }
 
@@ -106,8 +108,11 @@ export class EdgeshadeViewer extends HTMLElement {
       if (!this.#viewer) throw new Error(this.#problem);
       this.setAttribute('aria-busy', 'true');
       this.#tellProgress('download', 0);
-      const scene = await this.#loader.load(wanted, (...step) => this.#tellProgress(...step));
-      return await this.#show(scene, wanted, { home, state }, clicked);
+      const variant = this.getAttribute('variant') ?? '';
+      const scene = await this.#loader.load(wanted, variant, (...step) => this.#tellProgress(...step));
+      const detail = await this.#show(scene, wanted, { home, state }, clicked);
+      this.#shown = source;
+      return detail;
     } catch (error) {
       if (error instanceof Superseded) return null;
       this.#doneLoading();
@@ -182,6 +187,12 @@ export class EdgeshadeViewer extends HTMLElement {
     if (this.getAttribute('src')) queueMicrotask(() => this.load(this.getAttribute('src')).catch(() => {}));
   }
 
+  /** The scene once more as it is seen now: another variant shades its materials anew. */
+  #reload() {
+    if (!this.loaded || !this.#shown) return;
+    this.load(this.#shown, { home: this.#home ?? undefined, state: this.state }).catch(() => {});
+  }
+
   #label() {
     this.#canvas.setAttribute('aria-label', this.getAttribute('label') ||
       'Scene. Arrow keys orbit, with Shift they pan, plus and minus zoom.');
@@ -225,8 +236,8 @@ export class EdgeshadeViewer extends HTMLElement {
     await nextFrame();
     this.#doneLoading();
     for (const warning of scene.warnings.slice(0, 2)) this.say(warning);
-    const { name, triangles, fileBytes, warnings } = scene;
-    const detail = { name, triangles, fileBytes, warnings, milliseconds,
+    const { name, triangles, fileBytes, warnings, variants } = scene;
+    const detail = { name, triangles, fileBytes, warnings, variants, milliseconds,
       source: source.given ?? null, totalMilliseconds: performance.now() - clicked };
     this.#loop.wake();
     this.#tell('load', detail);

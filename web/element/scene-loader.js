@@ -10,10 +10,11 @@ export class SceneLoader {
   #stop = null;
 
   /**
-   * `source`: {url} or {name, files: [{path, blob}]}. `onProgress` is called with a stage and a
-   * fraction of it. Resolves with {name, bytes, triangles, warnings, seconds}.
+   * `source`: {url} or {name, files: [{path, blob}]}. `variant`: of its materials, '' for the file's
+   * own. `onProgress` is called with a stage and a fraction of it. Resolves with {name, bytes,
+   * triangles, warnings, variants, milliseconds}.
    */
-  async load(source, onProgress) {
+  async load(source, variant, onProgress) {
     this.cancel();
     const stopped = new Promise((_, reject) => {
       this.#stop = () => reject(new Superseded());
@@ -34,7 +35,7 @@ export class SceneLoader {
           `${event.message ? ` (${event.message})` : ''}.`));
       };
     });
-    worker.postMessage({ module, source });
+    worker.postMessage({ module, source, variant });
     try {
       return await Promise.race([answer, stopped]);
     } finally {

@@ -52,7 +52,7 @@ function requireDone(problem) {
   if (problem) throw new Error(problem);
 }
 
-async function read({ module, source }) {
+async function read({ module, source, variant }) {
   const stages = new Stages();
   stages.enter('download');
   const [program, { name, files }] = await Promise.all([instantiate(module), bytesOf(source)]);
@@ -62,7 +62,7 @@ async function read({ module, source }) {
   files.clear();
   const reader = new program.SceneReader();
   const onStage = (stage) => stages.enter(stage);
-  requireDone(reader.read(name, onStage));
+  requireDone(reader.read(name, variant, onStage));
   await takeImages(reader, (uri) => fetchFile(program.FS, source, uri));
   requireDone(reader.finish(onStage));
   const bytes = reader.bytes().slice();
@@ -73,6 +73,7 @@ async function read({ module, source }) {
     fileBytes,
     triangles: reader.triangles(),
     warnings: JSON.parse(reader.warnings()),
+    variants: JSON.parse(reader.variants()).filter(Boolean),
     milliseconds: stages.milliseconds,
   };
   postMessage({ scene }, [bytes.buffer]);

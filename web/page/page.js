@@ -9,6 +9,7 @@ import { connectKeyHelp } from './key-help.js';
 import { sampleUrl, sampleView } from './sample.js';
 import { connectSheet } from './sheet.js';
 import { hashOf, readHash } from './url-state.js';
+import { chooseVariant, connectVariants } from './variants.js';
 
 const $ = (id) => document.getElementById(id);
 const viewer = $('viewer');
@@ -18,6 +19,7 @@ let model = null; // what is shown: {url} or {file}
 let loaded = null; // the detail of its load
 let wantedForFile = null; // {file, changes}: an address that names a file on the user's device
 
+connectVariants(viewer, $('variants'), $('variant'));
 const refreshControls = connectControls(viewer);
 const refreshDivider = connectDivider(viewer, $('divider'));
 const refreshFigures = connectFigures($('stats'), sizeText);
@@ -31,7 +33,6 @@ async function show(source, next, views) {
     const detail = await viewer.load(source, views);
     if (!detail) return false;
     model = next ?? { file: detail.name };
-    loaded = detail;
     $('scene-name').textContent =
       `${detail.name}: ${detail.triangles.toLocaleString('en')} triangles, ${sizeText(detail.fileBytes)}`;
     document.title = `${detail.name} – edgeshade`;
@@ -44,6 +45,7 @@ async function show(source, next, views) {
 }
 
 function showFiles(files) {
+  chooseVariant(viewer, '');
   const fits = wantedForFile && files.some((file) => file.name === wantedForFile.file);
   const state = fits ? wantedForFile.changes : undefined;
   wantedForFile = null;
@@ -60,6 +62,7 @@ function showSample(changes) {
 
 async function showAddress() {
   const { model: asked, changes, problems } = readHash(location.hash);
+  chooseVariant(viewer, asked?.variant ?? '');
   if (reducedMotion.matches) delete changes.playing;
   if (asked?.file) {
     wantedForFile = { file: asked.file, changes };
@@ -91,7 +94,7 @@ let ownHash = location.hash;
 function saveAddress() {
   saving = null;
   if (!viewer.loaded || !model) return;
-  ownHash = hashOf(model, viewer.state);
+  ownHash = hashOf({ ...model, variant: $('variant').value }, viewer.state);
   history.replaceState(null, '', ownHash);
 }
 
@@ -106,6 +109,7 @@ function refresh() {
 }
 
 viewer.addEventListener('change', refresh);
+viewer.addEventListener('load', ({ detail }) => { loaded = detail; });
 viewer.addEventListener('frame', () => {
   if ($('figures').open) refreshFigures(viewer.stats, loaded);
   if (viewer.state.playing) refresh();

@@ -3,12 +3,13 @@
 const short = (value) => String(Number(Number(value).toPrecision(7)));
 const list = (values) => values.map(short).join(',');
 
-/** The part of the address after "#". `model`: {url} or {file} or null. */
+/** The part of the address after "#". `model`: {url} or {file}, with or without {variant}; or null. */
 export function hashOf(model, state) {
   const parts = [];
   const put = (key, value) => parts.push(`${key}=${encodeURIComponent(value).replace(/%2C/g, ',').replace(/%2F/g, '/').replace(/%3B/g, ';')}`);
   if (model?.url) put('model', model.url);
   if (model?.file) put('file', model.file);
+  if (model?.variant) put('variant', model.variant);
   put('camera', list([...state.camera.from, ...state.camera.to, state.camera.fov]));
   put('light', state.lights.map((light) => list(light)).join(';'));
   if (state.chosen_light) put('chosen', state.chosen_light);
@@ -49,7 +50,7 @@ function sideOf(words, prefix, shadows) {
 }
 
 /**
- * What an address asks for: {model: {url} or {file} or null, changes, problems}. Parts that make no
+ * What an address asks for: {model, changes, problems}, the model as in hashOf(). Parts that make no
  * sense are left out, with a sentence each in `problems`.
  */
 export function readHash(hash) {
@@ -87,5 +88,6 @@ export function readHash(hash) {
   take('time', (text) => { changes.time = one('time')(text); });
   const model = words.has('model') ? { url: words.get('model') }
     : words.has('file') ? { file: words.get('file') } : null;
+  if (model && words.get('variant')) model.variant = words.get('variant');
   return { model, changes, problems };
 }

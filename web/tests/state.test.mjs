@@ -94,6 +94,8 @@ test('words and numbers survive the address', () => {
   const state = { ...view, left: { shadows: 'map', map_size: 4096 }, time: 1.5 };
   const { model, changes, problems } = readHash(hashOf({ url: 'a b/ü&#.glb' }, state));
   assert.deepEqual(model, { url: 'a b/ü&#.glb' });
+  const painted = { url: 'a.glb', variant: 'midnight & blue' };
+  assert.deepEqual(readHash(hashOf(painted, state)).model, painted);
   assert.deepEqual(problems, []);
   requireClose(changes, state);
 });

@@ -53,6 +53,17 @@ export function smallGltf() {
   return Buffer.from(JSON.stringify({ ...json, buffers: [{ byteLength: binary.length, uri }] }));
 }
 
+/** The small scene, whose pillar is blue in the variant "midnight", as .gltf. */
+export function variedGltf() {
+  const gltf = JSON.parse(smallGltf());
+  const name = 'KHR_materials_variants';
+  const material = gltf.materials.push({ pbrMetallicRoughness: { baseColorFactor: [0.1, 0.1, 0.8, 1] } }) - 1;
+  gltf.extensionsUsed = [name];
+  gltf.extensions = { [name]: { variants: [{ name: 'midnight' }] } };
+  gltf.meshes[1].primitives[0].extensions = { [name]: { mappings: [{ material, variants: [0] }] } };
+  return Buffer.from(JSON.stringify(gltf));
+}
+
 function glbChunk(type, bytes, padding) {
   const body = Buffer.concat([bytes, Buffer.alloc(-bytes.length & 3, padding)]);
   const head = Buffer.alloc(8);

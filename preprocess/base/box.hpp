@@ -1,0 +1,26 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <limits>
+
+namespace edgeshade {
+
+/// An axis-aligned box; empty until something is added.
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()};
+    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+    bool empty() const { return low.x > high.x; }
+    void add(const glm::dvec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    bool holds(const glm::dvec3& point) const {
+        return glm::all(glm::lessThanEqual(low, point)) &&
+               glm::all(glm::lessThanEqual(point, high));
+    }
+    glm::dvec3 center() const { return empty() ? glm::dvec3(0.0) : 0.5 * (low + high); }
+    double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
+};
+
+} // namespace edgeshade

@@ -1,0 +1,70 @@
+#include "preprocess/gltf/extensions.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+using enum ExtensionUse;
+
+constexpr KnownExtension known[] = {
+    {"CESIUM_RTC", drawn},
+    {"CESIUM_primitive_outline", metadata},
+    {shadowExtensionName, drawn},
+    {"EXT_mesh_features", metadata},
+    {"EXT_mesh_gpu_instancing", drawn},
+    {"EXT_meshopt_compression", drawn},
+    {"EXT_structural_metadata", metadata},
+    {"EXT_texture_webp", drawn},
+    {"FB_ngon_encoding", metadata},
+    {"KHR_draco_mesh_compression", drawn},
+    {"KHR_lights_punctual", ignored, "the file's lights are not used"},
+    {"KHR_materials_anisotropy", ignored, "anisotropic highlights are not drawn"},
+    {"KHR_materials_clearcoat", ignored, "clear coats are not drawn"},
+    {"KHR_materials_diffuse_transmission", ignored,
+     "light that shines through thin surfaces is not drawn"},
+    {"KHR_materials_dispersion", ignored, "the dispersion of glass is not drawn"},
+    {"KHR_materials_emissive_strength", ignored, "light that surfaces give off is not drawn"},
+    {"KHR_materials_ior", ignored, "refraction is not drawn"},
+    {"KHR_materials_iridescence", ignored, "iridescence is not drawn"},
+    {"KHR_materials_pbrSpecularGlossiness", drawn},
+    {"KHR_materials_sheen", ignored, "sheen is not drawn"},
+    {"KHR_materials_specular", ignored, "highlights are not drawn"},
+    {"KHR_materials_transmission", ignored, "glass is drawn opaque"},
+    {"KHR_materials_unlit", drawn},
+    {"KHR_materials_variants", drawn},
+    {"KHR_materials_volume", ignored, "what absorbs light within glass is not drawn"},
+    {"KHR_mesh_quantization", drawn},
+    {"KHR_meshopt_compression", drawn},
+    {"KHR_node_visibility", drawn},
+    {"KHR_texture_basisu", ignored}, // each such picture gets a sentence of its own
+    {"KHR_texture_transform", drawn},
+    {"KHR_xmp_json_ld", metadata},
+};
+
+} // namespace
+
+std::span<const KnownExtension> knownExtensions() {
+    return known;
+}
+
+void checkExtensions(const JsonField& root, Warnings& warnings) {
+    root.ifPresent("extensions", [](const JsonField& field) { field.requireObject(); });
+    root.ifPresent("extensionsUsed", [](const JsonField& field) {
+        field.forEachItem([](const JsonField& name) { name.text(); });
+    });
+    root.ifPresent("extensionsRequired", [&](const JsonField& field) {
+        field.forEachItem([&](const JsonField& item) {
+            const std::string name = item.text();
+            const auto found = std::find_if(
+                std::begin(known), std::end(known),
+                [&](const KnownExtension& extension) { return name == extension.name; });
+            if (found == std::end(known))
+                item.fail(" is '" + name + "', an extension that this program does not know");
+            if (found->lack)
+                readOrWarn(warnings, found->lack, [&] { item.fail(" is '" + name + "'"); });
+        });
+    });
+}
+
+} // namespace edgeshade

@@ -1,0 +1,362 @@
+#include "preprocess/gltf/gltf_checks.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/extensions.hpp"
+#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/utf8.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <initializer_list>
+#include <utility>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t deepestNesting = 500; // far more than glTF needs, far less than a stack holds
+
+/// Members of one object. Objects keep their order and are searched one by one, so that many would
+/// take the square of their number; tables in extras are large, fields of glTF are not.
+constexpr std::size_t mostMembers = 10000;
+
+/// Bytes that a JSON value takes in all forms that it gets, its text aside.
+constexpr std::size_t bytesPerValue = 256;
+
+/// What of JSON text can be told before it is parsed.
+struct JsonShape {
+    std::size_t depth = 0;   ///< how deep brackets and braces outside of strings are nested
+    std::size_t members = 0; ///< of the object that has most
+    std::size_t values = 1;
+};
+
+JsonShape shapeOf(std::string_view text) {
+    JsonShape shape;
+    std::size_t depth = 0;
+    std::array<std::size_t, deepestNesting + 1> members{}; // of the object at that depth
+    for (std::size_t i = 0; i < text.size() && shape.depth <= deepestNesting; ++i) {
+        const char c = text[i];
+        if (c == '[' || c == '{') {
+            shape.depth = std::max(shape.depth, ++depth);
+            ++shape.values;
+            if (depth <= deepestNesting) members[depth] = 0;
+        } else if ((c == ']' || c == '}') && depth > 0) {
+            --depth;
+        } else if (c == ',') {
+            ++shape.values;
+        } else if (c == ':') {
+            shape.members = std::max(shape.members, ++members[depth]);
+        } else if (c == '"') {
+            for (i = text.find_first_of("\"\\", i + 1); i < text.size() && text[i] == '\\';)
+                i = text.find_first_of("\"\\", i + 2);
+            if (i >= text.size()) break;
+        }
+    }
+    return shape;
+}
+
+/// "2.1" as (2, 1).
+std::pair<int, int> versionOf(const JsonField& field) {
+    const std::string text = field.text();
+    const char* end = text.data() + text.size();
+    std::pair<int, int> version;
+    const auto major = std::from_chars(text.data(), end, version.first);
+    const bool dotted = major.ec == std::errc() && major.ptr != end && *major.ptr == '.';
+    const auto minor = dotted ? std::from_chars(major.ptr + 1, end, version.second) : major;
+    if (!dotted || minor.ec != std::errc() || minor.ptr != end)
+        field.fail(" is '" + text + "', which is no version");
+    return version;
+}
+
+void checkAsset(const JsonField& asset) {
+    const JsonField version = asset.member("version");
+    if (versionOf(version).first != 2)
+        version.fail(" is '" + version.text() + "', but only glTF 2 is read");
+    asset.ifPresent("minVersion", [](const JsonField& least) {
+        if (versionOf(least) > std::pair(2, 0))
+            least.fail(" is '" + least.text() + "', but this program knows no more than glTF 2.0");
+    });
+}
+
+void checkIndex(const JsonField& object, const char* key) {
+    object.ifPresent(key, [](const JsonField& field) { field.index(); });
+}
+
+void checkWholeNumber(const JsonField& object, const char* key) {
+    object.ifPresent(key, [](const JsonField& field) { field.wholeNumber(); });
+}
+
+void checkText(const JsonField& object, const char* key) {
+    object.ifPresent(key, [](const JsonField& field) { field.text(); });
+}
+
+void checkIntegers(const JsonField& array) {
+    array.forEachItem([](const JsonField& item) { item.integer(); });
+}
+
+/// As JsonField::numbers().
+void checkNumbers(const JsonField& object, const char* key, std::size_t count) {
+    object.ifPresent(key, [count](const JsonField& array) { array.numbers(count); });
+}
+
+void checkBuffer(const JsonField& buffer) {
+    buffer.member("byteLength").wholeNumber();
+    checkText(buffer, "uri");
+}
+
+/// A range of a buffer, as views have it and as compressed views have it once more.
+void checkRange(const JsonField& range, std::size_t bufferCount) {
+    range.member("buffer").indexInto(bufferCount, "buffers");
+    checkWholeNumber(range, "byteOffset");
+    range.member("byteLength").wholeNumber();
+    checkWholeNumber(range, "byteStride");
+}
+
+void checkBufferView(const JsonField& view, std::size_t bufferCount) {
+    checkRange(view, bufferCount);
+    view.ifPresent("byteStride", [](const JsonField& stride) {
+        const std::uint64_t value = stride.wholeNumber();
+        if (value < 4 || value > 252 || value % 4 != 0)
+            stride.fail(" is " + std::to_string(value) +
+                        ", but must be a multiple of 4 from 4 to 252");
+    });
+    view.ifPresent("extensions", [&](const JsonField& extensions) {
+        extensions.forEachMember([&](const JsonField& extension) {
+            if (extension.value().is_object() && extension.find("buffer"))
+                checkRange(extension, bufferCount);
+        });
+    });
+}
+
+void checkSparse(const JsonField& sparse, std::size_t viewCount) {
+    sparse.member("count").index();
+    for (const char* key : {"indices", "values"}) {
+        const JsonField part = sparse.member(key);
+        part.member("bufferView").indexInto(viewCount, "bufferViews");
+        checkIndex(part, "byteOffset"); // an int in tinygltf
+    }
+    sparse.member("indices").member("componentType").index();
+}
+
+void checkAccessor(const JsonField& accessor, std::size_t viewCount) {
+    accessor.ifPresent("bufferView",
+                       [&](const JsonField& view) { view.indexInto(viewCount, "bufferViews"); });
+    checkWholeNumber(accessor, "byteOffset");
+    accessor.member("count").wholeNumber();
+    accessor.ifPresent("normalized", [](const JsonField& flag) { flag.boolean(); });
+    const JsonField componentType = accessor.member("componentType");
+    if (componentType.index() < 5120 || componentType.index() > 5130)
+        componentType.fail(" is " + std::to_string(componentType.index()) +
+                           ", which is no component type");
+    const JsonField type = accessor.member("type");
+    constexpr std::array types = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
+    if (std::find(types.begin(), types.end(), type.text()) == types.end())
+        type.fail(" is '" + type.text() + "', which is no accessor type");
+    accessor.ifPresent("sparse", [&](const JsonField& sparse) { checkSparse(sparse, viewCount); });
+}
+
+void checkDraco(const JsonField& extension, std::size_t viewCount) {
+    extension.member("bufferView").indexInto(viewCount, "bufferViews");
+    extension.member("attributes").forEachMember([](const JsonField& id) { id.index(); });
+}
+
+void checkAttributes(const JsonField& attributes, std::size_t accessorCount) {
+    attributes.forEachMember(
+        [&](const JsonField& accessor) { accessor.indexInto(accessorCount, "accessors"); });
+}
+
+void checkPrimitive(const JsonField& primitive, std::size_t accessorCount, std::size_t viewCount) {
+    checkAttributes(primitive.member("attributes"), accessorCount);
+    primitive.ifPresent("indices", [&](const JsonField& accessor) {
+        accessor.indexInto(accessorCount, "accessors");
+    });
+    checkIndex(primitive, "material");
+    primitive.ifPresent("mode", [](const JsonField& mode) {
+        if (mode.index() > 6) mode.fail(" is " + mode.value().dump() + ", but must be 0 to 6");
+    });
+    primitive.ifPresent("targets", [&](const JsonField& targets) {
+        targets.forEachItem(
+            [&](const JsonField& target) { checkAttributes(target, accessorCount); });
+    });
+    primitive.ifExtension("KHR_draco_mesh_compression",
+                          [&](const JsonField& extension) { checkDraco(extension, viewCount); });
+}
+
+void checkNode(const JsonField& node, std::size_t accessorCount) {
+    checkIndex(node, "mesh");
+    checkIndex(node, "skin");
+    checkNumbers(node, "matrix", 16);
+    checkNumbers(node, "translation", 3);
+    checkNumbers(node, "rotation", 4);
+    checkNumbers(node, "scale", 3);
+    checkNumbers(node, "weights", 0);
+    node.ifPresent("children", checkIntegers);
+    node.ifExtension("EXT_mesh_gpu_instancing", [&](const JsonField& instancing) {
+        checkAttributes(instancing.member("attributes"), accessorCount);
+    });
+    node.ifExtension("KHR_node_visibility", [](const JsonField& visibility) {
+        visibility.ifPresent("visible", [](const JsonField& flag) { flag.boolean(); });
+    });
+}
+
+void checkTextureInfo(const JsonField& info) {
+    info.member("index").index();
+    checkIndex(info, "texCoord");
+    info.ifExtension("KHR_texture_transform", [](const JsonField& transform) {
+        checkIndex(transform, "texCoord");
+        checkNumbers(transform, "offset", 2);
+        checkNumbers(transform, "scale", 2);
+        transform.ifPresent("rotation", [](const JsonField& angle) { angle.number(); });
+    });
+}
+
+void checkMaterial(const JsonField& material) {
+    material.ifPresent("alphaMode", [](const JsonField& mode) {
+        mode.oneOf({"OPAQUE", "MASK", "BLEND"});
+    });
+    material.ifPresent("alphaCutoff", [](const JsonField& cutoff) { cutoff.number(); });
+    material.ifPresent("pbrMetallicRoughness", [](const JsonField& metallic) {
+        checkNumbers(metallic, "baseColorFactor", 4);
+        metallic.ifPresent("baseColorTexture", checkTextureInfo);
+    });
+    material.ifExtension("KHR_materials_pbrSpecularGlossiness", [](const JsonField& glossy) {
+        checkNumbers(glossy, "diffuseFactor", 4);
+        glossy.ifPresent("diffuseTexture", checkTextureInfo);
+    });
+    material.ifExtension("KHR_materials_unlit",
+                         [](const JsonField& unlit) { unlit.requireObject(); });
+}
+
+/// `meaning`: the values, in words.
+void checkOneOf(const JsonField& object, const char* key, std::initializer_list<int> values,
+                const std::string& meaning) {
+    object.ifPresent(key, [&](const JsonField& field) {
+        const int value = field.index();
+        if (std::find(values.begin(), values.end(), value) == values.end())
+            field.fail(" is " + std::to_string(value) + ", but must be " + meaning);
+    });
+}
+
+void checkSampler(const JsonField& sampler) {
+    for (const char* key : {"wrapS", "wrapT"})
+        checkOneOf(sampler, key, {33071, 33648, 10497},
+                   "33071, 33648 or 10497: clamp, mirror or repeat");
+    checkOneOf(sampler, "magFilter", {9728, 9729}, "9728 or 9729: nearest or linear");
+    checkOneOf(sampler, "minFilter", {9728, 9729, 9984, 9985, 9986, 9987},
+               "9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
+}
+
+/// Every section that is there is an array of objects; `check` looks into each.
+template <class Check>
+void checkSection(const JsonField& root, const char* section, Check check) {
+    root.ifPresent(section, [&](const JsonField& items) {
+        items.forEachItem([&](const JsonField& item) {
+            item.requireObject();
+            check(item);
+        });
+    });
+}
+
+void checkSections(const JsonField& root) {
+    const std::size_t bufferCount = root.countOf("buffers");
+    const std::size_t viewCount = root.countOf("bufferViews");
+    const std::size_t accessorCount = root.countOf("accessors");
+    const std::size_t samplerCount = root.countOf("samplers");
+    checkSection(root, "buffers", checkBuffer);
+    checkSection(root, "bufferViews",
+                 [&](const JsonField& view) { checkBufferView(view, bufferCount); });
+    checkSection(root, "accessors",
+                 [&](const JsonField& accessor) { checkAccessor(accessor, viewCount); });
+    checkSection(root, "meshes", [&](const JsonField& mesh) {
+        checkNumbers(mesh, "weights", 0);
+        mesh.member("primitives").forEachItem([&](const JsonField& primitive) {
+            checkPrimitive(primitive, accessorCount, viewCount);
+        });
+    });
+    checkSection(root, "nodes", [&](const JsonField& node) { checkNode(node, accessorCount); });
+    checkSection(root, "scenes",
+                 [](const JsonField& scene) { scene.ifPresent("nodes", checkIntegers); });
+    checkSection(root, "skins", [&](const JsonField& skin) {
+        checkIntegers(skin.member("joints"));
+        skin.ifPresent("inverseBindMatrices", [&](const JsonField& matrices) {
+            matrices.indexInto(accessorCount, "accessors");
+        });
+    });
+    checkSection(root, "materials", checkMaterial);
+    checkSection(root, "samplers", checkSampler);
+    checkSection(root, "textures", [&](const JsonField& texture) {
+        texture.ifPresent("sampler", [&](const JsonField& sampler) {
+            sampler.indexInto(samplerCount, "samplers");
+        });
+    });
+    checkSection(root, "images", [](const JsonField&) {}); // looked into where they are drawn
+    checkIndex(root, "scene");
+    root.ifExtension("CESIUM_RTC",
+                     [](const JsonField& extension) { extension.member("center").numbers(3); });
+}
+
+/// What is wrong with text that is no JSON.
+std::string jsonFault(std::string_view text, std::size_t byte, bool inGlb) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); // a mark of UTF-8 too
+    const bool begun =
+        start != std::string_view::npos && (text[start] == '{' || text[start] == '[');
+    if (!inGlb && !begun) return " is neither GLB nor JSON.";
+    return " holds JSON that is wrong at byte " + std::to_string(byte) +
+           (byte > text.size() ? ": it ends too early." : ", which JSON does not allow there.");
+}
+
+} // namespace
+
+nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::path& path,
+                                 bool inGlb, MemoryBudget& memory, Warnings& warnings) {
+    const std::string file = "'" + path.string() + "'";
+    const JsonShape shape = shapeOf(text);
+    if (shape.depth > deepestNesting)
+        throw InputError(file + " nests its JSON more than " + std::to_string(deepestNesting) +
+                         " levels deep.");
+    if (shape.members > mostMembers)
+        throw InputError(file + " has a JSON object of " + std::to_string(shape.members) +
+                         " members; at most " + std::to_string(mostMembers) + " are read.");
+    memory.take(text.size() + bytesPerValue * shape.values, 1, file + ": its JSON");
+    std::string replaced;
+    if (const auto invalid = firstInvalidUtf8(text)) {
+        warnings.add(file + " holds text that is no UTF-8, at byte " + std::to_string(*invalid) +
+                     " of its JSON first; U+FFFD stands for each such byte.");
+        memory.take(3 * text.size(), 1, file + ": its JSON");
+        text = replaced = withValidUtf8(text);
+    }
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw InputError(file + jsonFault(text, error.byte, inGlb));
+    }
+}
+
+void requireSoundGltf(const nlohmann::ordered_json& json, const std::filesystem::path& path,
+                      Warnings& warnings) {
+    if (!json.is_object()) throw InputError("'" + path.string() + "' holds no JSON object.");
+    const JsonField root(path, json);
+    checkAsset(root.member("asset"));
+    checkExtensions(root, warnings);
+    checkSections(root);
+}
+
+void requireWithinLimits(const nlohmann::ordered_json& json, const std::filesystem::path& path,
+                         MemoryBudget& memory) {
+    constexpr std::size_t bytesPerItem = 2048; // a typed material has 1,500
+    const JsonField root(path, json);
+    root.ifPresent("nodes", [&](const JsonField& nodes) {
+        if (nodes.size() > memory.limits().nodes)
+            nodes.fail(" has " + std::to_string(nodes.size()) +
+                       " items, but the limit of nodes is " +
+                       std::to_string(memory.limits().nodes));
+    });
+    root.forEachMember([&](const JsonField& section) {
+        if (section.value().is_array())
+            memory.take(section.size(), bytesPerItem, "'" + path.string() + "': " + section.name());
+    });
+}
+
+} // namespace edgeshade

@@ -1,0 +1,93 @@
+#include "preprocess/gltf/gltf_document.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/data_uri.hpp"
+#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/percent_encoding.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace edgeshade {
+namespace {
+
+/// Whether the decoded uri says a place in its folder or below: no root, no way up, and no
+/// character that means more than a name on some system.
+bool namesPlaceInside(const std::string& decoded) {
+    constexpr std::string_view special("\\:\0", 3);
+    const std::filesystem::path relative = decoded;
+    return !decoded.empty() && relative.is_relative() &&
+           decoded.find_first_of(special) == std::string::npos &&
+           std::find(relative.begin(), relative.end(), "..") == relative.end();
+}
+
+/// Where `uri` lies, links followed, if that is inside the asset's folder.
+std::filesystem::path pathOfUri(const GltfDocument& document, const std::string& field,
+                                const std::string& uri) {
+    const std::string said = document.where(field) + " is '" + uri.substr(0, 80) + "', but ";
+    const std::string decoded = percentDecoded(uri);
+    if (!namesPlaceInside(decoded))
+        throw InputError(said + "only files in the asset's own folder and data URIs are read.");
+    const std::filesystem::path path = document.path.parent_path() / decoded;
+    std::error_code missing;
+    const auto file = std::filesystem::canonical(path, missing);
+    if (missing) return path; // reading it says what is wrong
+    const auto folder = std::filesystem::canonical(
+        path.parent_path().empty() ? std::filesystem::path(".") : document.path.parent_path() / ".",
+        missing);
+    if (missing || *file.lexically_relative(folder).begin() == "..")
+        throw InputError(said + "that is a link out of the asset's own folder.");
+    if (!std::filesystem::is_directory(file) && !std::filesystem::is_regular_file(file))
+        throw InputError(said + "that is no regular file.");
+    return file;
+}
+
+} // namespace
+
+Bytes resolveUri(const GltfDocument& document, const std::string& field, const std::string& uri) {
+    if (isDataUri(uri)) return dataOfUri(uri, document.where(field));
+    const std::filesystem::path file = pathOfUri(document, field, uri);
+    try {
+        return readFile(file, document.memory.limits().fileBytes);
+    } catch (const LimitError& error) {
+        throw LimitError(document.where(field) + ": " + error.what());
+    } catch (const InputError& error) {
+        throw InputError(document.where(field) + ": " + error.what());
+    }
+}
+
+std::span<const std::uint8_t> bufferViewBytes(const GltfDocument& document, int view) {
+    const auto& views = document.model.bufferViews;
+    if (view < 0 || static_cast<std::size_t>(view) >= views.size())
+        throw InputError(document.where("bufferView ") + std::to_string(view) +
+                         " does not exist; there are " + std::to_string(views.size()) + ".");
+    if (document.decodedViews[view]) return *document.decodedViews[view];
+    const tinygltf::BufferView& range = views[view];
+    if (range.buffer < 0 || static_cast<std::size_t>(range.buffer) >= document.buffers.size())
+        throw InputError(document.where("bufferViews[") + std::to_string(view) + "].buffer is " +
+                         std::to_string(range.buffer) + ", which does not exist.");
+    const Bytes& bytes = document.buffers[range.buffer];
+    if (range.byteOffset > bytes.size() || range.byteLength > bytes.size() - range.byteOffset)
+        throw InputError(document.where("bufferViews[") + std::to_string(view) + "] ends at byte " +
+                         std::to_string(range.byteOffset + range.byteLength) + ", but buffer " +
+                         std::to_string(range.buffer) + " has " + std::to_string(bytes.size()) +
+                         ".");
+    return std::span(bytes).subspan(range.byteOffset, range.byteLength);
+}
+
+Bytes encodedImageBytes(const GltfDocument& document, int image) {
+    const JsonField root(document.path, document.json);
+    const auto images = root.find("images");
+    if (!images || image < 0 || static_cast<std::size_t>(image) >= images->size())
+        throw InputError(document.where("images[") + std::to_string(image) + "] does not exist.");
+    const JsonField source = images->item(static_cast<std::size_t>(image));
+    if (const auto view = source.find("bufferView")) {
+        const auto bytes = bufferViewBytes(
+            document, view->indexInto(document.model.bufferViews.size(), "bufferViews"));
+        return Bytes(bytes.begin(), bytes.end());
+    }
+    if (const auto uri = source.find("uri")) return resolveUri(document, uri->name(), uri->text());
+    source.fail(" has neither a bufferView nor a uri");
+}
+
+} // namespace edgeshade

@@ -1,0 +1,189 @@
+#include "preprocess/gltf/tinygltf_model.hpp"
+
+#include "preprocess/base/error.hpp"
+
+#include <functional>
+#include <initializer_list>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Which items got something that the asset does not have.
+struct StandIns {
+    std::vector<std::size_t> accessors; ///< got a bufferView
+    std::vector<std::size_t> skins;     ///< got inverseBindMatrices
+};
+
+/// The object's members of these names; of what is no object, nothing.
+Json only(const Json& object, std::initializer_list<const char*> keys) {
+    Json kept = Json::object();
+    if (!object.is_object()) return kept;
+    for (const char* key : keys)
+        if (const auto member = object.find(key); member != object.end()) kept[key] = *member;
+    return kept;
+}
+
+/// Replaces the member, if it is there, by what `keep` makes of it.
+void keepOf(Json& object, const char* key, const std::function<Json(const Json&)>& keep) {
+    if (const auto member = object.find(key); member != object.end()) *member = keep(*member);
+}
+
+/// What `keep` makes of each item.
+Json kept(const Json& items, const std::function<Json(const Json&)>& keep) {
+    Json all = Json::array();
+    for (const Json& item : items)
+        all.push_back(keep(item));
+    return all;
+}
+
+Json keptTextureInfo(const Json& source) {
+    Json info = only(source, {"index", "texCoord", "extensions"});
+    keepOf(info, "extensions",
+           [](const Json& extensions) { return only(extensions, {"KHR_texture_transform"}); });
+    return info;
+}
+
+Json keptMaterial(const Json& source) {
+    Json material =
+        only(source, {"alphaMode", "alphaCutoff", "pbrMetallicRoughness", "extensions"});
+    keepOf(material, "pbrMetallicRoughness", [](const Json& metallic) {
+        Json color = only(metallic, {"baseColorFactor", "baseColorTexture"});
+        keepOf(color, "baseColorTexture", keptTextureInfo);
+        return color;
+    });
+    keepOf(material, "extensions", [](const Json& extensions) {
+        return only(extensions, {"KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit"});
+    });
+    return material;
+}
+
+Json keptMesh(const Json& source) {
+    Json mesh = only(source, {"primitives", "weights"});
+    keepOf(mesh, "primitives", [](const Json& primitives) {
+        return kept(primitives, [](const Json& primitive) {
+            Json triangles = only(
+                primitive, {"attributes", "indices", "material", "mode", "targets", "extensions"});
+            keepOf(triangles, "extensions", [](const Json& extensions) {
+                return only(extensions, {"KHR_draco_mesh_compression"});
+            });
+            return triangles;
+        });
+    });
+    return mesh;
+}
+
+/// tinygltf wants a view behind every index accessor, which KHR_draco_mesh_compression lacks.
+Json keptAccessors(const Json& source, std::vector<std::size_t>& standIns) {
+    Json accessors = kept(source, [](const Json& accessor) {
+        return only(accessor, {"bufferView", "byteOffset", "componentType", "count", "normalized",
+                               "sparse", "type"});
+    });
+    for (std::size_t i = 0; i < accessors.size(); ++i) {
+        if (accessors[i].contains("bufferView")) continue;
+        accessors[i]["bufferView"] = 0;
+        standIns.push_back(i);
+    }
+    return accessors;
+}
+
+/// It wants inverse bind matrices, which are identities where a skin has none.
+Json keptSkins(const Json& source, std::vector<std::size_t>& standIns) {
+    Json skins = kept(source, [](const Json& skin) {
+        return only(skin, {"joints", "inverseBindMatrices"});
+    });
+    for (std::size_t i = 0; i < skins.size(); ++i) {
+        if (skins[i].contains("inverseBindMatrices")) continue;
+        skins[i]["inverseBindMatrices"] = 0;
+        standIns.push_back(i);
+    }
+    return skins;
+}
+
+/// It wants every animation channel to move a node, which those of extensions need not.
+Json keptAnimation(const Json& source) {
+    Json animation = only(source, {"channels", "samplers"});
+    keepOf(animation, "samplers", [](const Json& samplers) {
+        return kept(samplers, [](const Json& sampler) {
+            return only(sampler, {"input", "output", "interpolation"});
+        });
+    });
+    keepOf(animation, "channels", [](const Json& channels) {
+        Json moving = Json::array();
+        for (const Json& channel : channels)
+            if (channel.contains("target") && channel["target"].contains("node"))
+                moving.push_back({{"sampler", channel["sampler"]},
+                                  {"target", only(channel["target"], {"node", "path"})}});
+        return moving;
+    });
+    return animation;
+}
+
+Json keptAnimations(const Json& source, const std::set<std::size_t>& broken) {
+    Json animations = Json::array();
+    if (!source.is_array()) return animations; // a warning was given
+    for (std::size_t i = 0; i < source.size(); ++i)
+        animations.push_back(broken.contains(i) ? Json::object() : keptAnimation(source[i]));
+    return animations;
+}
+
+Json keptJson(const Json& source, const std::set<std::size_t>& brokenAnimations,
+              StandIns& standIns) {
+    Json json =
+        only(source, {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews",
+                      "buffers", "materials", "textures", "samplers", "skins", "animations"});
+    keepOf(json, "asset", [](const Json& asset) { return only(asset, {"version"}); });
+    const auto keepItems = [&json](const char* section, std::initializer_list<const char*> keys) {
+        keepOf(json, section, [&](const Json& items) {
+            return kept(items, [&](const Json& item) { return only(item, keys); });
+        });
+    };
+    keepItems("scenes", {"nodes"});
+    keepItems("nodes", {"children", "matrix", "mesh", "rotation", "scale", "skin", "translation",
+                        "weights"});
+    keepItems("bufferViews", {"buffer", "byteLength", "byteOffset", "byteStride"});
+    keepItems("textures", {"extensions", "sampler", "source"});
+    keepItems("samplers", {"magFilter", "minFilter", "wrapS", "wrapT"});
+    keepOf(json, "meshes", [](const Json& meshes) { return kept(meshes, keptMesh); });
+    keepOf(json, "materials", [](const Json& materials) { return kept(materials, keptMaterial); });
+    // It wants bytes behind every buffer, which EXT_meshopt_compression's fallbacks lack.
+    keepOf(json, "buffers", [](const Json& buffers) {
+        return kept(buffers, [](const Json&) {
+            return Json{{"uri", "data:application/octet-stream;base64,AA=="}, {"byteLength", 1}};
+        });
+    });
+    keepOf(json, "accessors",
+           [&](const Json& accessors) { return keptAccessors(accessors, standIns.accessors); });
+    if (!standIns.accessors.empty() &&
+        (!json.contains("bufferViews") || json["bufferViews"].empty()))
+        json["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
+    keepOf(json, "skins", [&](const Json& skins) { return keptSkins(skins, standIns.skins); });
+    keepOf(json, "animations",
+           [&](const Json& animations) { return keptAnimations(animations, brokenAnimations); });
+    return json;
+}
+
+} // namespace
+
+tinygltf::Model typedModel(const Json& json, const std::set<std::size_t>& brokenAnimations,
+                           const std::filesystem::path& path) {
+    StandIns standIns;
+    const std::string text = keptJson(json, brokenAnimations, standIns).dump();
+    tinygltf::Model model;
+    tinygltf::TinyGLTF loader;
+    std::string errors, warnings;
+    const bool parsed = loader.LoadASCIIFromString(
+        &model, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), std::string());
+    // Its own words name no field; whatever they are about, the checks before should have said it.
+    if (!parsed || !errors.empty())
+        throw InputError("'" + path.string() + "' is no valid glTF 2.0: it could not be parsed.");
+    model.bufferViews.resize(json.contains("bufferViews") ? json["bufferViews"].size() : 0);
+    for (const std::size_t accessor : standIns.accessors)
+        model.accessors.at(accessor).bufferView = -1;
+    for (const std::size_t skin : standIns.skins)
+        model.skins.at(skin).inverseBindMatrices = -1;
+    return model;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,52 @@
+#include "preprocess/mesh/caster_simplification.hpp"
+
+#include "preprocess/mesh/topology.hpp"
+
+#include <algorithm>
+#include <meshoptimizer.h>
+
+namespace edgeshade {
+namespace {
+
+double longestAxis(const glm::dmat4& worldFromBatch) {
+    const glm::dmat3 axes(worldFromBatch);
+    return std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+}
+
+/// A vertex of the batch for every welded position.
+std::vector<std::uint32_t> verticesOf(const WeldedMesh& mesh, const Casters& casters) {
+    std::vector<std::uint32_t> vertices(mesh.positions.size());
+    for (std::size_t t = mesh.triangles.size(); t-- > 0;)
+        for (std::size_t c = 0; c < 3; ++c)
+            vertices[mesh.triangles[t][c]] = casters.indices[3 * mesh.source[t] + c];
+    return vertices;
+}
+
+std::vector<std::uint32_t> simplified(const Batch& batch, const Casters& casters, double error) {
+    const WeldedMesh mesh = weld(batch.positions, casters.indices);
+    if (mesh.triangles.empty()) return {};
+    const std::uint32_t* corners = mesh.triangles.front().data();
+    const std::size_t cornerCount = 3 * mesh.triangles.size();
+    const float* positions = &mesh.positions.front().x;
+    const float scale = meshopt_simplifyScale(positions, mesh.positions.size(), sizeof(glm::vec3));
+    std::vector<std::uint32_t> kept(cornerCount);
+    kept.resize(meshopt_simplify(
+        kept.data(), corners, cornerCount, positions, mesh.positions.size(), sizeof(glm::vec3), 0,
+        static_cast<float>(error / static_cast<double>(scale)), 0, nullptr));
+    const std::vector<std::uint32_t> vertices = verticesOf(mesh, casters);
+    for (std::uint32_t& corner : kept)
+        corner = vertices[corner];
+    return kept;
+}
+
+} // namespace
+
+void simplifyCasters(Scene& scene, double error) {
+    if (error <= 0.0) return;
+    for (Batch& batch : scene.batches)
+        batch.simplifiedCasters =
+            simplified(batch, castingSurfacesOf(batch, scene.materials, false),
+                       error / longestAxis(batch.worldFromBatch));
+}
+
+} // namespace edgeshade

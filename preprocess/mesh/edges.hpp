@@ -1,0 +1,41 @@
+#pragma once
+
+#include "preprocess/mesh/weld.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace edgeshade {
+
+/// A vertex opposite to an edge: the third one of a triangle on it.
+struct Opposite {
+    std::uint32_t vertex = 0;
+    std::uint32_t triangle = 0;
+    bool operator==(const Opposite&) const = default;
+};
+
+/// An edge `a < b` and where its opposite vertices stand in EdgeList::opposites.
+struct Edge {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t firstOpposite = 0;
+    std::uint32_t oppositeCount = 0; ///< n >= 1
+    bool operator==(const Edge&) const = default;
+};
+
+/// All edges of a welded mesh, sorted by (a, b); opposites of an edge sorted by (vertex, triangle).
+struct EdgeList {
+    std::vector<Edge> edges;
+    std::vector<Opposite> opposites; ///< three a triangle
+
+    std::span<const Opposite> oppositesOf(const Edge& edge) const {
+        return std::span(opposites).subspan(edge.firstOpposite, edge.oppositeCount);
+    }
+    std::uint32_t largestOppositeCount() const;
+};
+
+/// Finds every edge, with any number of opposite vertices (docs/method.md, Terms).
+EdgeList buildEdges(const WeldedMesh& mesh);
+
+} // namespace edgeshade

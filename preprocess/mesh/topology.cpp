@@ -1,0 +1,68 @@
+#include "preprocess/mesh/topology.hpp"
+
+#include <span>
+
+namespace edgeshade {
+
+namespace {
+
+void add(Casters& casters, std::size_t material, std::span<const std::uint32_t> corners) {
+    casters.groups.push_back({material, static_cast<std::uint32_t>(casters.indices.size()),
+                              static_cast<std::uint32_t>(corners.size())});
+    casters.indices.insert(casters.indices.end(), corners.begin(), corners.end());
+}
+
+} // namespace
+
+Casters castingSurfacesOf(const Batch& batch, const std::vector<Material>& materials,
+                          bool castMasked) {
+    Casters casters;
+    for (const SurfaceGroup& group : batch.groups)
+        if (castMasked || materials[group.material].alphaMode == AlphaMode::opaque)
+            add(casters, group.material,
+                std::span(batch.indices).subspan(group.firstIndex, group.indexCount));
+    return casters;
+}
+
+Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bool castMasked) {
+    if (!batch.simplifiedCasters) return castingSurfacesOf(batch, materials, castMasked);
+    Casters casters;
+    for (const SurfaceGroup& group : batch.groups) {
+        const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
+        // One group stands for all opaque ones: their materials make no difference.
+        if (opaque && casters.groups.empty())
+            add(casters, group.material, *batch.simplifiedCasters);
+        else if (!opaque && castMasked)
+            add(casters, group.material,
+                std::span(batch.indices).subspan(group.firstIndex, group.indexCount));
+    }
+    return casters;
+}
+
+CasterMesh weldCasters(const Batch& batch, const Casters& casters) {
+    CasterMesh mesh;
+    mesh.welded = weld(batch.positions, casters.indices);
+    std::uint32_t cap = 0;
+    const auto& source = mesh.welded.source;
+    for (const SurfaceGroup& group : casters.groups) {
+        const std::uint32_t end = (group.firstIndex + group.indexCount) / 3;
+        const std::uint32_t first = cap;
+        while (cap < source.size() && source[cap] < end)
+            ++cap;
+        if (cap > first) mesh.groups.push_back({group.material, first, cap - first});
+    }
+    return mesh;
+}
+
+std::uint64_t positionsHash(const Batch& batch, const Casters& surfaces) {
+    std::uint64_t hash = 0xCBF29CE484222325u;
+    for (const std::uint32_t index : surfaces.indices)
+        for (glm::length_t c = 0; c < 3; ++c) {
+            const std::uint32_t bits = glm::floatBitsToUint(batch.positions[index][c]);
+            for (int shift = 0; shift < 32; shift += 8)
+                hash = (hash ^ (bits >> shift & 0xFFu)) * 0x100000001B3u;
+        }
+    return hash;
+}
+
+} // namespace edgeshade

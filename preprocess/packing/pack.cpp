@@ -1,0 +1,125 @@
+#include "preprocess/packing/pack.hpp"
+
+#include "preprocess/base/stopwatch.hpp"
+#include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/mesh/caster_simplification.hpp"
+#include "preprocess/packing/packed_file.hpp"
+#include "preprocess/reading/flatten.hpp"
+#include "preprocess/reading/variants.hpp"
+#include "shaders_es2/record_layout.glsl"
+
+#include <limits>
+
+namespace edgeshade {
+
+nlohmann::ordered_json toJson(const PackReport& report) {
+    using Json = nlohmann::ordered_json;
+    const MeshStatistics& casters = report.casters;
+    const std::size_t largest = casters.largestOppositeCount();
+    const auto multiplicity = static_cast<std::size_t>(report.maxMultiplicity);
+    Json byCount = Json::object();
+    for (const auto& [n, count] : casters.edgesByOppositeCount)
+        byCount[std::to_string(n)] = count;
+    const std::size_t publishedCapRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
+    return {
+        {"diagonal", report.diagonal},
+        {"triangles", report.triangles},
+        {"degenerate_triangles", casters.degenerateTriangles},
+        {"casting_surface_triangles", report.castingSurfaceTriangles},
+        {"casting_triangles", casters.triangles}, // of what casts, simplified or not, as all below
+        {"edges", casters.edges},
+        {"edges_by_opposite_count", byCount},
+        {"largest_opposite_count", largest},
+        {"components", casters.components},
+        {"closed_oriented_triangles", casters.closedOrientedTriangles},
+        {"flat_edges_dropped", report.adapted.flatEdges},
+        {"records", report.adapted.records},
+        {"record_multiplicity", multiplicity},
+        // Sides and caps as the GPU holds them, instanced; beside them Equations 6.8 and 6.9.
+        {"bytes",
+         {{"sides", report.adapted.sideBytes},
+          {"caps", report.adapted.capBytes},
+          {"published_equation", 16 * (2 + largest) * casters.edges + 48 * casters.triangles},
+          {"stored", report.storedBytes},
+          {"file", report.fileBytes}}},
+        {"vertex_runs",
+         {{"sides", report.adapted.sideRuns},
+          {"caps", report.adapted.capRuns},
+          {"published", casters.edges * largest * VERTICES_PER_SIDE + publishedCapRuns}}},
+        {"seconds",
+         {{"read", report.readSeconds},
+          {"simplify", report.build.simplify},
+          {"weld", report.build.weld},
+          {"edges", report.build.edges},
+          {"pack", report.build.pack}}},
+        {"settings",
+         {{"weld-tolerance", report.settings.weldTolerance},
+          {"cast-masked", report.settings.castMasked},
+          {"caster-error", report.settings.casterError},
+          {"flat-tolerance", report.settings.flatTolerance}}},
+        {"variants", report.variants},
+        {"warnings", report.warnings},
+    };
+}
+
+PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings,
+                         const ReadingLimits& limits) {
+    Stopwatch watch;
+    GltfDocument document = readGltf(path, limits);
+    const double readSeconds = watch.lap();
+    PackInput input = readForPacking(std::move(document), settings, false);
+    input.report.readSeconds += readSeconds;
+    return input;
+}
+
+PackInput readForPacking(GltfDocument document, const CasterSettings& settings, bool useStored) {
+    Stopwatch watch;
+    PackInput input;
+    input.document = std::move(document);
+    input.scene = flattenScene(input.document, settings.weldTolerance);
+    PackReport& report = input.report;
+    report.readSeconds = watch.lap();
+    const auto header = readShadowHeader(input.document);
+    if (useStored && settings.casterError > 0.0 && header && header->settings == settings)
+        readCasters(input.document, *header, input.scene);
+    else
+        simplifyCasters(input.scene, settings.casterError);
+    report.build.simplify = watch.lap();
+    input.topology = buildTopology(input.scene, settings.castMasked, report.build);
+
+    report.settings = settings;
+    report.diagonal = worldBounds(input.scene).diagonal();
+    report.triangles = input.scene.triangleCount();
+    for (const Batch& batch : input.scene.batches)
+        report.castingSurfaceTriangles +=
+            castingSurfacesOf(batch, input.scene.materials, settings.castMasked).indices.size() / 3;
+    report.maxMultiplicity = sceneMultiplicity(input.topology);
+    for (const BatchTopology& batch : input.topology) {
+        report.casters += meshStatistics(batch.mesh.welded, batch.edges);
+        report.adapted += costsOf(
+            buildAdapted(batch.mesh, batch.edges, input.scene.materials, settings.flatTolerance));
+    }
+    report.storedBytes = storedShadowBytes(input.document);
+    std::error_code error;
+    const auto fileBytes = std::filesystem::file_size(input.document.path, error);
+    report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
+    report.variants = variantNames(input.document);
+    report.warnings = input.scene.warnings.sentences();
+    return input;
+}
+
+Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings) {
+    Stopwatch watch;
+    Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding, settings,
+                            input.scene.warnings);
+    ReadingLimits none = input.document.memory.limits(); // of bytes made here
+    none.memoryBytes = std::numeric_limits<std::uint64_t>::max();
+    const GltfDocument packed = parseGltf(bytes, input.document.path, none);
+    input.report.storedBytes = storedShadowBytes(packed);
+    input.report.fileBytes = bytes.size();
+    input.report.warnings = input.scene.warnings.sentences();
+    input.report.build.pack = watch.lap();
+    return bytes;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "preprocess/packing/shadow_extension.hpp"
+#include "preprocess/volumes/adapted_data.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace edgeshade {
+
+/// Figures about a scene's shadow data: the contract's keys of `pack` and `info`.
+struct PackReport {
+    double diagonal = 0.0;                   ///< of the scene's bounds, scene units
+    std::size_t triangles = 0;               ///< of all surfaces, degenerate ones included
+    std::size_t castingSurfaceTriangles = 0; ///< before casters are simplified, likewise
+    CasterSettings settings;
+    MeshStatistics casters;
+    AdaptedCosts adapted;
+    int maxMultiplicity = 1; ///< opposite vertices a published record, as `expanded` stores them
+    std::size_t storedBytes = 0; ///< of shadow data in the file
+    std::size_t fileBytes = 0;
+    double readSeconds = 0.0;
+    BuildSeconds build;
+    std::vector<std::string> variants; ///< names, as the document lists them
+    std::vector<std::string> warnings;
+};
+
+nlohmann::ordered_json toJson(const PackReport& report);
+
+/// A scene read from a file, with the topology of its casters.
+struct PackInput {
+    GltfDocument document;
+    Scene scene;
+    std::vector<BatchTopology> topology;
+    PackReport report;
+};
+
+/// read -> flatten -> simplify -> weld -> edges -> count. Throws InputError.
+PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings,
+                         const ReadingLimits& limits = {});
+
+/// The same of a file that was read already; reading is not in its times. `useStored`: simplified
+/// casters of a file that was packed with these settings are taken as they are.
+PackInput readForPacking(GltfDocument document, const CasterSettings& settings, bool useStored);
+
+/// ... -> pack. The packed file's bytes; completes `input.report`.
+Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings);
+
+} // namespace edgeshade

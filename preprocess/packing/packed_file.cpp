@@ -1,0 +1,165 @@
+#include "preprocess/packing/packed_file.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/buffer_view.hpp"
+#include "preprocess/gltf/glb.hpp"
+#include "preprocess/gltf/image_type.hpp"
+#include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/meshopt_view.hpp"
+#include "preprocess/packing/dangling_indices.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where a source buffer ended up.
+struct BufferPlace {
+    std::size_t buffer;
+    std::size_t offset;
+};
+
+void moveReference(Json& reference, const std::vector<BufferPlace>& places) {
+    const BufferPlace& place = places.at(reference.at("buffer").get<std::size_t>());
+    reference["buffer"] = place.buffer;
+    const auto offset = reference.value("byteOffset", std::size_t{0}) + place.offset;
+    if (offset != 0 || reference.contains("byteOffset")) reference["byteOffset"] = offset;
+}
+
+/// What the joined buffer keeps of the first one that is in it.
+Json joinedBuffer(const Json& first) {
+    Json joined = Json::object();
+    for (const char* key : {"name", "extras"})
+        if (first.contains(key)) joined[key] = first[key];
+    return joined;
+}
+
+/// The same of a buffer without bytes.
+Json fallbackBuffer(Json buffer) {
+    buffer.erase("uri");
+    return buffer;
+}
+
+/// Lets views end with their buffer. What goes past it can't be read and would go on in the bytes
+/// of another once buffers are joined. Throws InputError where the view's length says what is
+/// compressed.
+void cutViews(const GltfDocument& document, Json& json) {
+    for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
+        Json& view = json["bufferViews"][i];
+        const Json& buffer = json["buffers"][view["buffer"].get<std::size_t>()];
+        const auto end = buffer["byteLength"].get<std::uint64_t>();
+        const auto offset = std::min(view.value("byteOffset", std::uint64_t{0}), end);
+        if (view["byteLength"].get<std::uint64_t>() <= end - offset) continue;
+        if (document.decodedViews[i])
+            throw InputError(document.where("bufferViews[") + std::to_string(i) +
+                             "] ends past buffer " + view["buffer"].dump() + ", which has " +
+                             std::to_string(end) + " bytes.");
+        if (offset != 0) view["byteOffset"] = offset;
+        view["byteLength"] = end - offset;
+    }
+}
+
+/// Joins all buffers that have bytes into one, which is there even without; buffers that have none
+/// (meshopt fallbacks) follow it. It ends at a multiple of four, where shadow data will begin, so
+/// that packing it again joins the same bytes.
+Bytes joinBuffers(const GltfDocument& document, Json& json) {
+    Bytes binary;
+    Json buffers = Json::array({Json::object()});
+    std::vector<BufferPlace> places;
+    for (std::size_t i = 0; i < document.buffers.size(); ++i) {
+        const Json& source = json["buffers"][i];
+        if (!document.buffers[i].empty() || !isMeshoptFallback(source)) {
+            if (binary.empty()) buffers[0] = joinedBuffer(source);
+            places.push_back({0, binary.size()});
+            binary.insert(binary.end(), document.buffers[i].begin(), document.buffers[i].end());
+            alignTo4(binary);
+        } else {
+            places.push_back({buffers.size(), 0});
+            buffers.push_back(fallbackBuffer(source));
+        }
+    }
+    buffers[0]["byteLength"] = binary.size();
+    json["buffers"] = std::move(buffers);
+    if (json.contains("bufferViews"))
+        for (Json& view : json["bufferViews"]) {
+            moveReference(view, places);
+            if (view.contains("extensions"))
+                for (Json& extension : view["extensions"])
+                    if (extension.contains("buffer")) moveReference(extension, places);
+        }
+    return binary;
+}
+
+/// Moves image `i` from its uri into a view of its own. Throws InputError, before anything is
+/// changed, where that can't be done.
+void embedImage(const GltfDocument& document, std::size_t i, Json& json, Bytes& binary) {
+    const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
+    const std::string_view type = imageTypeOf(bytes);
+    if (type.empty()) // which a view must say
+        throw InputError(document.where("images[") + std::to_string(i) +
+                         "] is neither PNG, JPEG, WebP nor KTX2.");
+    const std::size_t view = appendView(json, binary, bytes);
+    Json& image = json["images"][i]; // found only now: the first view moves it
+    image.erase("uri");
+    image["bufferView"] = view;
+    image["mimeType"] = type;
+}
+
+/// What can't be embedded stays as it is.
+void embedImages(const GltfDocument& document, Json& json, Bytes& binary, Warnings& warnings) {
+    if (!json.contains("images")) return;
+    for (std::size_t i = 0; i < json["images"].size(); ++i) {
+        if (!json["images"][i].contains("uri")) continue;
+        try {
+            embedImage(document, i, json, binary);
+        } catch (const LimitError&) {
+            throw;
+        } catch (const InputError& error) {
+            warnings.add(clauseOf(error.what()) + "; it is not embedded.");
+        }
+    }
+}
+
+/// glTF has no empty sections. Some files do, and where shadow data were removed.
+void removeEmptySections(Json& json) {
+    for (const char* section : {"accessors", "animations", "bufferViews", "cameras", "extensions",
+                                "extensionsRequired", "extensionsUsed", "images", "materials",
+                                "meshes", "nodes", "samplers", "scenes", "skins", "textures"})
+        if (json.contains(section) && json[section].empty()) json.erase(section);
+}
+
+Bytes packedChecked(const GltfDocument& document, const Scene& scene,
+                    const std::vector<BatchTopology>& topology, Encoding encoding,
+                    const CasterSettings& settings, Warnings& warnings) {
+    Json json = document.json;
+    eraseDanglingIndices(json);
+    cutViews(document, json);
+    Bytes binary = joinBuffers(document, json);
+    readShadowHeader(document); // refuses an extension that is not sound
+    removeShadowExtension(json, binary, document.path);
+    removeEmptySections(json);
+    embedImages(document, json, binary, warnings);
+    alignTo4(binary); // as joinBuffers() leaves it when the file is packed again
+    appendShadowExtension(json, binary, scene, topology, encoding, settings);
+    // Views of buffers that have no bytes need one nevertheless.
+    if (binary.empty() && json.contains("bufferViews")) binary.resize(4);
+    if (binary.empty())
+        json.erase("buffers");
+    else
+        json["buffers"][0]["byteLength"] = binary.size();
+    return joinGlb(json.dump(), std::move(binary));
+}
+
+} // namespace
+
+Bytes packedGlb(const GltfDocument& document, const Scene& scene,
+                const std::vector<BatchTopology>& topology, Encoding encoding,
+                const CasterSettings& settings, Warnings& warnings) {
+    return withJsonErrors(document.path, [&] {
+        return packedChecked(document, scene, topology, encoding, settings, warnings);
+    });
+}
+
+} // namespace edgeshade

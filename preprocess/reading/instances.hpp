@@ -1,0 +1,18 @@
+#pragma once
+
+#include "preprocess/gltf/gltf_document.hpp"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace edgeshade {
+
+/// How often the mesh of a node stands in it: once, or as EXT_mesh_gpu_instancing says. Throws
+/// InputError where its accessors do not agree.
+std::size_t instanceCount(const GltfDocument& document, int node);
+
+/// Where each of them stands: nodeFromInstance. Counted in `memory`. Throws InputError, also for
+/// what is no place.
+std::vector<glm::dmat4> readInstances(const GltfDocument& document, int node, MemoryBudget& memory);
+
+} // namespace edgeshade

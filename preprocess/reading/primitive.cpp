@@ -1,0 +1,181 @@
+#include "preprocess/reading/primitive.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/accessor.hpp"
+#include "preprocess/gltf/draco_primitive.hpp"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <numeric>
+
+namespace edgeshade {
+namespace {
+
+/// Reads attributes of one primitive from wherever they are.
+class AttributeReader {
+  public:
+    AttributeReader(const GltfDocument& document, const tinygltf::Primitive& primitive,
+                    std::string field, MemoryBudget& memory)
+        : document_(document), primitive_(primitive), field_(std::move(field)), memory_(memory),
+          draco_(readDracoPrimitive(document, primitive, field_, memory)) {}
+
+    bool has(const std::string& name) const { return primitive_.attributes.contains(name); }
+
+    std::string fieldOf(const std::string& name) const {
+        return field_ + ".attributes." + name + " (accessors[" +
+               std::to_string(primitive_.attributes.at(name)) + "])";
+    }
+
+    /// The attribute with `least` to `most` components a vertex and `count` vertices (0: any
+    /// number), all finite.
+    FloatArray read(const std::string& name, int least, int most, std::size_t count) const {
+        const bool compressed = draco_ && draco_->attributes.contains(name);
+        FloatArray array = compressed ? draco_->attributes.at(name)
+                                      : readFloats(document_, primitive_.attributes.at(name),
+                                                   field_ + ".attributes." + name, memory_);
+        if (array.components < least || array.components > most)
+            throw InputError(document_.where(fieldOf(name)) + " has " +
+                             std::to_string(array.components) + " components, not " +
+                             std::to_string(least) +
+                             (least == most ? "" : " or " + std::to_string(most)) + ".");
+        if (count != 0 && array.count() != count)
+            throw InputError(document_.where(fieldOf(name)) + " has " +
+                             std::to_string(array.count()) + " elements, but POSITION has " +
+                             std::to_string(count) + ".");
+        requireFinite(document_, array, fieldOf(name));
+        return array;
+    }
+    FloatArray read(const std::string& name, int components, std::size_t count) const {
+        return read(name, components, components, count);
+    }
+
+    /// The indices as the mode's vertex sequence.
+    std::vector<std::uint32_t> readIndexSequence(std::size_t vertexCount) const {
+        if (draco_) return draco_->indices;
+        std::vector<std::uint32_t> indices;
+        if (primitive_.indices >= 0) {
+            indices = readIndices(document_, primitive_.indices, field_ + ".indices", memory_);
+        } else {
+            memory_.take(vertexCount, sizeof(std::uint32_t), document_.where(field_));
+            indices.resize(vertexCount);
+            std::iota(indices.begin(), indices.end(), 0u);
+        }
+        return indices;
+    }
+
+    bool isTriangleListAlready() const { return draco_.has_value(); }
+
+  private:
+    const GltfDocument& document_;
+    const tinygltf::Primitive& primitive_;
+    std::string field_;
+    MemoryBudget& memory_;
+    std::optional<DracoPrimitive> draco_;
+};
+
+template <glm::length_t N>
+std::vector<glm::vec<N, float>> asVectors(const FloatArray& array) {
+    std::vector<glm::vec<N, float>> vectors(array.count());
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+        for (glm::length_t c = 0; c < N; ++c)
+            vectors[i][c] = array.values[i * array.components + c];
+    return vectors;
+}
+
+/// Strips and fans to a triangle list of the same orientation (glTF 2.0, 3.7.2.1).
+std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> sequence, int mode) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+        sequence.resize(sequence.size() / 3 * 3);
+        return sequence;
+    }
+    std::vector<std::uint32_t> triangles;
+    for (std::size_t i = 0; i + 2 < sequence.size(); ++i) {
+        if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
+            triangles.insert(triangles.end(), {sequence[i + 1], sequence[i + 2], sequence[0]});
+        else
+            triangles.insert(triangles.end(),
+                             {sequence[i], sequence[i + 1 + i % 2], sequence[i + 2 - i % 2]});
+    }
+    return triangles;
+}
+
+/// Adds weight * delta of every target that has the attribute (glTF 2.0, 3.7.2.2).
+void blendMorphTargets(const GltfDocument& document, const tinygltf::Primitive& primitive,
+                       const std::string& field, const std::string& name,
+                       const std::vector<double>& weights, std::vector<glm::vec3>& values,
+                       MemoryBudget& memory) {
+    for (std::size_t t = 0; t < primitive.targets.size() && t < weights.size(); ++t) {
+        const auto target = primitive.targets[t].find(name);
+        if (target == primitive.targets[t].end() || weights[t] == 0.0) continue;
+        const std::string targetField = field + ".targets[" + std::to_string(t) + "]." + name;
+        const FloatArray deltas = readFloats(document, target->second, targetField, memory);
+        if (deltas.components != 3 || deltas.count() != values.size())
+            throw InputError(document.where(targetField) + " does not match POSITION.");
+        requireFinite(document, deltas, targetField);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] += static_cast<float>(weights[t]) * glm::make_vec3(&deltas.values[3 * i]);
+    }
+}
+
+bool isTriangleMode(int mode) {
+    return mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+           mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+} // namespace
+
+Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::size_t primitiveIndex,
+                        const std::vector<double>& morphWeights, int texcoordSet,
+                        Warnings& warnings, MemoryBudget& memory) {
+    const tinygltf::Primitive& source = document.model.meshes[mesh].primitives[primitiveIndex];
+    const std::string field =
+        "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(primitiveIndex) + "]";
+    Primitive primitive;
+    primitive.material = source.material;
+    const int mode = source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode;
+    if (!isTriangleMode(mode)) {
+        warnings.add("Points and lines are skipped: they cast no shadow.");
+        return primitive;
+    }
+    if (!source.attributes.contains("POSITION")) {
+        warnings.add("Primitives without POSITION are skipped.");
+        return primitive;
+    }
+
+    const AttributeReader reader(document, source, field, memory);
+    const FloatArray positions = reader.read("POSITION", 3, 0);
+    primitive.positions = asVectors<3>(positions);
+    const std::size_t count = primitive.positions.size();
+    if (reader.has("NORMAL")) primitive.normals = asVectors<3>(reader.read("NORMAL", 3, count));
+    const std::string texcoord = "TEXCOORD_" + std::to_string(texcoordSet);
+    if (reader.has(texcoord)) primitive.texcoords = asVectors<2>(reader.read(texcoord, 2, count));
+    if (reader.has("COLOR_0")) {
+        FloatArray colors = reader.read("COLOR_0", 3, 4, count);
+        primitive.colors.assign(count, glm::vec4(1.0f));
+        for (std::size_t i = 0; i < count; ++i)
+            for (int c = 0; c < colors.components; ++c)
+                primitive.colors[i][c] = colors.values[i * colors.components + c];
+    }
+    if (reader.has("JOINTS_0") && reader.has("WEIGHTS_0")) {
+        for (const glm::vec4& joints : asVectors<4>(reader.read("JOINTS_0", 4, count)))
+            primitive.joints.emplace_back(glm::clamp(joints, 0.0f, 65535.0f));
+        primitive.weights = asVectors<4>(reader.read("WEIGHTS_0", 4, count));
+    }
+    if (!source.targets.empty()) {
+        warnings.add("Morph targets are taken at their default weights.");
+        blendMorphTargets(document, source, field, "POSITION", morphWeights, primitive.positions,
+                          memory);
+        blendMorphTargets(document, source, field, "NORMAL", morphWeights, primitive.normals,
+                          memory);
+    }
+
+    primitive.indices = reader.readIndexSequence(count);
+    for (const std::uint32_t index : primitive.indices)
+        if (index >= count)
+            throw InputError(document.where(field) + ".indices holds " + std::to_string(index) +
+                             ", but there are " + std::to_string(count) + " vertices.");
+    if (!reader.isTriangleListAlready())
+        primitive.indices = asTriangleList(std::move(primitive.indices), mode);
+    return primitive;
+}
+
+} // namespace edgeshade

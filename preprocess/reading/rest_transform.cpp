@@ -1,0 +1,28 @@
+#include "preprocess/reading/rest_transform.hpp"
+
+namespace edgeshade {
+
+NodeTransform restTransform(const tinygltf::Node& node) {
+    NodeTransform rest;
+    if (node.translation.size() == 3)
+        rest.translation = {node.translation[0], node.translation[1], node.translation[2]};
+    if (node.rotation.size() == 4)
+        rest.rotation =
+            glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+    if (node.scale.size() == 3) rest.scale = {node.scale[0], node.scale[1], node.scale[2]};
+    return rest;
+}
+
+bool hasMatrix(const tinygltf::Node& node) {
+    return node.matrix.size() == 16;
+}
+
+glm::dmat4 restMatrix(const tinygltf::Node& node) {
+    if (!hasMatrix(node)) return restTransform(node).matrix();
+    glm::dmat4 matrix;
+    for (glm::length_t i = 0; i < 16; ++i)
+        matrix[i / 4][i % 4] = node.matrix[i];
+    return matrix;
+}
+
+} // namespace edgeshade

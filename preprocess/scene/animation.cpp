@@ -1,0 +1,126 @@
+#include "preprocess/scene/animation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+namespace edgeshade {
+namespace {
+
+/// Between which two keyframes a time is.
+struct Span {
+    std::size_t before;
+    std::size_t after; ///< equal to `before` outside of the keyframes
+    double fraction;   ///< 0 at `before`, 1 at `after`
+    double seconds;    ///< between the two
+};
+
+Span spanAt(const std::vector<float>& times, double seconds) {
+    const auto next = std::upper_bound(times.begin(), times.end(), seconds);
+    const auto after = static_cast<std::size_t>(next - times.begin());
+    if (after == 0) return {0, 0, 0.0, 0.0};
+    if (after == times.size()) return {after - 1, after - 1, 0.0, 0.0};
+    const double start = times[after - 1];
+    const double length = times[after] - start;
+    return {after - 1, after, (seconds - start) / length, length};
+}
+
+glm::dvec3 vectorAt(const std::vector<float>& values, std::size_t element) {
+    const float* v = &values[3 * element];
+    return {v[0], v[1], v[2]};
+}
+
+glm::dquat quaternionAt(const std::vector<float>& values, std::size_t element) {
+    const float* v = &values[4 * element];
+    return {v[3], v[0], v[1], v[2]}; // (w, x, y, z)
+}
+
+/// The spline between two keyframes, a Hermite cubic (glTF 2.0, C.5). `load` reads one element.
+template <class Load>
+auto splineAt(const std::vector<float>& values, const Span& span, Load load) {
+    const double t = span.fraction, t2 = t * t, t3 = t2 * t;
+    const auto value = load(values, 3 * span.before + 1);
+    const auto outTangent = load(values, 3 * span.before + 2);
+    const auto nextInTangent = load(values, 3 * span.after);
+    const auto nextValue = load(values, 3 * span.after + 1);
+    return value * (2.0 * t3 - 3.0 * t2 + 1.0) + outTangent * (span.seconds * (t3 - 2.0 * t2 + t)) +
+           nextValue * (3.0 * t2 - 2.0 * t3) + nextInTangent * (span.seconds * (t3 - t2));
+}
+
+glm::dvec3 vectorAt(const Keyframes& keyframes, double seconds) {
+    const Span span = spanAt(*keyframes.times, seconds);
+    const std::vector<float>& values = *keyframes.values;
+    switch (keyframes.interpolation) {
+    case Interpolation::step:
+        return vectorAt(values, span.before);
+    case Interpolation::linear:
+        return glm::mix(vectorAt(values, span.before), vectorAt(values, span.after), span.fraction);
+    default:
+        return splineAt(values, span, [](auto& all, std::size_t e) { return vectorAt(all, e); });
+    }
+}
+
+/// Unit length; no turn where a spline happens to pass through zero.
+glm::dquat rotationAt(const Keyframes& keyframes, double seconds) {
+    const Span span = spanAt(*keyframes.times, seconds);
+    const std::vector<float>& values = *keyframes.values;
+    const auto unitAt = [&](std::size_t e) { return glm::normalize(quaternionAt(values, e)); };
+    switch (keyframes.interpolation) {
+    case Interpolation::step:
+        return unitAt(span.before);
+    case Interpolation::linear: // the shorter way round (C.4)
+        return glm::normalize(glm::slerp(unitAt(span.before), unitAt(span.after), span.fraction));
+    default:
+        return glm::normalize(
+            splineAt(values, span, [](auto& all, std::size_t e) { return quaternionAt(all, e); }));
+    }
+}
+
+bool fitsFloats(const glm::dmat4& matrix) {
+    constexpr double most = std::numeric_limits<float>::max();
+    for (glm::length_t c = 0; c < 4; ++c)
+        for (glm::length_t r = 0; r < 4; ++r)
+            if (!(std::abs(matrix[c][r]) <= most)) return false; // NaN too
+    return true;
+}
+
+/// Whether drawing, which works in floats, can use the matrix and its inverse.
+bool isDrawable(const glm::dmat4& worldFromBatch) {
+    return fitsFloats(worldFromBatch) && glm::determinant(glm::dmat3(worldFromBatch)) != 0.0 &&
+           fitsFloats(glm::inverse(worldFromBatch));
+}
+
+} // namespace
+
+NodeTransform NodeMotion::at(double seconds) const {
+    NodeTransform transform = rest;
+    if (translation) transform.translation = vectorAt(*translation, seconds);
+    if (rotation) transform.rotation = rotationAt(*rotation, seconds);
+    if (scale) transform.scale = vectorAt(*scale, seconds);
+    return transform;
+}
+
+std::vector<std::optional<glm::dmat4>> poseAt(const Animation& animation, const Scene& scene,
+                                              double seconds) {
+    // Those above come first, so that each finds the one it hangs on.
+    std::map<int, glm::dmat4> worldFromMover = {{-1, glm::dmat4(1.0)}};
+    for (const Mover& mover : scene.movers) {
+        const auto motion = animation.motions.find(mover.node);
+        const glm::dmat4 parentFromMover = motion == animation.motions.end()
+                                               ? mover.parentFromMover
+                                               : motion->second.at(seconds).matrix();
+        worldFromMover[mover.node] =
+            worldFromMover.at(mover.above) * mover.aboveFromParent * parentFromMover;
+    }
+    std::vector<std::optional<glm::dmat4>> pose;
+    for (const Batch& batch : scene.batches) {
+        pose.emplace_back(batch.worldFromBatch);
+        if (batch.node < 0) continue;
+        pose.back() = glm::translate(worldFromMover.at(batch.node), batch.origin);
+        if (!isDrawable(*pose.back())) pose.back().reset();
+    }
+    return pose;
+}
+
+} // namespace edgeshade

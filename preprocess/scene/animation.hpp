@@ -1,0 +1,52 @@
+#pragma once
+
+#include "preprocess/scene/node_transform.hpp"
+#include "preprocess/scene/scene.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace edgeshade {
+
+/// How values between two keyframes come about (glTF 2.0, appendix C).
+enum class Interpolation { step, linear, cubicSpline };
+
+/// One property of a node over time (glTF 2.0, 3.11). What samplers share, they share here.
+struct Keyframes {
+    Interpolation interpolation = Interpolation::linear;
+    /// Seconds, >= 0, increasing; at least one.
+    std::shared_ptr<const std::vector<float>> times;
+    /// 3 floats a value, or 4 (x, y, z, w; not zero) of a rotation. A value a time; for splines
+    /// three: in-tangent, value, out-tangent.
+    std::shared_ptr<const std::vector<float>> values;
+};
+
+/// What an animation does to one node; what has no keyframes stays at rest.
+struct NodeMotion {
+    NodeTransform rest;
+    std::optional<Keyframes> translation;
+    std::optional<Keyframes> rotation;
+    std::optional<Keyframes> scale;
+
+    /// Where the node is in its parent; a time outside of the keyframes takes the nearest one.
+    NodeTransform at(double seconds) const;
+};
+
+/// An animation of nodes, ready to be evaluated; readAnimation() makes it.
+struct Animation {
+    double duration = 0.0;             ///< seconds, from 0 to the last keyframe of all
+    std::map<int, NodeMotion> motions; ///< by glTF node
+};
+
+/// worldFromBatch of each of the scene's batches at a time, which is clamped to the keyframes. The
+/// static batch and what another animation moves are at rest. `scene` and `animation` come from
+/// the same document.
+///
+/// Null where there is nothing to draw and no shadow: the matrix or its inverse does not fit into
+/// floats, so the batch is scaled to nothing or out of all range.
+std::vector<std::optional<glm::dmat4>> poseAt(const Animation& animation, const Scene& scene,
+                                              double seconds);
+
+} // namespace edgeshade

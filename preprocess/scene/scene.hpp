@@ -1,0 +1,66 @@
+#pragma once
+
+#include "preprocess/base/box.hpp"
+#include "preprocess/base/warnings.hpp"
+#include "preprocess/scene/material.hpp"
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <vector>
+
+namespace edgeshade {
+
+/// Triangles of one material within a batch.
+struct SurfaceGroup {
+    std::size_t material = 0;
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0; ///< three a triangle
+};
+
+/// A node that an animation of the file moves, and how it hangs on the mover above it.
+struct Mover {
+    int node = -1;                   ///< in glTF
+    int above = -1;                  ///< nearest mover on the way to the root; -1: the world
+    glm::dmat4 aboveFromParent{1.0}; ///< the nodes between the two, which do not move
+    glm::dmat4 parentFromMover{1.0}; ///< at rest
+};
+
+/// Triangles that move together: all static nodes are one batch, every animated node another.
+///
+/// Positions are floats relative to a local origin, so that survey coordinates keep their detail
+/// (docs/method.md, C6); what places them in the world is double.
+struct Batch {
+    int node = -1;                    ///< the glTF node that moves it; -1: none, it is static
+    glm::dmat4 worldFromBatch{1.0};   ///< at rest
+    glm::dvec3 origin{0.0};           ///< where 0 of `positions` is in the mover, or in the world
+    std::vector<glm::vec3> positions; ///< no NaN, no infinity, no -0
+    std::vector<glm::vec3> normals;   ///< unit length, or 0 for a triangle without area
+    std::vector<glm::vec2> texcoords;
+    std::vector<glm::vec4> colors;      ///< linear
+    std::vector<std::uint32_t> indices; ///< counter-clockwise is the outside
+    std::vector<SurfaceGroup> groups;   ///< opaque first, then mask, then blend
+    /// Corners of what casts in place of the opaque triangles, three a triangle, as
+    /// simplifyCasters() found them; nothing: they cast themselves.
+    std::optional<std::vector<std::uint32_t>> simplifiedCasters;
+};
+
+/// A glTF scene at rest, ready for drawing and for finding its edges.
+struct Scene {
+    std::vector<Batch> batches;
+    std::vector<Mover> movers; ///< those above first; some move no batch of their own
+    std::vector<Material> materials;
+    Warnings warnings;
+
+    std::size_t triangleCount() const {
+        std::size_t count = 0;
+        for (const Batch& batch : batches)
+            count += batch.indices.size() / 3;
+        return count;
+    }
+};
+
+/// The box of all vertices in the world.
+Box worldBounds(const Scene& scene);
+
+} // namespace edgeshade

@@ -1,0 +1,98 @@
+#include "preprocess/volumes/opposite_pairs.hpp"
+
+#include "preprocess/mesh/components.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+using Planes = std::vector<glm::vec4>;
+using Triangles = std::vector<std::uint32_t>;
+
+/// How much alike two planes are, flat ones most of all.
+float likeness(const glm::vec4& p, const glm::vec4& q) {
+    if (p == q) return 2.0f;
+    return p.x * q.x + p.y * q.y + p.z * q.z;
+}
+
+OppositePair opposite(std::uint32_t forward, std::uint32_t backward) {
+    return {{forward, false}, PairedTriangle{backward, false}};
+}
+
+/// Takes out of `forward` and `backward` the two that are most alike.
+OppositePair takeMostAlike(const Planes& planes, Triangles& forward, Triangles& backward) {
+    std::size_t bestI = 0, bestJ = 0;
+    float best = -3.0f;
+    for (std::size_t i = 0; i < forward.size(); ++i)
+        for (std::size_t j = 0; j < backward.size(); ++j) {
+            const float alike = likeness(planes[forward[i]], planes[backward[j]]);
+            if (alike > best) {
+                best = alike;
+                bestI = i;
+                bestJ = j;
+            }
+        }
+    const OppositePair pair = opposite(forward[bestI], backward[bestJ]);
+    forward.erase(forward.begin() + static_cast<std::ptrdiff_t>(bestI));
+    backward.erase(backward.begin() + static_cast<std::ptrdiff_t>(bestJ));
+    return pair;
+}
+
+void sortByPlane(const Planes& planes, Triangles& triangles) {
+    std::sort(triangles.begin(), triangles.end(), [&](std::uint32_t s, std::uint32_t t) {
+        const glm::vec4 &p = planes[s], &q = planes[t];
+        return std::lexicographical_compare(&p.x, &p.x + 4, &q.x, &q.x + 4);
+    });
+}
+
+} // namespace
+
+void pairUp(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge, const Planes& planes,
+            std::vector<OppositePair>& pairs) {
+    pairs.clear();
+    // Nearly all edges are of one triangle, or of two that run opposite ways.
+    const auto opposites = edges.oppositesOf(edge);
+    const auto runsForward = [&](const Opposite& of) {
+        return directionIn(mesh.triangles[of.triangle], edge) > 0;
+    };
+    if (opposites.size() <= 2) {
+        const std::uint32_t p = opposites.front().triangle, q = opposites.back().triangle;
+        const bool first = runsForward(opposites.front());
+        if (opposites.size() == 1)
+            pairs.push_back({{p, !first}, std::nullopt});
+        else if (runsForward(opposites.back()) != first)
+            pairs.push_back(first ? opposite(p, q) : opposite(q, p));
+        else
+            pairs.push_back({{q, !first}, PairedTriangle{p, first}});
+        return;
+    }
+    Triangles forward, backward; // by the way they run through the edge
+    for (const Opposite& of : opposites)
+        (runsForward(of) ? forward : backward).push_back(of.triangle);
+    // Searching the whole of a large fan for each pair would take the cube of its size.
+    constexpr std::size_t largestSearch = 64;
+    if (forward.size() > largestSearch || backward.size() > largestSearch)
+        for (Triangles* side : {&forward, &backward})
+            sortByPlane(planes, *side);
+    while (!forward.empty() && !backward.empty()) {
+        if (forward.size() > largestSearch || backward.size() > largestSearch) {
+            pairs.push_back(opposite(forward.back(), backward.back()));
+            forward.pop_back();
+            backward.pop_back();
+        } else {
+            pairs.push_back(takeMostAlike(planes, forward, backward));
+        }
+    }
+    // What is left runs one way.
+    for (; forward.size() > 1; forward.resize(forward.size() - 2))
+        pairs.push_back({{forward[forward.size() - 1], false},
+                         PairedTriangle{forward[forward.size() - 2], true}});
+    for (; backward.size() > 1; backward.resize(backward.size() - 2))
+        pairs.push_back({{backward[backward.size() - 1], true},
+                         PairedTriangle{backward[backward.size() - 2], false}});
+    if (!forward.empty()) pairs.push_back({{forward.front(), false}, std::nullopt});
+    if (!backward.empty()) pairs.push_back({{backward.front(), true}, std::nullopt});
+}
+
+} // namespace edgeshade

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "preprocess/mesh/mesh_statistics.hpp"
+#include "preprocess/mesh/topology.hpp"
+#include "preprocess/scene/scene.hpp"
+#include "preprocess/volumes/published/caps_data.hpp"
+#include "preprocess/volumes/published/sides_data.hpp"
+
+#include <vector>
+
+namespace edgeshade {
+
+/// Degrees that a flat tolerance stays below.
+inline constexpr double flatToleranceEnd = 45.0;
+
+/// What of a scene's triangles the shadow data hold, and how they were found.
+struct CasterSettings {
+    double weldTolerance = 0.0; ///< scene units
+    bool castMasked = false;    ///< MASK and BLEND surfaces cast too
+    double casterError = 0.0;   ///< scene units, see simplifyCasters()
+    double flatTolerance = 0.0; ///< degrees, see growPatches(); adapted records alone
+
+    bool operator==(const CasterSettings&) const = default;
+};
+
+/// Sides-data and caps-data of one batch.
+struct BatchShadow {
+    SidesData sides;
+    CapsData caps;
+    std::vector<CasterGroup> groups; ///< ranges of caps
+};
+
+/// Seconds that the stages took.
+struct BuildSeconds {
+    double simplify = 0.0;
+    double weld = 0.0;
+    double edges = 0.0;
+    double pack = 0.0;
+};
+
+/// Topology of one batch, kept for the encodings that store it.
+struct BatchTopology {
+    CasterMesh mesh;
+    EdgeList edges;
+    std::uint64_t hash = 0; ///< positionsHash()
+};
+
+/// Topology of every batch of the scene, in order.
+std::vector<BatchTopology> buildTopology(const Scene& scene, bool castMasked,
+                                         BuildSeconds& seconds);
+
+/// The one multiplicity of all records: `published` has a single maxMult for the scene.
+int sceneMultiplicity(const std::vector<BatchTopology>& topology);
+
+/// Sides and caps of one batch.
+BatchShadow buildShadow(const BatchTopology& topology, int maxMultiplicity);
+
+/// The whole pipeline: weld, edges, sides and caps of every batch.
+std::vector<BatchShadow> buildShadows(const Scene& scene, bool castMasked);
+
+} // namespace edgeshade

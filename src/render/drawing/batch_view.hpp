@@ -1,0 +1,22 @@
+#pragma once
+
+#include "src/scene/gpu_scene.hpp"
+#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/geometry/view_planes.hpp"
+
+namespace edgeshade {
+
+/// Where a camera sees a batch from, in the forms that shaders need; doubles rounded once.
+struct BatchView {
+    ViewPlanes planes; ///< in the batch's space
+    glm::mat4 clipFromObject{1.0f};
+    glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
+    glm::mat3 normalFromObject{1.0f};
+    glm::mat4 mapFromObject{1.0f}; ///< see ShadowMapView; used where there is a map
+    bool mirrored = false;
+};
+
+/// Where the view's camera sees a batch from, drawn with the slice's depth range.
+BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice);
+
+} // namespace edgeshade

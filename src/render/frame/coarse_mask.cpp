@@ -1,0 +1,113 @@
+#include "src/render/frame/coarse_mask.hpp"
+
+#include "preprocess/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+namespace {
+
+/// By how much the slopes of a curved surface may differ within a texel. Less breaks up curved
+/// surfaces, more lets light leak over low steps: this much takes steps of half a texel for none.
+constexpr double slopeOfCurves = 0.5;
+
+/// The planes' space of a picture of this size.
+PlaneSpace planeSpace(const FrameView& view, const DepthSlice& slice, const glm::dvec2& size) {
+    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
+    const glm::dvec2 tangents(up * view.width / view.height, up);
+    return {glm::vec2(tangents), glm::vec2(size / (2.0 * tangents)),
+            static_cast<float>(slice.near)};
+}
+
+} // namespace
+
+CoarseMask::CoarseMask(int scale, const gl::Capabilities& capabilities)
+    : scale_(scale), capabilities_(capabilities) {
+    if (!capabilities.has("GL_OES_standard_derivatives"))
+        throw Error(ExitStatus::unavailable,
+                    "This GL has no derivatives in shaders (GL_OES_standard_derivatives), which a "
+                    "mask of lower resolution needs; '--mask-scale 1' does without.");
+}
+
+CoarseMask::Target CoarseMask::makeTarget(const glm::ivec2& size) const {
+    Target made;
+    gl::Name name = 0;
+    glGenTextures(1, &name);
+    made.texture = gl::Texture(name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    gl::requireNoError("making a mask of lower resolution");
+
+    glGenFramebuffers(1, &name);
+    made.framebuffer = gl::Framebuffer(name);
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made.texture.name(),
+                           0);
+    depthStencil_->attach();
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ExitStatus::unavailable,
+                    "This GL can't draw into a texture with depth and stencil, which a mask of "
+                    "lower resolution needs; '--mask-scale 1' does without.");
+    return made;
+}
+
+void CoarseMask::fit(int width, int height) {
+    const glm::ivec2 size = (glm::ivec2(width, height) + scale_ - 1) / scale_;
+    if (size == size_) return;
+    size_ = glm::ivec2(0); // should anything be refused
+    depthStencil_.emplace(size.x, size.y, capabilities_);
+    surfaces_ = makeTarget(size);
+    counts_ = makeTarget(size);
+    size_ = size;
+}
+
+void CoarseMask::bindSurfaces() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, surfaces_.framebuffer.name());
+    glViewport(0, 0, size_.x, size_.y);
+}
+
+void CoarseMask::bindCounts() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, counts_.framebuffer.name());
+    glViewport(0, 0, size_.x, size_.y);
+}
+
+PlaneSpace CoarseMask::space(const FrameView& view, const DepthSlice& slice) const {
+    return planeSpace(view, slice, size_);
+}
+
+CoarseMaskLookup CoarseMask::lookup(const FrameView& view, const DepthSlice& slice,
+                                    const Light& light) const {
+    CoarseMaskLookup lookup;
+    lookup.surface = surfaces_.texture.name();
+    lookup.lit = counts_.texture.name();
+    const glm::dvec2 picture(view.width, view.height);
+    lookup.space = planeSpace(view, slice, picture);
+    lookup.size = glm::vec2(size_);
+    lookup.texel = glm::vec2(picture / glm::dvec2(size_));
+    lookup.slack = static_cast<float>(slopeOfCurves * scale_) / lookup.space.focal.y;
+    glm::dvec4 inView = viewFromWorld(view.camera) * light.position;
+    inView.z = -inView.z;
+    // A sun's direction is scaled so that no double leaves the range of floats.
+    const double unit =
+        light.position.w != 0.0
+            ? slice.near
+            : std::max({std::abs(inView.x), std::abs(inView.y), std::abs(inView.z)});
+    lookup.light = glm::vec4(glm::dvec3(inView) / unit, inView.w);
+    return lookup;
+}
+
+std::size_t CoarseMask::bytes() const {
+    if (!depthStencil_) return 0;
+    const std::size_t texels =
+        static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
+    return 2 * 4 * texels + depthStencil_->bytes();
+}
+
+} // namespace edgeshade

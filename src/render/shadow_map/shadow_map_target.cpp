@@ -1,0 +1,126 @@
+#include "src/render/shadow_map/shadow_map_target.hpp"
+
+#include "preprocess/base/error.hpp"
+
+#include <algorithm>
+#include <GLES2/gl2.h>
+#include <GLES2/gl2ext.h>
+#include <optional>
+#include <string>
+
+namespace edgeshade {
+namespace {
+
+std::size_t faceCount(ShadowMapKind kind) {
+    return kind == ShadowMapKind::sun ? 1 : 6;
+}
+
+GLenum faceTarget(ShadowMapKind kind, std::size_t face) {
+    return kind == ShadowMapKind::point ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face)
+                                        : GL_TEXTURE_2D;
+}
+
+/// A texture of one face, or of a cube's six; nothing if the GL has no memory for it.
+std::optional<gl::Texture> makeMapTexture(ShadowMapKind kind, int size) {
+    gl::Name name = 0;
+    glGenTextures(1, &name);
+    gl::Texture texture(name);
+    const bool isCube = kind == ShadowMapKind::point;
+    const GLenum target = isCube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    glBindTexture(target, name);
+    for (std::size_t face = 0; face < (isCube ? 6u : 1u); ++face)
+        glTexImage2D(faceTarget(kind, face), 0, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     nullptr);
+    // Packed distances can't be averaged.
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(target, 0);
+    const GLenum error = glGetError();
+    if (error == GL_OUT_OF_MEMORY) return std::nullopt;
+    gl::requireNoError(error, "making a shadow map");
+    return texture;
+}
+
+Error tooLarge(int size) {
+    return Error(ExitStatus::unavailable,
+                 "This GL has no memory for a shadow map of " + std::to_string(size) + " texels.");
+}
+
+} // namespace
+
+ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabilities& capabilities)
+    : kind_(kind), size_(size) {
+    std::optional<gl::Texture> whole;
+    if (kind != ShadowMapKind::pointApart) whole = makeMapTexture(kind, size);
+    if (!whole && kind == ShadowMapKind::sun) throw tooLarge(size);
+    if (whole) {
+        textures_.push_back(std::move(*whole));
+    } else {
+        kind_ = ShadowMapKind::pointApart;
+        while (textures_.size() < faceCount(kind_)) {
+            std::optional<gl::Texture> face = makeMapTexture(kind_, size);
+            if (!face) throw tooLarge(size);
+            textures_.push_back(std::move(*face));
+        }
+    }
+
+    gl::Name name = 0;
+    glGenRenderbuffers(1, &name);
+    depth_ = gl::Renderbuffer(name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorage(GL_RENDERBUFFER,
+                          capabilities.has("GL_OES_depth24") ? GL_DEPTH_COMPONENT24_OES
+                                                             : GL_DEPTH_COMPONENT16,
+                          size, size);
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &depthBits_);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    gl::requireNoError("making a shadow map");
+
+    glGenFramebuffers(1, &name);
+    framebuffer_ = gl::Framebuffer(name);
+    bindFace(0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ExitStatus::unavailable,
+                    "This GL can't draw into a shadow map of " + std::to_string(size) + " texels.");
+}
+
+void ShadowMapTarget::bindFace(std::size_t face) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, faceTarget(kind_, face),
+                           textures_[kind_ == ShadowMapKind::pointApart ? face : 0].name(), 0);
+}
+
+std::array<gl::Name, 6> ShadowMapTarget::textures() const {
+    std::array<gl::Name, 6> names{};
+    for (std::size_t i = 0; i < textures_.size(); ++i)
+        names[i] = textures_[i].name();
+    return names;
+}
+
+std::size_t ShadowMapTarget::bytes() const {
+    const std::size_t texels = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
+    const std::size_t depthBytes = depthBits_ > 16 ? 4 : 2;
+    return texels * (4 * faceCount(kind_) + depthBytes);
+}
+
+void requireMapSize(int size, const gl::Capabilities& capabilities) {
+    int largest = std::min(size, capabilities.largestTexture);
+    for (const GLenum limit :
+         {GL_MAX_TEXTURE_SIZE, GL_MAX_CUBE_MAP_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {
+        GLint value = 0;
+        glGetIntegerv(limit, &value);
+        largest = std::min(largest, value);
+    }
+    GLint viewport[2] = {};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    largest = std::min({largest, viewport[0], viewport[1]});
+    if (largest < size)
+        throw Error(ExitStatus::unavailable, "A shadow map of " + std::to_string(size) +
+                                                 " texels is too large here; the largest is " +
+                                                 std::to_string(largest) + ".");
+}
+
+} // namespace edgeshade

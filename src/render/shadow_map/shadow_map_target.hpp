@@ -1,0 +1,40 @@
+#pragma once
+
+#include "src/gl/capabilities.hpp"
+#include "src/gl/objects.hpp"
+#include "src/render/shadow_map/shadow_map.hpp"
+
+#include <vector>
+
+namespace edgeshade {
+
+/// What a shadow map is drawn into: RGBA8 texels, a cube's six faces or one, and a depth buffer
+/// that they share. Needs no extension; uses 24 bits of depth where it can. Some GLs limit the size
+/// of a whole cube map (Mesa's software ones to 1 GiB): there its faces are textures of their own.
+class ShadowMapTarget {
+  public:
+    /// `kind`: what is wanted; a cube comes apart where it must. Changes the framebuffer binding.
+    /// Throws Error(unavailable) if the GL can't.
+    ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabilities& capabilities);
+
+    /// Binds a face for drawing. The viewport is the caller's.
+    void bindFace(std::size_t face) const;
+
+    ShadowMapKind kind() const { return kind_; }
+    std::array<gl::Name, 6> textures() const;
+    int depthBits() const { return depthBits_; }
+    std::size_t bytes() const;
+
+  private:
+    ShadowMapKind kind_;
+    int size_;
+    int depthBits_ = 0;
+    std::vector<gl::Texture> textures_;
+    gl::Renderbuffer depth_;
+    gl::Framebuffer framebuffer_;
+};
+
+/// Throws Error(unavailable) if maps of this size are more than the GL can hold.
+void requireMapSize(int size, const gl::Capabilities& capabilities);
+
+} // namespace edgeshade

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "src/render/shadow_map/shadow_map.hpp"
+#include "src/render/volumes/published/volume_program.hpp"
+
+#include <optional>
+
+namespace edgeshade {
+
+enum class ShadowMethod { volumes, map, none };
+
+/// Which adapted records are offered to the vertex shader, the judge of their multiplicity.
+enum class SilhouetteChoice {
+    all,
+    proposed, ///< those that may be silhouettes, see Proposal
+};
+
+/// How frames are drawn; fixed for a renderer, but for `ambient` and `background`.
+struct RenderSettings {
+    ShadowMethod shadows = ShadowMethod::volumes;
+    MultiplicityMethod multiplicity = MultiplicityMethod::plane;
+    SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of adapted records
+    SidesLayout layout = SidesLayout::instanced;
+    ShadowMapSettings map; ///< where shadows are maps
+    int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
+    float ambient = 0.35f; ///< 0..1; the lights share the rest
+    glm::vec3 background{0.86f, 0.89f, 0.92f};
+
+    /// What volumes are drawn from; nothing where shadows are something else.
+    std::optional<VolumeRecords> records() const {
+        if (shadows != ShadowMethod::volumes) return std::nullopt;
+        return VolumeRecords{volumeLayoutOf(multiplicity), layout};
+    }
+};
+
+} // namespace edgeshade

@@ -1,0 +1,66 @@
+#include "src/shadow/geometry/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+double tangentOfHalfFov(double fovDegrees) {
+    return std::tan(glm::radians(0.5 * fovDegrees));
+}
+
+} // namespace
+
+glm::dmat4 viewFromWorld(const Camera& camera) {
+    const glm::dvec3 forward = glm::normalize(camera.to - camera.from);
+    const bool vertical = std::hypot(forward.x, forward.z) < 1e-9;
+    const glm::dvec3 up = vertical ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
+    const glm::dvec3 upward = glm::cross(right, forward);
+    glm::dmat4 view(1.0);
+    for (glm::length_t c = 0; c < 3; ++c)
+        view[c] = {right[c], upward[c], -forward[c], 0.0};
+    view[3] = {-glm::dot(right, camera.from), -glm::dot(upward, camera.from),
+               glm::dot(forward, camera.from), 1.0};
+    return view;
+}
+
+glm::dmat4 clipFromView(const Camera& camera, double aspect, double near) {
+    const double t = tangentOfHalfFov(camera.fovDegrees);
+    glm::dmat4 clip(0.0);
+    clip[0][0] = 1.0 / (t * aspect);
+    clip[1][1] = 1.0 / t;
+    clip[2][2] = -1.0;
+    clip[2][3] = -1.0;
+    clip[3][2] = -2.0 * near;
+    return clip;
+}
+
+Camera framingCamera(const Box& box, double fovDegrees, double aspect) {
+    return framingCamera(box, fovDegrees, aspect, glm::normalize(glm::dvec3(0.55, 0.45, 1.0)));
+}
+
+Camera framingCamera(const Box& box, double fovDegrees, double aspect,
+                     const glm::dvec3& direction) {
+    constexpr double margin = 1.06;
+    const double tangentY = tangentOfHalfFov(fovDegrees) / margin;
+    const double tangentX = tangentY * aspect;
+    Camera camera{box.center() + direction, box.center(), fovDegrees};
+    const glm::dmat4 view = viewFromWorld(camera);
+
+    // As near as every corner of the box allows.
+    double distance = std::max(1e-6 * box.diagonal(), 1e-9);
+    for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
+        const glm::dvec3 point(corner & 1 ? box.high.x : box.low.x,
+                               corner & 2 ? box.high.y : box.low.y,
+                               corner & 4 ? box.high.z : box.low.z);
+        const glm::dvec3 offset = glm::dmat3(view) * (point - box.center());
+        distance = std::max({distance, offset.z + std::abs(offset.x) / tangentX,
+                             offset.z + std::abs(offset.y) / tangentY});
+    }
+    camera.from = box.center() + distance * glm::normalize(direction);
+    return camera;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,71 @@
+#include "src/shadow/geometry/frame_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+constexpr double slicePays = 64.0; // ratio of depths from which one more slice is worth it
+constexpr int mostSlices = 8;
+
+} // namespace
+
+double fittedNear(double nearest, double diagonal) {
+    const double smallest = diagonal > 0.0 ? 1e-6 * diagonal : 1e-6;
+    return std::isfinite(nearest) ? std::max(0.99 * nearest, smallest)
+                                  : std::max(0.01 * diagonal, smallest);
+}
+
+std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count) {
+    const double ratio = std::max(1.0, farthest / near);
+    const int slices =
+        count ? *count
+              : std::clamp(static_cast<int>(std::ceil(std::log(ratio) / std::log(slicePays))), 1,
+                           mostSlices);
+    std::vector<DepthSlice> result;
+    for (int i = slices - 1; i >= 0; --i) {
+        DepthSlice slice;
+        slice.near = near * std::pow(ratio, static_cast<double>(i) / slices);
+        if (!result.empty()) slice.far = result.back().near;
+        result.push_back(slice);
+    }
+    return result;
+}
+
+FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
+    FrameView view = makeFrameView(scene, request, worldBounds(scene));
+    for (const Light& light : request.lights)
+        view.layers.push_back(boundLayers(scene, castMasked, light, stencilLimit));
+    return view;
+}
+
+FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds) {
+    FrameView view;
+    view.camera = request.camera;
+    view.width = request.width;
+    view.height = request.height;
+    view.lights = request.lights;
+    view.bounds = bounds;
+    const double aspect = static_cast<double>(request.width) / request.height;
+    DepthRange range;
+    for (const Batch& batch : scene.batches) {
+        const VisiblePart part = visiblePart(batch, request.camera, aspect);
+        const DepthRange& own = part.depth;
+        view.nearestDepths.push_back(own.nearest);
+        if (own.nearest > own.farthest) continue;
+        view.visible.add(part.box.low);
+        view.visible.add(part.box.high);
+        view.slopes.right.add(part.slopes.right);
+        view.slopes.up.add(part.slopes.up);
+        range.add(own.nearest);
+        range.add(own.farthest);
+    }
+    const double near =
+        request.depth.near.value_or(fittedNear(range.nearest, view.bounds.diagonal()));
+    view.farthestDepth = range.farthest;
+    view.slices = divideDepth(near, range.farthest, request.depth.slices);
+    return view;
+}
+
+} // namespace edgeshade

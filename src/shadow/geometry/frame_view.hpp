@@ -1,0 +1,73 @@
+#pragma once
+
+#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/layer_bound.hpp"
+#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/geometry/visible_depth.hpp"
+
+#include <optional>
+
+namespace edgeshade {
+
+/// A part of the view by distance along the viewing direction, drawn with a depth range of its own:
+/// what a depth buffer of n bits resolves at z is z^2 / (near * 2^n) (docs/method.md, C26 and C27).
+struct DepthSlice {
+    double near = 0.1;
+    double far = std::numeric_limits<double>::infinity();
+};
+
+/// How the depth range is divided.
+struct DepthChoice {
+    std::optional<double> near; ///< the near plane; nothing: fitted to what is visible
+    std::optional<int> slices;  ///< 1 or more; nothing: as many as pay
+};
+
+/// What a user asks to see.
+struct FrameRequest {
+    Camera camera;
+    int width = 1;
+    int height = 1;
+    std::vector<Light> lights;
+    DepthChoice depth;
+};
+
+/// What one frame shows, with all that is worked out on the CPU for it.
+struct FrameView {
+    Camera camera;
+    int width = 1;
+    int height = 1;
+    std::vector<Light> lights;         ///< at least one
+    Box bounds{};                      ///< of the scene; shadow maps are fitted to it
+    std::vector<DepthSlice> slices;    ///< from far to near, at least one
+    double farthestDepth = 0.0;        ///< of what is visible
+    std::vector<double> nearestDepths; ///< of each batch, visiblePart()
+    Box visible{}; ///< of what is visible, in the world; empty: nothing is known of it
+    Slopes slopes; ///< of what is visible
+    std::vector<LayerBound> layers; ///< of each light; empty: no stencil can overflow
+
+    bool mask = false;               ///< the lit mask of the first light, not a picture
+    std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn
+    bool drawBlended = true;         ///< BLEND surfaces are drawn
+
+    double near() const { return slices.back().near; }
+};
+
+constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit stencil
+
+/// Works out the near plane, the depth slices and the stencil layers. Takes time linear in the
+/// triangles. `castMasked` as in CasterSettings.
+FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request);
+
+/// The same without layers, for callers that draw many frames: they keep the scene's `bounds`, and
+/// groups of casters (boundLayers(), uploadGroups()) for as long as neither scene nor lights move.
+FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds);
+
+/// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: nothing for as
+/// many as pay.
+std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count);
+
+/// The near plane as far out as what is visible allows: just before `nearest`, at least 1e-6 of
+/// `diagonal`, the size of the scene.
+double fittedNear(double nearest, double diagonal);
+
+} // namespace edgeshade

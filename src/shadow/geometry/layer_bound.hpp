@@ -1,0 +1,37 @@
+#pragma once
+
+#include "preprocess/scene/scene.hpp"
+#include "src/shadow/geometry/light.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace edgeshade {
+
+/// Groups that casters are divided into at most: each costs a pass over the scene.
+inline constexpr std::size_t mostGroups = 64;
+
+/// How many shadow volumes can lie around one point: the stencil counts exactly the casting
+/// triangles between a point and the light, so this bounds the counter.
+struct LayerBound {
+    /// No straight line from the light meets more casting triangles than this.
+    std::size_t most = 0;
+    /// Where `most` is above the limit: for each casting triangle (in the order of batches and
+    /// their casters) the group it is counted in, so that no line meets more than `limit`
+    /// triangles of one group. Empty otherwise.
+    std::vector<std::uint32_t> groupOf;
+    std::size_t groupCount = 1;
+    /// More than mostGroups would be needed, so there is one: as many triangles may lie behind each
+    /// other, or the bound was given up. What a multiple of 256 triangles shade would come out lit.
+    bool mayOverflow = false;
+};
+
+/// Bounds the layers around the light by dividing the directions from it into ever smaller cells
+/// until no cell is touched by more than `limit` triangles, more than `limit` cover it wholly, or
+/// it is 1/4096 of a cube's face (of the scene's outline for a sun). Free for scenes of at most
+/// `limit` triangles. Where bounding rectangles in a grid already show that there are few, 8 ms
+/// for 150,000 triangles; else about 0.1 s for them and 3 s for 5 million.
+LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light, std::size_t limit);
+
+} // namespace edgeshade

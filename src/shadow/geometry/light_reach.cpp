@@ -1,0 +1,108 @@
+#include "src/shadow/geometry/light_reach.hpp"
+
+#include "src/shadow/geometry/interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+constexpr double widening = 1.0 + 1e-5; // of a range, against rounding
+
+/// Bounds of x / depth over the part of a disc at depth >= near. The part is convex, so that they
+/// are taken where a line through the eye touches the circle, or at the ends of the near plane's
+/// chord.
+Interval slopesOver(double x, double depth, double radius, double near) {
+    Interval slopes;
+    const double squared = x * x + depth * depth - radius * radius; // of the tangents' length
+    if (squared > 0.0) {
+        const double length = std::sqrt(squared);
+        const double distance = std::hypot(x, depth);
+        for (const double side : {-1.0, 1.0}) {
+            // The centre's direction turned by the tangent's angle, and as far as the tangent goes.
+            const double cosine = length / distance, sine = side * radius / distance;
+            const double atX = (x * cosine + depth * sine) * length / distance;
+            const double atDepth = (depth * cosine - x * sine) * length / distance;
+            if (atDepth >= near) slopes.add(atX / atDepth);
+        }
+    }
+    const double toNear = near - depth;
+    if (std::abs(toNear) <= radius) {
+        const double half = std::sqrt(radius * radius - toNear * toNear);
+        slopes.add((x - half) / near);
+        slopes.add((x + half) / near);
+    }
+    return slopes;
+}
+
+/// First pixel and count of those that the slopes fall on, one more on both sides.
+std::pair<int, int> pixelsOf(const Interval& slopes, double tangent, int count) {
+    const auto pixel = [&](double slope) {
+        return std::clamp((0.5 * slope / tangent + 0.5) * count, -2.0, count + 2.0);
+    };
+    const int first = std::max(0, static_cast<int>(std::floor(pixel(slopes.low))) - 1);
+    const int end = std::min(count, static_cast<int>(std::ceil(pixel(slopes.high))) + 1);
+    return {first, std::max(0, end - first)};
+}
+
+/// Those of a picture, in both directions; empty where there are none.
+PixelRectangle pixelsOf(const Slopes& slopes, const FrameView& view) {
+    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
+    const double right = up * view.width / view.height;
+    const auto [x, width] = pixelsOf(slopes.right, right, view.width);
+    const auto [y, height] = pixelsOf(slopes.up, up, view.height);
+    if (width == 0 || height == 0) return {};
+    return {x, y, width, height};
+}
+
+} // namespace
+
+PixelRectangle visiblePixels(const FrameView& view) {
+    if (view.visible.empty()) return {0, 0, view.width, view.height};
+    return pixelsOf(view.slopes, view);
+}
+
+PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light) {
+    if (!light.hasRange()) return {0, 0, view.width, view.height};
+    const glm::dvec3 center(viewFromWorld(view.camera) * light.position);
+    const double depth = -center.z, radius = widening * light.range;
+    const double farthest = std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
+    if (depth + radius < slice.near || depth - radius > farthest) return {};
+    return pixelsOf({slopesOver(center.x, depth, radius, slice.near),
+                     slopesOver(center.y, depth, radius, slice.near)},
+                    view);
+}
+
+PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,
+                           const glm::ivec2& size) {
+    const auto scaled = [](int first, int count, int from, int to) {
+        const double scale = static_cast<double>(to) / from;
+        const int low = static_cast<int>(std::floor(first * scale)) - 2;
+        const int high = static_cast<int>(std::ceil((first + count) * scale)) + 2;
+        return std::pair(low, high - low);
+    };
+    const auto [x, width] = scaled(reach.x, reach.width, view.width, size.x);
+    const auto [y, height] = scaled(reach.y, reach.height, view.height, size.y);
+    return intersection({x, y, width, height}, {0, 0, size.x, size.y});
+}
+
+bool isBeyond(const Box& box, const glm::dvec3& light, double range) {
+    const glm::dvec3 away = glm::max(glm::max(box.low - light, light - box.high), glm::dvec3(0.0));
+    return glm::length(away) > widening * range;
+}
+
+double rangeInObject(double range, const glm::dmat4& worldFromObject) {
+    // A length in the object's space is at most so many times that in the world: the root of the
+    // largest eigenvalue of A^T A, which no sum of a row's absolute values is below. For rotations
+    // and scales along the axes it is just that.
+    const glm::dmat3 a = glm::inverse(glm::dmat3(worldFromObject));
+    const glm::dmat3 squared = glm::transpose(a) * a;
+    double largest = 0.0;
+    for (glm::length_t i = 0; i < 3; ++i)
+        largest = std::max(largest, std::abs(squared[i].x) + std::abs(squared[i].y) +
+                                        std::abs(squared[i].z));
+    return range * std::sqrt(largest);
+}
+
+} // namespace edgeshade

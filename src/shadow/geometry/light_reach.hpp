@@ -1,0 +1,29 @@
+#pragma once
+
+#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/geometry/pixel_rectangle.hpp"
+
+namespace edgeshade {
+
+/// The pixels that surfaces are in. Conservative by a pixel; the whole picture where nothing is
+/// known of what is visible.
+PixelRectangle visiblePixels(const FrameView& view);
+
+/// The pixels that a light can reach in a slice of the view: those around the part of its ball that
+/// is between the slice's near plane and the farthest that is visible there. Conservative by a
+/// pixel; empty where there is none; the whole picture for a light without a range.
+PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light);
+
+/// The same rectangle in a picture of `size`, which shows what the view's does: whole pixels, and a
+/// margin of two.
+PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,
+                           const glm::ivec2& size);
+
+/// Whether everything in the box, which is in an object's space, is farther from a light there than
+/// the range in the world. `range`: as rangeInObject() has it.
+bool isBeyond(const Box& box, const glm::dvec3& light, double range);
+
+/// A distance in an object's space that is nowhere less than `range` in the world.
+double rangeInObject(double range, const glm::dmat4& worldFromObject);
+
+} // namespace edgeshade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+
+namespace edgeshade {
+
+/// Pixels as GL counts them, from the lower left.
+struct PixelRectangle {
+    int x = 0, y = 0;
+    int width = 0, height = 0;
+
+    bool empty() const { return width <= 0 || height <= 0; }
+};
+
+/// What is in both; empty where nothing is.
+inline PixelRectangle intersection(const PixelRectangle& a, const PixelRectangle& b) {
+    const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+    return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
+            std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
+}
+
+/// The smallest rectangle around both.
+inline PixelRectangle united(const PixelRectangle& a, const PixelRectangle& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x,
+            std::max(a.y + a.height, b.y + b.height) - y};
+}
+
+} // namespace edgeshade

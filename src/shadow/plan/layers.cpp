@@ -1,0 +1,200 @@
+#include "src/shadow/plan/layers.hpp"
+
+#include "preprocess/volumes/clustering.hpp"
+
+#include "preprocess/mesh/weld.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+/// A share of the factors' sizes below which a product's sign is left undecided.
+constexpr double leastShare = 1e-10;
+
+/// The sign of the shaders' planeSide(); 0 where rounding may decide.
+int certainSide(const glm::vec4& plane, const glm::dvec4& light, double rounding) {
+    const glm::dvec4 terms = glm::dvec4(plane) * light;
+    const double side = terms.x + terms.y + terms.z + terms.w;
+    const double size =
+        std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z) + std::abs(terms.w);
+    if (!(std::abs(side) > rounding * size + 1e-30)) return 0;
+    return side > 0.0 ? 1 : -1;
+}
+
+std::array<glm::dvec3, 3> cornersOf(const CapRecord& cap) {
+    return {glm::dvec3(cap.a), glm::dvec3(cap.b), glm::dvec3(cap.c)};
+}
+
+/// What the way from `start` to the light does at a triangle.
+enum class Crossing { none, towardsItsFront, towardsItsBack, uncertain };
+
+Crossing crossingOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& start,
+                    const glm::dvec4& light) {
+    const glm::dvec3 way = glm::dvec3(light) - start * light.w;
+    const double length = glm::length(way);
+    std::array<glm::dvec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = triangle[i] - start;
+    int signs = 0, sure = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 &p = corners[i], &q = corners[(i + 1) % 3];
+        const double side = glm::dot(way, glm::cross(p, q));
+        if (!(std::abs(side) > leastShare * length * glm::length(p) * glm::length(q))) continue;
+        signs += side > 0.0 ? 1 : -1;
+        ++sure;
+    }
+    // Two that differ tell that the line passes by, whatever the third is.
+    if (std::abs(signs) < sure) return Crossing::none;
+    if (sure < 3) return Crossing::uncertain;
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double slope = glm::dot(way, normal), height = glm::dot(corners[0], normal);
+    const double normalLength = glm::length(normal);
+    if (!(std::abs(slope) > leastShare * length * normalLength) ||
+        !(std::abs(height) > leastShare * glm::length(corners[0]) * normalLength))
+        return Crossing::uncertain;
+    const double share = height / slope; // of the way, where it crosses the plane
+    if (share < 0.0) return Crossing::none;
+    if (light.w != 0.0) {
+        const double at = share * light.w; // 1: the light
+        if (std::abs(at - 1.0) < 1e-9) return Crossing::uncertain;
+        if (at > 1.0) return Crossing::none;
+    }
+    return slope > 0.0 ? Crossing::towardsItsFront : Crossing::towardsItsBack;
+}
+
+std::optional<Layers> layersFrom(const glm::dvec3& start, const glm::dvec4& light,
+                                 std::span<const std::uint32_t> touched,
+                                 const AdaptedShadow& shadow, double rounding) {
+    Layers layers;
+    for (const std::uint32_t i : touched) {
+        const CapRecord& cap = shadow.caps[i];
+        const Crossing crossing = crossingOf(cornersOf(cap), start, light);
+        if (crossing == Crossing::uncertain) return std::nullopt;
+        const int side = certainSide(cap.plane, light, rounding);
+        if (side == 0) return std::nullopt;
+        if (crossing == Crossing::none) continue;
+        const int inSpace = crossing == Crossing::towardsItsFront ? 1 : -1;
+        (side > 0 ? layers.lightFacing : layers.facingAway) += side * inSpace;
+        ++(inSpace > 0 ? layers.outwards : layers.inwards);
+    }
+    return layers;
+}
+
+bool mayMeetRectangle(const LightPyramid& pyramid, const PyramidFaces& faces,
+                      const std::array<glm::dvec3, 3>& triangle) {
+    if (faces.areBeforeRectangle(triangle)) return false;
+    const LightPyramid rectangle{pyramid.corners, glm::dvec4(pyramid.corners[0], 1.0)};
+    return !areApart(rectangle, triangle);
+}
+
+/// An edge, and the sign of a triangle on it.
+struct EdgeSign {
+    glm::vec3 a, b;
+    int sign;
+
+    bool before(const EdgeSign& other) const {
+        return a != other.a ? orderedBefore(a, other.a) : orderedBefore(b, other.b);
+    }
+};
+
+/// Whether an edge that may be within the pyramid has a multiplicity other than 0. Edges that leave
+/// it may lack triangles, so their sums say nothing.
+bool anySilhouette(std::vector<EdgeSign>& edges, const LightPyramid& pyramid) {
+    std::sort(edges.begin(), edges.end(),
+              [](const EdgeSign& p, const EdgeSign& q) { return p.before(q); });
+    for (std::size_t i = 0; i < edges.size();) {
+        int multiplicity = 0;
+        const EdgeSign& first = edges[i];
+        for (; i < edges.size() && edges[i].a == first.a && edges[i].b == first.b; ++i)
+            multiplicity += edges[i].sign;
+        const glm::dvec3 a(first.a), b(first.b);
+        if (multiplicity != 0 && !areApart(pyramid, {a, b, b})) return true;
+    }
+    return false;
+}
+
+/// Calls `use` with each cap that its part's box or `faces` don't keep apart, until it says stop.
+template <class Use>
+void forCapsNear(const LightPyramid& pyramid, const PyramidFaces& faces,
+                 const ShadowCluster& cluster, const AdaptedShadow& shadow, Use use) {
+    const auto isApart = [&](const Box& box) {
+        return faces.separate(box) || areApart(pyramid, box);
+    };
+    if (isApart(cluster.bounds)) return;
+    for (std::uint32_t p = 0; p < cluster.parts.count; ++p) {
+        if (isApart(shadow.parts[cluster.parts.first + p])) continue;
+        const std::uint32_t first = cluster.caps.first + p * partTriangles;
+        const std::uint32_t end = std::min(first + partTriangles, cluster.caps.end());
+        for (std::uint32_t i = first; i < end; ++i)
+            if (!faces.separate(cornersOf(shadow.caps[i])) && use(i)) return;
+    }
+}
+
+} // namespace
+
+Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
+                     const AdaptedShadow& shadow, std::size_t limit) {
+    Touched touched;
+    forCapsNear(pyramid, PyramidFaces(pyramid), cluster, shadow, [&](std::uint32_t cap) {
+        touched.caps.push_back(cap);
+        touched.tooMany = touched.caps.size() > limit;
+        return touched.tooMany;
+    });
+    return touched;
+}
+
+bool anyCapTouches(const LightPyramid& pyramid, const ShadowCluster& cluster,
+                   const AdaptedShadow& shadow) {
+    bool any = false;
+    forCapsNear(pyramid, PyramidFaces(pyramid), cluster, shadow, [&](std::uint32_t cap) {
+        any = !areApart(pyramid, cornersOf(shadow.caps[cap]));
+        return any;
+    });
+    return any;
+}
+
+std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
+                                          std::span<const std::uint32_t> touched,
+                                          const AdaptedShadow& shadow, double rounding) {
+    // Ways that meet an edge are undecided, but not from every point.
+    constexpr std::array<glm::dvec2, 6> places = {{{0.5, 0.5},
+                                                   {0.387, 0.561},
+                                                   {0.613, 0.423},
+                                                   {0.271, 0.317},
+                                                   {0.717, 0.659},
+                                                   {0.441, 0.191}}};
+    const auto& corners = pyramid.corners;
+    for (const glm::dvec2& place : places) {
+        const glm::dvec3 start =
+            corners[0] + place.x * (corners[1] - corners[0]) + place.y * (corners[3] - corners[0]);
+        const auto layers = layersFrom(start, pyramid.light, touched, shadow, rounding);
+        if (layers) return layers;
+    }
+    return std::nullopt;
+}
+
+Evenness evennessOf(const LightPyramid& pyramid, std::span<const std::uint32_t> touched,
+                    const AdaptedShadow& shadow, double rounding) {
+    const PyramidFaces faces(pyramid);
+    std::vector<EdgeSign> edges;
+    edges.reserve(3 * touched.size());
+    for (const std::uint32_t i : touched) {
+        const CapRecord& cap = shadow.caps[i];
+        const std::array<glm::dvec3, 3> corners = cornersOf(cap);
+        if (mayMeetRectangle(pyramid, faces, corners)) return Evenness::rectangleMet;
+        const int side = certainSide(cap.plane, pyramid.light, rounding);
+        if (side == 0) return Evenness::uncertain;
+        const std::array<glm::vec3, 3> ends = {cap.a, cap.b, cap.c};
+        for (std::size_t e = 0; e < 3; ++e) {
+            const std::size_t f = (e + 1) % 3;
+            const bool forward = orderedBefore(ends[e], ends[f]);
+            edges.push_back(
+                {forward ? ends[e] : ends[f], forward ? ends[f] : ends[e], forward ? side : -side});
+        }
+    }
+    return anySilhouette(edges, pyramid) ? Evenness::outlineMet : Evenness::even;
+}
+
+} // namespace edgeshade

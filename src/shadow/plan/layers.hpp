@@ -1,0 +1,61 @@
+#pragma once
+
+#include "preprocess/volumes/adapted_data.hpp"
+#include "src/shadow/geometry/separation.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace edgeshade {
+
+/// Where more triangles than these stand in a pyramid, counting them is not worth it.
+inline constexpr std::size_t mostTouched = 512;
+
+/// Caps of one cluster that may meet a pyramid: all that do, and few others.
+struct Touched {
+    std::vector<std::uint32_t> caps; ///< ascending
+    bool tooMany = false;            ///< there may be more
+};
+Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
+                     const AdaptedShadow& shadow, std::size_t limit = mostTouched);
+
+/// Whether any of them may: separated as well as areApart() can.
+bool anyCapTouches(const LightPyramid& pyramid, const ShadowCluster& cluster,
+                   const AdaptedShadow& shadow);
+
+/// How many triangles of a cluster a way to the light crosses, each by the sign that its plane has
+/// (docs/method.md, C13): a prism that is turned inside out by its plane's sign counts -1.
+struct Layers {
+    int lightFacing = 0; ///< what is counted of triangles with sign 1
+    int facingAway = 0;  ///< with sign -1
+    // By the corners, whatever the plane's sign is:
+    int outwards = 0; ///< crossed from back to front on the way to the light
+    int inwards = 0;  ///< from front to back
+
+    int all() const { return lightFacing + facingAway; }
+};
+
+/// The layers between a point of the pyramid's rectangle and its light. `touched`: the caps that
+/// meet it. Nothing where rounding may decide: a light next to a triangle's plane, for instance.
+/// `rounding`: of the shaders' dot products, dotRounding().
+std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
+                                          std::span<const std::uint32_t> touched,
+                                          const AdaptedShadow& shadow, double rounding);
+
+/// Whether the number of layers between a rectangle and a light may differ from point to point.
+enum class Evenness {
+    even,         ///< it is the same
+    rectangleMet, ///< a triangle may cross the rectangle itself
+    outlineMet,   ///< a silhouette edge may cross the pyramid
+    uncertain,    ///< rounding may decide
+};
+
+/// Whether the layers are the same for every point of the rectangle: the volume's boundary, made of
+/// the triangles and of silhouettes drawn out away from the light, doesn't meet it. A silhouette
+/// that crosses the rectangle does so behind an edge that is within the pyramid; and with every
+/// triangle on such an edge being touched as well, their signs alone tell which edges those are.
+Evenness evennessOf(const LightPyramid& pyramid, std::span<const std::uint32_t> touched,
+                    const AdaptedShadow& shadow, double rounding);
+
+} // namespace edgeshade

@@ -1,0 +1,270 @@
+#include "src/shadow/plan/volume_plan.hpp"
+
+#include "src/shadow/geometry/box_plane.hpp"
+#include "src/shadow/geometry/light_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+/// How far outside of what is visible volumes end, as a share of its size.
+constexpr double endMargin = 2e-3;
+
+/// How far below the light, of its own height above a plane, casters must be whose volumes end
+/// there.
+constexpr double leastBelow = 1e-2;
+
+/// Corners of the picture at a depth, in the batch.
+std::array<glm::dvec3, 4> rectangleAt(double depth, const FrameView& view,
+                                      const glm::dmat4& batchFromView) {
+    const double tangent = std::tan(glm::radians(view.camera.fovDegrees) / 2.0);
+    const double up = depth * tangent;
+    const double right = up * view.width / view.height;
+    std::array<glm::dvec3, 4> corners;
+    const std::array<glm::dvec2, 4> signs = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+    for (std::size_t i = 0; i < 4; ++i)
+        corners[i] = glm::dvec3(batchFromView *
+                                glm::dvec4(signs[i].x * right, signs[i].y * up, -depth, 1.0));
+    return corners;
+}
+
+/// Whether the box and all that is behind it in the light are outside the plane: extruding leads
+/// farther out.
+bool isVolumeOutside(const Box& box, const glm::dvec4& plane, const glm::dvec4& light) {
+    if (!isOutside(box, plane)) return false;
+    const double ofLight = glm::dot(plane, light);
+    const double outwards =
+        light.w != 0.0 ? largestOver(box, plane) - ofLight : -ofLight; // of p - light, or -light
+    return outwards <= -placingError * (std::abs(ofLight) + roundingOf(box, plane)) ||
+           (light.w != 0.0 && ofLight >= 0.0);
+}
+
+/// Whether the view may hold directions from the light to points of the box, which is where back
+/// caps are. A sun has none: its points at infinity are one.
+bool mayBackCapsBeSeen(const Box& box, const PlanView& view) {
+    if (view.light.w == 0.0) return false;
+    return std::none_of(view.planes.begin(), view.planes.begin() + 4, [&](const glm::dvec4& plane) {
+        const double ofLight = glm::dot(plane, view.light);
+        const double margin = roundingOf(box, plane) + placingError * std::abs(ofLight);
+        return largestOver(box, plane) - ofLight < -margin;
+    });
+}
+
+bool mayOverlap(const Box& box, const Box& other) {
+    const double margin =
+        placingError * std::max({glm::length(box.low), glm::length(box.high),
+                                 glm::length(other.low), glm::length(other.high)});
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        if (box.high[axis] + margin < other.low[axis] || other.high[axis] + margin < box.low[axis])
+            return false;
+    return true;
+}
+
+Box boxAround(const glm::dvec3& point) {
+    Box box;
+    box.add(point);
+    return box;
+}
+
+bool isLightOutside(const ShadowCluster& cluster, const PlanView& view) {
+    return view.light.w == 0.0 ||
+           !mayOverlap(cluster.bounds, boxAround(glm::dvec3(view.light) / view.light.w));
+}
+
+/// Whether both winding numbers are certainly 0.
+bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
+    return !mayOverlap(cluster.bounds, boxAround(view.eye)) && isLightOutside(cluster, view);
+}
+
+/// How the cluster's triangles count, by winding numbers at eye and light (docs/method.md, C8).
+/// They are 0 outside of its bounds; else their difference is told by the triangles on the way from
+/// near rectangle to light, `touched`. Nothing where that is not 0: everything visible is in its
+/// shadow.
+std::optional<Counted> countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow,
+                                 const PlanView& view, const Touched& touched) {
+    if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
+    if (touched.caps.empty() || areOutside(cluster, view)) return Counted::lightFacing;
+    if (touched.tooMany) return Counted::all;
+    const auto layers = layersFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
+    if (!layers) return Counted::all;
+    // Of each component the winding number at the eye less that at the light is what of it is
+    // crossed outwards less what inwards.
+    const bool sumTells = cluster.components == 1 || layers->outwards == 0 || layers->inwards == 0;
+    if (!sumTells) return Counted::all;
+    if (layers->outwards != layers->inwards) return std::nullopt;
+    return Counted::lightFacing;
+}
+
+/// Whether the cluster needs caps, and where not the count at which the whole near rectangle
+/// starts.
+void decideCaps(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view,
+                const Touched& touched, VolumeDraw& draw) {
+    draw.caps = CapsNeeded::seenThrough;
+    if (cluster.holes) return;
+    draw.caps = CapsNeeded::no;
+    if (touched.caps.empty()) return;
+    draw.caps = CapsNeeded::uncertain;
+    if (touched.tooMany) return;
+    switch (evennessOf(view.fromNear, touched.caps, shadow, view.rounding)) {
+    case Evenness::uncertain:
+        return;
+    case Evenness::rectangleMet:
+        draw.caps = CapsNeeded::nearPlaneMet;
+        return;
+    case Evenness::outlineMet:
+        draw.caps = CapsNeeded::outlineMet;
+        return;
+    case Evenness::even:
+        break;
+    }
+    const auto layers = layersFromSomePoint(view.fromNear, touched.caps, shadow, view.rounding);
+    if (!layers) return;
+    draw.caps = CapsNeeded::no;
+    draw.start = draw.counted == Counted::all ? layers->all() : layers->lightFacing;
+}
+
+/// Adds a plane if the light is on its inside, where dot(plane, (p, 1)) > 0.
+void addEnd(const glm::dvec4& plane, PlanView& view) {
+    const double ofLight = glm::dot(plane, view.light);
+    const glm::dvec4 terms = glm::abs(plane) * glm::abs(view.light);
+    const double size = terms.x + terms.y + terms.z + terms.w;
+    if (ofLight > 1e-3 * size) view.ends.push_back(plane / ofLight);
+}
+
+/// The box of all that rays from the near rectangles to what is visible pass, in the world: cut off
+/// outside of it, volumes count the same.
+Box seenThrough(const FrameView& view, const PlanView& here, const glm::dmat4& worldFromBatch) {
+    Box box = view.visible;
+    box.add(view.camera.from);
+    for (const auto& rectangle : {here.fromNear.corners, here.fromNearest.corners})
+        for (const glm::dvec3& corner : rectangle)
+            box.add(glm::dvec3(worldFromBatch * glm::dvec4(corner, 1.0)));
+    return box;
+}
+
+/// Adds the planes of a box in the world, a little outside of it.
+void addEnds(const Box& box, const glm::dmat4& worldFromBatch, PlanView& view) {
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        for (const double side : {1.0, -1.0}) {
+            glm::dvec4 plane(0.0);
+            plane[axis] = side;
+            plane.w = (side > 0.0 ? -box.low[axis] : box.high[axis]) + endMargin * box.diagonal();
+            addEnd(glm::transpose(worldFromBatch) * plane, view);
+        }
+}
+
+/// The end that the cluster's volumes reach soonest; -1: none suits all of it.
+int endFor(const Box& bounds, const PlanView& view) {
+    int best = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < view.ends.size(); ++i) {
+        const double highest = largestOver(bounds, view.ends[i]);
+        const double below = 1.0 - highest * view.light.w; // how far the light is above all of it
+        if (!(below > leastBelow)) continue;
+        const double reach = highest / below;
+        if (reach >= least) continue;
+        least = reach;
+        best = static_cast<int>(i);
+    }
+    return best;
+}
+
+/// Why the cluster is left out, if it is.
+std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanView& view) {
+    for (std::size_t i = 0; i < view.planes.size(); ++i)
+        if (isVolumeOutside(cluster.bounds, view.planes[i], view.light))
+            return i + 1 == view.planes.size() ? LeftOut::Why::tooDeep : LeftOut::Why::outsideView;
+    if (isBeyond(cluster.bounds, glm::dvec3(view.light), view.range)) return LeftOut::Why::tooFar;
+    return std::nullopt;
+}
+
+void appendLeftOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
+    if (!all.empty() && all.back().clusters.end() == cluster && all.back().why == why)
+        ++all.back().clusters.count;
+    else
+        all.push_back({{cluster, 1}, why});
+}
+
+void appendDraw(std::vector<VolumeDraw>& draws, const VolumeDraw& draw) {
+    if (draws.empty() || draws.back().clusters.end() != draw.clusters.first ||
+        !draws.back().drawnLike(draw)) {
+        draws.push_back(draw);
+        return;
+    }
+    ++draws.back().clusters.count;
+    draws.back().start += draw.start;
+}
+
+} // namespace
+
+PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
+                  const glm::dmat4& worldFromBatch, int mantissaBits) {
+    const glm::dmat4 viewFromBatch = viewFromWorld(view.camera) * worldFromBatch;
+    const glm::dmat4 batchFromView = glm::inverse(viewFromBatch);
+    PlanView result;
+    result.rounding = dotRounding(mantissaBits);
+    result.light = glm::inverse(worldFromBatch) * light.position;
+    if (light.hasRange()) result.range = rangeInObject(light.range, worldFromBatch);
+    result.eye = glm::dvec3(batchFromView[3]);
+    result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
+    result.fromNearest = {rectangleAt(view.near(), view, batchFromView), result.light};
+    result.beforeNearest = {result.fromNearest.corners, glm::dvec4(result.eye, 1.0)};
+    result.planes = viewPlanes(view, slice, worldFromBatch);
+    addEnd(result.planes.back(), result);
+    if (!view.visible.empty())
+        addEnds(seenThrough(view, result, worldFromBatch), worldFromBatch, result);
+    return result;
+}
+
+glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view) {
+    return draw.end < 0 ? glm::vec4(0, 0, 0, 1)
+                        : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
+}
+
+int VolumePlan::start() const {
+    int sum = 0;
+    for (const VolumeDraw& draw : draws)
+        sum += draw.start;
+    return sum;
+}
+
+VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
+    const bool oneNear = view.fromNear.corners == view.fromNearest.corners;
+    VolumePlan plan;
+    for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
+        const ShadowCluster& cluster = shadow.clusters[i];
+        if (const auto why = leftOutFor(cluster, view)) {
+            appendLeftOut(plan.leftOut, i, *why);
+            continue;
+        }
+        const Touched touched = capsTouching(view.fromNear, cluster, shadow);
+        VolumeDraw draw;
+        draw.clusters = {i, 1};
+        const auto counted =
+            countedOf(cluster, shadow, view,
+                      oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow));
+        if (!counted) {
+            VolumePlan sealed;
+            sealed.sealed = i;
+            return sealed;
+        }
+        draw.counted = *counted;
+        decideCaps(cluster, shadow, view, touched, draw);
+        if (!draw.zFail()) draw.end = endFor(cluster.bounds, view);
+        const bool inView =
+            std::none_of(view.planes.begin(), view.planes.begin() + 5,
+                         [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });
+        draw.frontCaps = draw.zFail() && inView;
+        draw.backCaps = draw.zFail() && mayBackCapsBeSeen(cluster.bounds, view);
+        const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
+        draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
+        draw.fannedCaps = draw.zFail() && !cluster.holes && !draw.nearDiscard &&
+                          (!draw.backCaps || isLightOutside(cluster, view));
+        appendDraw(plan.draws, draw);
+    }
+    return plan;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "preprocess/volumes/adapted_data.hpp"
+#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/geometry/view_planes.hpp"
+#include "src/shadow/plan/layers.hpp"
+#include "src/shadow/silhouette/light_facings.hpp"
+
+#include <vector>
+
+namespace edgeshade {
+
+/// Which triangles of a cluster cast (docs/method.md, C8).
+enum class Counted {
+    all,         ///< every triangle: always right
+    lightFacing, ///< of a closed cluster around which eye and light have the same winding numbers
+};
+
+/// Why volumes are drawn with caps and counted behind surfaces (z-fail).
+enum class CapsNeeded {
+    no,           ///< sides alone, counted before surfaces (z-pass)
+    seenThrough,  ///< casters have holes
+    nearPlaneMet, ///< a triangle may cross the near plane
+    outlineMet,   ///< a shadow's outline may run through the near rectangle
+    uncertain,    ///< rounding may decide, or there are too many triangles to tell
+};
+
+/// How shadow volumes of some neighbouring clusters are drawn. Those of one batch are in order.
+struct VolumeDraw {
+    RecordRange clusters;
+    Counted counted = Counted::all;
+    CapsNeeded caps = CapsNeeded::uncertain;
+    int start = 0; ///< without caps: volumes that the whole near rectangle is in
+    int end = -1;  ///< without caps: which of PlanView::ends volumes end at; -1: at infinity
+    bool frontCaps = true;   ///< with z-fail: some casters may be in the view
+    bool backCaps = true;    ///< with z-fail: at infinity, some of its shadow may be in the view
+    bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
+    bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
+
+    bool drawnLike(const VolumeDraw& other) const {
+        return counted == other.counted && caps == other.caps && end == other.end &&
+               frontCaps == other.frontCaps && backCaps == other.backCaps &&
+               nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps;
+    }
+    bool zFail() const { return caps != CapsNeeded::no; }
+};
+
+/// Neighbouring clusters that are not drawn.
+struct LeftOut {
+    enum class Why {
+        outsideView, ///< their volumes miss it
+        tooDeep,     ///< they begin behind everything that is visible
+        tooFar,      ///< out of the light's range
+    };
+    RecordRange clusters;
+    Why why = Why::outsideView;
+};
+
+/// What is drawn of a batch for one light, and what is not.
+struct VolumePlan {
+    std::vector<VolumeDraw> draws; ///< in the order of clusters; as are those left out
+    std::vector<LeftOut> leftOut;
+    /// A closed cluster with the eye on one side of it and the light on the other: everything
+    /// visible is in its shadow, and nothing need be drawn.
+    std::optional<std::uint32_t> sealed;
+
+    /// The stencil's count before any of it is drawn: volumes that the near rectangle is in.
+    int start() const;
+};
+
+/// Light and view in a batch's space: all that decides how its clusters are drawn.
+struct PlanView {
+    glm::dvec4 light;
+    double range = std::numeric_limits<double>::infinity(); ///< of the light; see rangeInObject()
+    glm::dvec3 eye;
+    LightPyramid fromNear;      ///< from the slice's near plane to the light
+    LightPyramid fromNearest;   ///< from the nearest near plane to the light
+    LightPyramid beforeNearest; ///< from the nearest near plane to the eye
+    ViewPlanes planes;
+    /// Planes with the eye, all that is visible and the light on one side; scaled so that the light
+    /// is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
+    std::vector<glm::dvec4> ends;
+    double rounding = dotRounding(23); ///< of the shaders' dot products with the light
+};
+
+/// The view of a batch placed by `worldFromBatch`, which must be invertible. `mantissaBits`: of the
+/// vertex shader's floats.
+PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
+                  const glm::dmat4& worldFromBatch, int mantissaBits = 23);
+
+/// The plane at which a draw's volumes end, for the shaders.
+glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
+
+/// Decides how each cluster is drawn, if at all. A pure function:
+/// - not at all where it is out of the light's range, or its volume, the cluster's box away from
+///   the light, certainly misses the view or begins behind everything visible;
+/// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
+///   same number of its volumes: none where the hull of rectangle and light is apart from all of
+///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.
+///   Casters with holes always get caps, since the eye sees volumes through them. Such volumes end
+///   at a plane beyond everything visible, where there is one for all of the cluster;
+/// - with fans for caps, whose triangles join the silhouette edges to the middle of the cluster's
+///   box. They have the same outline as the casting triangles, and at infinity only outlines count:
+///   fan and triangles together are closed, so that they cover each direction from the eye (of the
+///   front caps) or from the light (of the back caps) as often as they wind around eye or light,
+///   which is never where that is outside of the box. For front caps the box must be beyond the
+///   near plane; casters with holes take none;
+/// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
+///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
+///   C8). Where these certainly differ, the cluster seals the eye off from the light.
+VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view);
+
+} // namespace edgeshade
