@@ -162,12 +162,13 @@ void checkDraco(const JsonField& extension, std::size_t viewCount) {
     extension.member("attributes").forEachMember([](const JsonField& id) { id.index(); });
 }
 
+void checkAttributes(const JsonField& attributes, std::size_t accessorCount) {
+    attributes.forEachMember(
+        [&](const JsonField& accessor) { accessor.indexInto(accessorCount, "accessors"); });
+}
+
 void checkPrimitive(const JsonField& primitive, std::size_t accessorCount, std::size_t viewCount) {
-    const auto checkAttributes = [accessorCount](const JsonField& attributes) {
-        attributes.forEachMember(
-            [&](const JsonField& accessor) { accessor.indexInto(accessorCount, "accessors"); });
-    };
-    checkAttributes(primitive.member("attributes"));
+    checkAttributes(primitive.member("attributes"), accessorCount);
     primitive.ifPresent("indices", [&](const JsonField& accessor) {
         accessor.indexInto(accessorCount, "accessors");
     });
@@ -175,13 +176,15 @@ void checkPrimitive(const JsonField& primitive, std::size_t accessorCount, std::
     primitive.ifPresent("mode", [](const JsonField& mode) {
         if (mode.index() > 6) mode.fail(" is " + mode.value().dump() + ", but must be 0 to 6");
     });
-    primitive.ifPresent("targets",
-                        [&](const JsonField& targets) { targets.forEachItem(checkAttributes); });
+    primitive.ifPresent("targets", [&](const JsonField& targets) {
+        targets.forEachItem(
+            [&](const JsonField& target) { checkAttributes(target, accessorCount); });
+    });
     primitive.ifExtension("KHR_draco_mesh_compression",
                           [&](const JsonField& extension) { checkDraco(extension, viewCount); });
 }
 
-void checkNode(const JsonField& node) {
+void checkNode(const JsonField& node, std::size_t accessorCount) {
     checkIndex(node, "mesh");
     checkIndex(node, "skin");
     checkNumbers(node, "matrix", 16);
@@ -190,10 +193,8 @@ void checkNode(const JsonField& node) {
     checkNumbers(node, "scale", 3);
     checkNumbers(node, "weights", 0);
     node.ifPresent("children", checkIntegers);
-    node.ifExtension("EXT_mesh_gpu_instancing", [](const JsonField& instancing) {
-        instancing.member("attributes").forEachMember([](const JsonField& accessor) {
-            accessor.index();
-        });
+    node.ifExtension("EXT_mesh_gpu_instancing", [&](const JsonField& instancing) {
+        checkAttributes(instancing.member("attributes"), accessorCount);
     });
     node.ifExtension("KHR_node_visibility", [](const JsonField& visibility) {
         visibility.ifPresent("visible", [](const JsonField& flag) { flag.boolean(); });
@@ -274,7 +275,7 @@ void checkSections(const JsonField& root) {
             checkPrimitive(primitive, accessorCount, viewCount);
         });
     });
-    checkSection(root, "nodes", checkNode);
+    checkSection(root, "nodes", [&](const JsonField& node) { checkNode(node, accessorCount); });
     checkSection(root, "scenes",
                  [](const JsonField& scene) { scene.ifPresent("nodes", checkIntegers); });
     checkSection(root, "skins", [&](const JsonField& skin) {

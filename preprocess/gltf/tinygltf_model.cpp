@@ -178,6 +178,7 @@ tinygltf::Model typedModel(const Json& json, const std::set<std::size_t>& broken
     // Its own words name no field; whatever they are about, the checks before should have said it.
     if (!parsed || !errors.empty())
         throw InputError("'" + path.string() + "' is no valid glTF 2.0: it could not be parsed.");
+    model.bufferViews.resize(json.contains("bufferViews") ? json["bufferViews"].size() : 0);
     for (const std::size_t accessor : standIns.accessors)
         model.accessors.at(accessor).bufferView = -1;
     for (const std::size_t skin : standIns.skins)

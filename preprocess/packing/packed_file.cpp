@@ -6,6 +6,9 @@
 #include "preprocess/gltf/image_type.hpp"
 #include "preprocess/gltf/json_field.hpp"
 #include "preprocess/gltf/meshopt_view.hpp"
+#include "preprocess/packing/dangling_indices.hpp"
+
+#include <algorithm>
 
 namespace edgeshade {
 namespace {
@@ -37,6 +40,25 @@ Json joinedBuffer(const Json& first) {
 Json fallbackBuffer(Json buffer) {
     buffer.erase("uri");
     return buffer;
+}
+
+/// Lets views end with their buffer. What goes past it can't be read and would go on in the bytes
+/// of another once buffers are joined. Throws InputError where the view's length says what is
+/// compressed.
+void cutViews(const GltfDocument& document, Json& json) {
+    for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
+        Json& view = json["bufferViews"][i];
+        const Json& buffer = json["buffers"][view["buffer"].get<std::size_t>()];
+        const auto end = buffer["byteLength"].get<std::uint64_t>();
+        const auto offset = std::min(view.value("byteOffset", std::uint64_t{0}), end);
+        if (view["byteLength"].get<std::uint64_t>() <= end - offset) continue;
+        if (document.decodedViews[i])
+            throw InputError(document.where("bufferViews[") + std::to_string(i) +
+                             "] ends past buffer " + view["buffer"].dump() + ", which has " +
+                             std::to_string(end) + " bytes.");
+        if (offset != 0) view["byteOffset"] = offset;
+        view["byteLength"] = end - offset;
+    }
 }
 
 /// Joins all buffers that have bytes into one, which is there even without; buffers that have none
@@ -112,6 +134,8 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene,
                     const std::vector<BatchTopology>& topology, Encoding encoding,
                     const CasterSettings& settings, Warnings& warnings) {
     Json json = document.json;
+    eraseDanglingIndices(json);
+    cutViews(document, json);
     Bytes binary = joinBuffers(document, json);
     readShadowHeader(document); // refuses an extension that is not sound
     removeShadowExtension(json, binary, document.path);

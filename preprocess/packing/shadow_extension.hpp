@@ -80,8 +80,9 @@ void appendShadowExtension(nlohmann::ordered_json& json, Bytes& binary, const Sc
                            const CasterSettings& settings);
 
 /// Takes an earlier extension out again, which must be sound: what appendShadowExtension() added,
-/// and its name where that is all there is. Sections may be empty then. `path` is for messages.
-/// Throws InputError if the file was rearranged since.
+/// and its name where that is all there is. Sections may be empty then. `json` must have no
+/// dangling indices (eraseDanglingIndices()). `path` is for messages. Throws InputError if the file
+/// was rearranged since.
 void removeShadowExtension(nlohmann::ordered_json& json, Bytes& binary,
                            const std::filesystem::path& path);
 

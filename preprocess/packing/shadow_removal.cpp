@@ -1,7 +1,6 @@
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/gltf_checks.hpp"
-#include "preprocess/gltf/json_field.hpp"
-#include "preprocess/gltf/optional_checks.hpp"
+#include "preprocess/packing/dangling_indices.hpp"
 #include "preprocess/packing/shadow_extension.hpp"
 
 #include <algorithm>
@@ -52,24 +51,8 @@ Json removeLastArray(Json& json, int accessor, const std::filesystem::path& path
     return view;
 }
 
-/// How many animations refer to what isn't there, and images to views that aren't.
-std::size_t brokenParts(const Json& json, const std::filesystem::path& path) {
-    Warnings ignored;
-    std::size_t broken = findBrokenParts(json, path, ignored).animations.size();
-    const JsonField root(path, json);
-    root.ifPresent("images", [&](const JsonField& images) {
-        images.forEachItem([&](const JsonField& image) {
-            const auto view = image.value().is_object() ? image.find("bufferView") : std::nullopt;
-            broken += view && view->value().is_number_unsigned() &&
-                      view->value().get<std::uint64_t>() >= root.countOf("bufferViews");
-        });
-    });
-    return broken;
-}
-
 void removeData(Json& json, Bytes& binary, const std::set<int>& accessors,
                 const std::filesystem::path& path) {
-    const std::size_t brokenBefore = brokenParts(json, path);
     std::size_t shadowStart = binary.size();
     for (auto accessor = accessors.rbegin(); accessor != accessors.rend(); ++accessor) {
         const Json view = removeLastArray(json, *accessor, path);
@@ -79,13 +62,13 @@ void removeData(Json& json, Bytes& binary, const std::set<int>& accessors,
     if (usedEnd(json) > shadowStart) failRearranged(path);
     binary.resize(shadowStart);
     // Whatever else refers to them would refer to what is added next.
+    if (eraseDanglingIndices(json)) failRearranged(path);
     try {
         Warnings ignored;
         requireSoundGltf(json, path, ignored);
     } catch (const InputError&) {
         failRearranged(path);
     }
-    if (brokenParts(json, path) != brokenBefore) failRearranged(path);
 }
 
 void removeName(Json& json) {

@@ -14,7 +14,7 @@ namespace edgeshade::test {
 /// `preprocess` reads; takes JSON of any shape.
 std::set<std::string> structuralFaults(const Json& json);
 
-/// The same of a GLB that must stand alone: its container, and no `uri` in it, too.
+/// The same of a GLB whose buffers are all in it, and of its container.
 std::set<std::string> structuralFaults(const Bytes& glb);
 
 } // namespace edgeshade::test

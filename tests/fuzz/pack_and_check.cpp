@@ -1,6 +1,7 @@
 #include "tests/fuzz/pack_and_check.hpp"
 
 #include "preprocess/gltf/gltf_reading.hpp"
+#include "preprocess/gltf/image_type.hpp"
 #include "preprocess/packing/pack.hpp"
 #include "preprocess/packing/packed_file.hpp"
 #include "preprocess/reading/flatten.hpp"
@@ -52,6 +53,16 @@ CasterSettings settingsFor(const GltfDocument& document, std::size_t choice) {
     return settings;
 }
 
+/// Unlike packBytes(), it doesn't read what it packed.
+Bytes packedOf(const PackInput& input, Encoding encoding, const CasterSettings& settings) {
+    Warnings warnings;
+    Bytes bytes =
+        packedGlb(input.document, input.scene, input.topology, encoding, settings, warnings);
+    for (const std::string& warning : warnings.sentences())
+        requireSentence(warning);
+    return bytes;
+}
+
 void requireSameScene(const Scene& packed, const Scene& source) {
     require(packed.batches.size() == source.batches.size(), "has other batches");
     for (std::size_t i = 0; i < source.batches.size(); ++i) {
@@ -66,7 +77,6 @@ void requireSameScene(const Scene& packed, const Scene& source) {
                 "has other attributes");
         require(sameBits(a.groups, b.groups), "has other groups");
     }
-    require(packed.warnings.sentences() == source.warnings.sentences(), "has other warnings");
 }
 
 void requireSameShadows(const std::vector<BatchShadow>& read,
@@ -82,9 +92,11 @@ void requireSameShadows(const std::vector<BatchShadow>& read,
 void requireSamePictures(const GltfDocument& packed, const GltfDocument& source) {
     if (!source.json.contains("images")) return;
     for (int i = 0; i < static_cast<int>(source.json["images"].size()); ++i) {
-        Bytes bytes; // a picture in a view that nothing shows may be unsound
-        if (accepted([&] { bytes = encodedImageBytes(source, i); }))
-            require(encodedImageBytes(packed, i) == bytes, "has other pictures");
+        Bytes bytes; // some pictures can't be read
+        if (!accepted([&] { bytes = encodedImageBytes(source, i); })) continue;
+        require(encodedImageBytes(packed, i) == bytes, "has other pictures");
+        const auto& image = packed.json["images"][static_cast<std::size_t>(i)];
+        require(imageTypeOf(bytes).empty() || !image.contains("uri"), "has a picture elsewhere");
     }
 }
 
@@ -108,10 +120,7 @@ void check(const Bytes& bytes, const PackInput& source, Encoding encoding,
     requireSameShadows(readShadows(packed, *header, scene), source.topology,
                        header->maxMultiplicity);
     const PackInput again = readForPacking(std::move(packed), settings, true);
-    Warnings warnings;
-    require(packedGlb(again.document, again.scene, again.topology, encoding, settings, warnings) ==
-                bytes,
-            "packs to other bytes");
+    require(packedOf(again, encoding, settings) == bytes, "packs to other bytes");
 }
 
 } // namespace
@@ -126,9 +135,7 @@ bool packAndCheck(std::span<const std::uint8_t> bytes) {
         GltfDocument document = parseGltf(bytes, fuzzedPath, smallLimits());
         settings = settingsFor(document, choice / std::size(everyEncoding));
         source = readForPacking(std::move(document), settings, true);
-        Warnings warnings;
-        packed =
-            packedGlb(source.document, source.scene, source.topology, encoding, settings, warnings);
+        packed = packedOf(source, encoding, settings);
     });
     if (!isPacked) return false;
     try {

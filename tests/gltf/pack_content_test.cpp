@@ -195,6 +195,51 @@ TEST(PackContent, ViewsOfABufferWithoutBytesKeepOne) {
     }
 }
 
+TEST(PackContent, AccessorsNeedNoViews) {
+    GltfBuilder gltf; // all zeros
+    const int zeros = gltf.addAccessor(-1, componentTypeOf<float>, 3, "VEC3");
+    gltf.addNode({{"mesh", gltf.addMesh({{"attributes", {{"POSITION", zeros}}}})}});
+    EXPECT_TRUE(parseGltf(gltf.glb(), "test.glb").model.bufferViews.empty());
+    EXPECT_EQ(sceneOf(packed(gltf.glb(), Encoding::indexed)).triangleCount(), 1u);
+}
+
+TEST(PackContent, IndicesOfNothingNameNothingAfterwards) {
+    // The first view and accessor of shadow data, as long as there are none.
+    GltfBuilder gltf = variedScene();
+    const std::size_t accessor = gltf.json["accessors"].size();
+    gltf.addImage({{"bufferView", gltf.json["bufferViews"].size()}});
+    for (const char* key : {"input", "output"}) {
+        SCOPED_TRACE(key);
+        GltfBuilder broken = gltf;
+        broken.json["animations"][0]["samplers"][0][key] = accessor;
+        const GlbParts parts(packed(broken.glb(), Encoding::indexed));
+        EXPECT_GT(parts.json["accessors"].size(), accessor);
+        EXPECT_FALSE(parts.json["animations"][0]["samplers"][0].contains(key));
+        EXPECT_FALSE(parts.json["images"][0].contains("bufferView"));
+    }
+}
+
+TEST(PackContent, AViewPastItsBuffersEndIsCut) {
+    // Used by nothing, and yet it would reach into the shadow data.
+    for (const std::size_t past : {0, 100}) {
+        GltfBuilder gltf = variedScene();
+        const std::size_t length = gltf.binary.size();
+        const std::size_t view = gltf.json["bufferViews"].size();
+        gltf.json["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", length - 8 + past}, {"byteLength", 12}});
+        const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+        EXPECT_EQ(viewOf(parts, view).size(), past == 0 ? 8u : 0u);
+        EXPECT_EQ(packed(parts.glb(), Encoding::indexed), parts.glb());
+    }
+}
+
+TEST(PackContent, ACompressedViewPastItsBuffersEndIsRefused) {
+    GltfBuilder gltf = meshoptScene(box(glm::vec3(1.0f)));
+    gltf.json["bufferViews"][2]["buffer"] = 0;
+    expectInputError([&] { packed(gltf.glb(), Encoding::indexed); },
+                     {"test.glb", "bufferViews[2]", "buffer 0"});
+}
+
 TEST(PackContent, WhatKindOfPictureAnImageIsItsBytesSay) {
     const Bytes ktx2 = {0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, '\r', '\n', 0x1A, '\n', 0};
     const std::pair<Bytes, const char*> kinds[] = {
