@@ -51,9 +51,7 @@ struct SceneOptions {
     gl::Limits glLimits = gl::Limits::device;
     std::string variant; ///< of its materials; empty: the file's own
 
-    LoadedScene load() const {
-        return loadScene(input, casters.wanted(), limits, {}, variant);
-    }
+    LoadedScene load() const { return loadScene(input, casters.wanted(), limits, {}, variant); }
 };
 
 /// The words that an option takes, in the order in which help and messages list them.

@@ -252,4 +252,25 @@ TEST(Rendering, AVariantIsDrawn) {
               std::string::npos);
 }
 
+TEST(Rendering, TheOracleKnowsUnlitSurfaces) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.useExtension("KHR_materials_unlit");
+    gltf.addMaterial({{"extensions", {{"KHR_materials_unlit", Json::object()}}}});
+    gltf.addShapeNode(box(glm::vec3(1.0f)), {{"material", 0}});
+    gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(1.0f)))},
+                  {"translation", {0, -1.25, 0}},
+                  {"scale", {4.0, 0.1, 4.0}}});
+    const auto scene = folder.write("scene.glb", gltf.glb());
+    const ProcessResult result =
+        runEdgeshade({"compare", scene, "--size", "64x48", "--report", folder / "report.json"});
+    if (result.status == 3) GTEST_SKIP() << result.err; // built without the oracle
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Bytes text = readFile(folder / "report.json");
+    const Json report = Json::parse(text.begin(), text.end());
+    EXPECT_GT(report["visible_pixels"], 10000);
+    EXPECT_EQ(report["wrong_image_beyond_1px"], 0);
+    EXPECT_LE(report["wrong_image_pixels"], report["wrong_mask_pixels"]);
+}
+
 } // namespace edgeshade::test
