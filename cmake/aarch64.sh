@@ -9,7 +9,7 @@
 # The compiler and what runs its programs here: ordinary packages of this machine.
 aarch64_tools=(g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user dpkg-dev)
 aarch64_libraries=(libglm-dev nlohmann-json3-dev libtinygltf-dev libstb-dev libcli11-dev
-    libgtest-dev librapidcheck-dev libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
+    libgtest-dev librapidcheck-dev libwebp-dev libwebp7 libegl-dev libgles-dev libegl1 libgles2 libglvnd0)
 
 # What ./test --long builds, and runs but for the program, which is to be linked at least: the one
 # build without Embree, GLFW and cairo.

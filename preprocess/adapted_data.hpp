@@ -8,15 +8,15 @@
 
 namespace edgeshade {
 
-// What the layout `adapted` draws shadow volumes from (method, section 6): which kinds of edges
-// there are, and why each is right.
+// What the layout `adapted` draws shadow volumes from (docs/method.md, C1 to C8): which kinds of
+// edges there are, and why each is right.
 //
 // Every triangle T that counts adds a prism: front cap, back cap, three sides. T's side of the
 // light is s(T), the sign of dot(plane, light) with T's plane as trianglePlanes() has it; what
 // counts of it is w(T): s(T) itself, or only s = 1 (light-facing triangles), or only s = -1. An
 // edge A < B is drawn |m| times, m the sum of d(T) w(T) over its triangles, d(T) = 1 where T runs
 // from A to B and -1 where it runs from B to A. Since edges and caps ask the same four floats, what
-// they emit is a closed chain whatever those floats are (method, section 4).
+// they emit is a closed chain whatever those floats are (docs/method.md, The closed chain).
 //
 // - PairRecord: two of an edge's triangles with d0 = 1 and d1 = -1, so m = w0 - w1. Triangles that
 //   run the same way are paired too, one of them with its plane negated, which turns w into -w:
@@ -37,7 +37,7 @@ namespace edgeshade {
 // Components are sets of triangles connected through edges, so all records of an edge belong to
 // one, and each component's chain is closed by itself. In a *closed* component every edge has as
 // many triangles in one direction as in the other: there are nothing but pairs of opposite
-// directions, winding numbers exist, and where method, section 6.4 allows it the light-facing
+// directions, winding numbers exist, and where docs/method.md, C8 allows it the light-facing
 // triangles alone decide between lit and shadowed, at half the quads and half the caps. A component
 // with MASK or BLEND triangles doesn't count as closed: the eye sees through it.
 

@@ -11,7 +11,7 @@ namespace edgeshade {
 struct Components {
     std::vector<std::uint32_t> ofTriangle; ///< numbered by their first triangles
     /// Of each component: every edge has as many triangles in one direction as in the other, so
-    /// that it is closed as a chain and winding numbers exist (method, section 6.4).
+    /// that it is closed as a chain and winding numbers exist (docs/method.md, C8).
     std::vector<std::uint8_t> closed;
 
     std::size_t count() const { return closed.size(); }

@@ -35,7 +35,7 @@ struct EdgeList {
     std::uint32_t largestOppositeCount() const;
 };
 
-/// Finds every edge, with any number of opposite vertices (method, section 1).
+/// Finds every edge, with any number of opposite vertices (docs/method.md, Terms).
 EdgeList buildEdges(const WeldedMesh& mesh);
 
 } // namespace edgeshade

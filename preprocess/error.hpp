@@ -34,6 +34,12 @@ class InputError : public Error {
     explicit InputError(const std::string& sentence) : Error(ExitStatus::input, sentence) {}
 };
 
+/// An InputError about a limit that the user may raise, where what passes it may be sound.
+class LimitError : public InputError {
+  public:
+    explicit LimitError(const std::string& sentence) : InputError(sentence) {}
+};
+
 /// A library's message without the full stop and the line ends that it may have, to end a sentence
 /// of ours with.
 std::string clauseOf(std::string message);

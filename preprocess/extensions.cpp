@@ -17,6 +17,7 @@ constexpr KnownExtension known[] = {
     {"EXT_mesh_gpu_instancing", drawn},
     {"EXT_meshopt_compression", drawn},
     {"EXT_structural_metadata", metadata},
+    {"EXT_texture_webp", drawn},
     {"FB_ngon_encoding", metadata},
     {"KHR_draco_mesh_compression", drawn},
     {"KHR_lights_punctual", ignored, "the file's lights are not used"},
@@ -38,6 +39,7 @@ constexpr KnownExtension known[] = {
     {"KHR_mesh_quantization", drawn},
     {"KHR_meshopt_compression", drawn},
     {"KHR_node_visibility", drawn},
+    {"KHR_texture_basisu", ignored, "KTX2 pictures are left out"},
     {"KHR_texture_transform", drawn},
     {"KHR_xmp_json_ld", metadata},
 };

@@ -56,6 +56,8 @@ Bytes resolveUri(const GltfDocument& document, const std::string& field, const s
     const std::filesystem::path file = pathOfUri(document, field, uri);
     try {
         return readFile(file, document.memory.limits().fileBytes);
+    } catch (const LimitError& error) {
+        throw LimitError(document.where(field) + ": " + error.what());
     } catch (const InputError& error) {
         throw InputError(document.where(field) + ": " + error.what());
     }
@@ -144,19 +146,18 @@ std::span<const std::uint8_t> bufferViewBytes(const GltfDocument& document, int 
 }
 
 Bytes encodedImageBytes(const GltfDocument& document, int image) {
-    const std::string field = "images[" + std::to_string(image) + "]";
-    const Json none = Json::array();
-    const Json& images = document.json.contains("images") ? document.json["images"] : none;
-    if (image < 0 || static_cast<std::size_t>(image) >= images.size())
-        throw InputError(document.where(field) + " does not exist.");
-    const Json& source = images[image];
-    if (source.contains("bufferView") && source["bufferView"].is_number_integer()) {
-        const auto bytes = bufferViewBytes(document, source["bufferView"].get<int>());
+    const JsonField root(document.path, document.json);
+    const auto images = root.find("images");
+    if (!images || image < 0 || static_cast<std::size_t>(image) >= images->size())
+        throw InputError(document.where("images[") + std::to_string(image) + "] does not exist.");
+    const JsonField source = images->item(static_cast<std::size_t>(image));
+    if (const auto view = source.find("bufferView")) {
+        const auto bytes = bufferViewBytes(
+            document, view->indexInto(document.model.bufferViews.size(), "bufferViews"));
         return Bytes(bytes.begin(), bytes.end());
     }
-    if (source.contains("uri") && source["uri"].is_string())
-        return resolveUri(document, field + ".uri", source["uri"].get<std::string>());
-    throw InputError(document.where(field) + " has neither a bufferView nor a uri.");
+    if (const auto uri = source.find("uri")) return resolveUri(document, uri->name(), uri->text());
+    source.fail(" has neither a bufferView nor a uri");
 }
 
 } // namespace edgeshade

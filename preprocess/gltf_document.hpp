@@ -46,8 +46,8 @@ GltfDocument parseGltf(std::span<const std::uint8_t> bytes, const std::filesyste
 /// range is invalid.
 std::span<const std::uint8_t> bufferViewBytes(const GltfDocument& document, int view);
 
-/// The bytes of image `image`, still encoded (PNG or JPEG), from a view, a data URI or a file.
-/// Throws InputError.
+/// The bytes of image `image`, still encoded, from a view, a data URI or a file. Throws InputError,
+/// LimitError if the file is too large.
 Bytes encodedImageBytes(const GltfDocument& document, int image);
 
 } // namespace edgeshade

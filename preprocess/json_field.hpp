@@ -34,6 +34,7 @@ class JsonField {
     JsonField member(const char* key) const;
     std::optional<JsonField> find(const char* key) const;
     std::size_t size() const { return value_.size(); }
+    JsonField item(std::size_t i) const { return JsonField(*this, value_.at(i), i); }
     /// How many items the member has; 0 where it isn't there.
     std::size_t countOf(const char* key) const;
 
@@ -58,7 +59,7 @@ class JsonField {
     void forEachItem(Check check) const {
         requireArray();
         for (std::size_t i = 0; i < value_.size(); ++i)
-            check(JsonField(*this, value_[i], i));
+            check(item(i));
     }
 
     /// Calls check(JsonField) for every member of this object.

@@ -31,7 +31,7 @@ class MemoryBudget {
     std::uint64_t taken() const { return taken_; }
 
     /// Counts `count` things of `size` bytes. `where` names the file and what in it wants them.
-    /// Throws InputError, before they are made, if that passes the limit.
+    /// Throws LimitError, before they are made, if that passes the limit.
     void take(std::uint64_t count, std::uint64_t size, const std::string& where);
 
   private:

@@ -42,16 +42,14 @@ Sampler samplerOf(const tinygltf::Sampler& given) {
     return sampler;
 }
 
-void setTexture(const GltfDocument& document, Material& material, const std::string& field,
-                int texture, int texcoordSet, const tinygltf::Value* transform) {
+void setTexture(const GltfDocument& document, Material& material, int texture, int texcoordSet,
+                const tinygltf::Value* transform) {
     if (texture < 0) return;
-    const auto& textures = document.model.textures;
-    if (static_cast<std::size_t>(texture) >= textures.size())
-        throw InputError(document.where(field) + ".index is " + std::to_string(texture) +
-                         ", but there are " + std::to_string(textures.size()) + " textures.");
-    material.image = textures[texture].source;
+    material.texture = texture;
     material.texcoordSet = texcoordSet;
-    if (textures[texture].sampler >= 0)
+    const auto& textures = document.model.textures;
+    const bool exists = static_cast<std::size_t>(texture) < textures.size();
+    if (exists && textures[texture].sampler >= 0)
         material.sampler = samplerOf(document.model.samplers[textures[texture].sampler]);
     if (!transform) return;
     material.uvTransform = uvTransformOf(*transform);
@@ -72,25 +70,23 @@ const tinygltf::Value* textureTransform(const tinygltf::Value& info) {
 }
 
 void readMetallicRoughness(const GltfDocument& document, const tinygltf::Material& source,
-                           const std::string& field, Material& material) {
+                           Material& material) {
     const auto& factor = source.pbrMetallicRoughness.baseColorFactor;
     for (glm::length_t c = 0; c < 4 && static_cast<std::size_t>(c) < factor.size(); ++c)
         material.baseColorFactor[c] = static_cast<float>(factor[c]);
     const tinygltf::TextureInfo& info = source.pbrMetallicRoughness.baseColorTexture;
-    setTexture(document, material, field + ".pbrMetallicRoughness.baseColorTexture", info.index,
-               info.texCoord, textureTransform(info.extensions));
+    setTexture(document, material, info.index, info.texCoord, textureTransform(info.extensions));
 }
 
 /// The archived KHR_materials_pbrSpecularGlossiness: its diffuse colour stands for ours.
 void readSpecularGlossiness(const GltfDocument& document, const tinygltf::Value& extension,
-                            const std::string& field, Material& material) {
+                            Material& material) {
     for (glm::length_t c = 0; c < 4; ++c)
         material.baseColorFactor[c] =
             static_cast<float>(elementOr(extension, "diffuseFactor", c, 1.0));
     if (!extension.Has("diffuseTexture")) return;
     const tinygltf::Value& info = extension.Get("diffuseTexture");
-    setTexture(document, material, field + ".diffuseTexture",
-               static_cast<int>(numberOr(info, "index", -1.0)),
+    setTexture(document, material, static_cast<int>(numberOr(info, "index", -1.0)),
                static_cast<int>(numberOr(info, "texCoord", 0.0)), textureTransform(info));
 }
 
@@ -114,11 +110,10 @@ Material readMaterial(const GltfDocument& document, std::size_t index) {
     if (source.alphaMode == "BLEND") material.alphaMode = AlphaMode::blend;
     material.alphaCutoff = static_cast<float>(source.alphaCutoff);
     material.unlit = source.extensions.contains("KHR_materials_unlit");
-    readMetallicRoughness(document, source, field, material);
+    readMetallicRoughness(document, source, material);
     const auto glossy = source.extensions.find("KHR_materials_pbrSpecularGlossiness");
     if (glossy != source.extensions.end())
-        readSpecularGlossiness(document, glossy->second,
-                               field + ".KHR_materials_pbrSpecularGlossiness", material);
+        readSpecularGlossiness(document, glossy->second, material);
     requireFinite(document, material, field);
     return material;
 }

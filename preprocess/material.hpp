@@ -16,7 +16,8 @@ struct Material {
     bool unlit = false; ///< KHR_materials_unlit: its colour as it is; it casts all the same
     float alphaCutoff = 0.5f;
     glm::vec4 baseColorFactor{1.0f}; ///< linear; pbrSpecularGlossiness' diffuse where used
-    int image = -1;                  ///< of the base colour texture; -1: none
+    int texture = -1;                ///< of the base colour, as the file says; -1: none
+    int image = -1;                  ///< that is drawn of it, as ImageChoice decides; -1: none
     Sampler sampler;                 ///< of this texture
     int texcoordSet = 0;
     glm::mat3 uvTransform{1.0f}; ///< KHR_texture_transform: uv' = uvTransform * (u, v, 1)

@@ -15,7 +15,7 @@ struct MeshStatistics {
     std::map<std::uint32_t, std::size_t> edgesByOppositeCount;
     std::size_t components = 0; ///< of triangles connected through edges
     /// Triangles of components whose edges all have as many triangles in one direction as in the
-    /// other: closed as a chain, so that winding numbers exist (method, section 6.4).
+    /// other: closed as a chain, so that winding numbers exist (docs/method.md, C8).
     std::size_t closedOrientedTriangles = 0;
 
     std::uint32_t largestOppositeCount() const {

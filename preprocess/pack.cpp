@@ -109,12 +109,14 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
 
 Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings) {
     Stopwatch watch;
-    Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding, settings);
+    Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding, settings,
+                            input.scene.warnings);
     ReadingLimits none = input.document.memory.limits(); // of bytes made here
     none.memoryBytes = std::numeric_limits<std::uint64_t>::max();
     const GltfDocument packed = parseGltf(bytes, input.document.path, none);
     input.report.storedBytes = storedShadowBytes(packed);
     input.report.fileBytes = bytes.size();
+    input.report.warnings = input.scene.warnings.sentences();
     input.report.build.pack = watch.lap();
     return bytes;
 }

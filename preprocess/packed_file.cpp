@@ -1,8 +1,11 @@
 #include "preprocess/packed_file.hpp"
 
+#include "preprocess/buffer_view.hpp"
 #include "preprocess/error.hpp"
 #include "preprocess/glb.hpp"
+#include "preprocess/image_type.hpp"
 #include "preprocess/json_field.hpp"
+#include "preprocess/meshopt_view.hpp"
 
 namespace edgeshade {
 namespace {
@@ -14,10 +17,6 @@ struct BufferPlace {
     std::size_t buffer;
     std::size_t offset;
 };
-
-void alignTo4(Bytes& bytes) {
-    bytes.resize((bytes.size() + 3) / 4 * 4, 0);
-}
 
 void moveReference(Json& reference, const std::vector<BufferPlace>& places) {
     const BufferPlace& place = places.at(reference.at("buffer").get<std::size_t>());
@@ -34,27 +33,32 @@ Json joinedBuffer(const Json& first) {
     return joined;
 }
 
-/// Joins all buffers that have bytes into one; buffers without (meshopt fallbacks) follow it. It
-/// ends at a multiple of four, where shadow data will begin, so that packing it again joins the
-/// same bytes.
+/// The same of a buffer without bytes.
+Json fallbackBuffer(Json buffer) {
+    buffer.erase("uri");
+    return buffer;
+}
+
+/// Joins all buffers that have bytes into one, which is there even without; buffers that have none
+/// (meshopt fallbacks) follow it. It ends at a multiple of four, where shadow data will begin, so
+/// that packing it again joins the same bytes.
 Bytes joinBuffers(const GltfDocument& document, Json& json) {
     Bytes binary;
-    if (!json.contains("buffers")) return binary;
     Json buffers = Json::array({Json::object()});
     std::vector<BufferPlace> places;
     for (std::size_t i = 0; i < document.buffers.size(); ++i) {
-        const bool hasBytes =
-            !document.buffers[i].empty() || !json["buffers"][i].contains("extensions");
-        if (hasBytes) {
-            if (binary.empty()) buffers[0] = joinedBuffer(json["buffers"][i]);
+        const Json& source = json["buffers"][i];
+        if (!document.buffers[i].empty() || !isMeshoptFallback(source)) {
+            if (binary.empty()) buffers[0] = joinedBuffer(source);
             places.push_back({0, binary.size()});
             binary.insert(binary.end(), document.buffers[i].begin(), document.buffers[i].end());
             alignTo4(binary);
         } else {
             places.push_back({buffers.size(), 0});
-            buffers.push_back(json["buffers"][i]);
+            buffers.push_back(fallbackBuffer(source));
         }
     }
+    buffers[0]["byteLength"] = binary.size();
     json["buffers"] = std::move(buffers);
     if (json.contains("bufferViews"))
         for (Json& view : json["bufferViews"]) {
@@ -66,37 +70,57 @@ Bytes joinBuffers(const GltfDocument& document, Json& json) {
     return binary;
 }
 
-const char* mimeTypeOf(const Bytes& image) {
-    if (image.size() > 3 && image[0] == 0x89 && image[1] == 'P') return "image/png";
-    if (image.size() > 3 && image[0] == 0xFF && image[1] == 0xD8) return "image/jpeg";
-    return nullptr;
+/// Moves image `i` from its uri into a view of its own. Throws InputError, before anything is
+/// changed, where that can't be done.
+void embedImage(const GltfDocument& document, std::size_t i, Json& json, Bytes& binary) {
+    const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
+    const std::string_view type = imageTypeOf(bytes);
+    if (type.empty()) // which a view must say
+        throw InputError(document.where("images[") + std::to_string(i) +
+                         "] is neither PNG, JPEG, WebP nor KTX2.");
+    const std::size_t view = appendView(json, binary, bytes);
+    Json& image = json["images"][i]; // found only now: the first view moves it
+    image.erase("uri");
+    image["bufferView"] = view;
+    image["mimeType"] = type;
 }
 
-void embedImages(const GltfDocument& document, Json& json, Bytes& binary) {
+/// What can't be embedded stays as it is.
+void embedImages(const GltfDocument& document, Json& json, Bytes& binary, Warnings& warnings) {
     if (!json.contains("images")) return;
     for (std::size_t i = 0; i < json["images"].size(); ++i) {
-        Json& image = json["images"][i];
-        if (!image.contains("uri")) continue;
-        const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
-        if (!json.contains("buffers")) json["buffers"] = Json::array({Json::object()});
-        json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
-        binary.insert(binary.end(), bytes.begin(), bytes.end());
-        alignTo4(binary);
-        image.erase("uri");
-        image["bufferView"] = json["bufferViews"].size() - 1;
-        if (!image.contains("mimeType") && mimeTypeOf(bytes)) image["mimeType"] = mimeTypeOf(bytes);
+        if (!json["images"][i].contains("uri")) continue;
+        try {
+            embedImage(document, i, json, binary);
+        } catch (const LimitError&) {
+            throw;
+        } catch (const InputError& error) {
+            warnings.add(clauseOf(error.what()) + "; it is not embedded.");
+        }
     }
+}
+
+/// glTF has no empty sections. Some files do, and where shadow data were removed.
+void removeEmptySections(Json& json) {
+    for (const char* section : {"accessors", "animations", "bufferViews", "cameras", "extensions",
+                                "extensionsRequired", "extensionsUsed", "images", "materials",
+                                "meshes", "nodes", "samplers", "scenes", "skins", "textures"})
+        if (json.contains(section) && json[section].empty()) json.erase(section);
 }
 
 Bytes packedChecked(const GltfDocument& document, const Scene& scene,
                     const std::vector<BatchTopology>& topology, Encoding encoding,
-                    const CasterSettings& settings) {
+                    const CasterSettings& settings, Warnings& warnings) {
     Json json = document.json;
     Bytes binary = joinBuffers(document, json);
-    if (readShadowHeader(document)) removeShadowExtension(json, binary, document.path);
-    embedImages(document, json, binary);
+    readShadowHeader(document); // refuses an extension that is not sound
+    removeShadowExtension(json, binary, document.path);
+    removeEmptySections(json);
+    embedImages(document, json, binary, warnings);
+    alignTo4(binary); // as joinBuffers() leaves it when the file is packed again
     appendShadowExtension(json, binary, scene, topology, encoding, settings);
+    // Views of buffers that have no bytes need one nevertheless.
+    if (binary.empty() && json.contains("bufferViews")) binary.resize(4);
     if (binary.empty())
         json.erase("buffers");
     else
@@ -108,9 +132,9 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene,
 
 Bytes packedGlb(const GltfDocument& document, const Scene& scene,
                 const std::vector<BatchTopology>& topology, Encoding encoding,
-                const CasterSettings& settings) {
+                const CasterSettings& settings, Warnings& warnings) {
     return withJsonErrors(document.path, [&] {
-        return packedChecked(document, scene, topology, encoding, settings);
+        return packedChecked(document, scene, topology, encoding, settings, warnings);
     });
 }
 

@@ -46,7 +46,7 @@ struct Mover {
 /// Triangles that move together: all static nodes are one batch, every animated node another.
 ///
 /// Positions are floats relative to a local origin, so that survey coordinates keep their detail
-/// (method, section 5); what places them in the world is double.
+/// (docs/method.md, C6); what places them in the world is double.
 struct Batch {
     int node = -1;                    ///< the glTF node that moves it; -1: none, it is static
     glm::dmat4 worldFromBatch{1.0};   ///< at rest

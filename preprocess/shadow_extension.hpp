@@ -73,14 +73,15 @@ std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowH
 /// Bytes of shadow data that a packed document stores; 0 if it isn't packed. Throws InputError.
 std::size_t storedShadowBytes(const GltfDocument& document);
 
-/// Appends buffer views, accessors and the extension to `json`, and the bytes to `binary`, which is
-/// buffer 0.
+/// Appends buffer views, accessors and the extension, which `json` must not have, to `json`, and
+/// the bytes to `binary`, which is buffer 0.
 void appendShadowExtension(nlohmann::ordered_json& json, Bytes& binary, const Scene& scene,
                            const std::vector<BatchTopology>& topology, Encoding encoding,
                            const CasterSettings& settings);
 
-/// Takes an earlier, sound extension out again: what appendShadowExtension() added. `path` is for
-/// messages. Throws InputError if the file was rearranged since.
+/// Takes an earlier extension out again, which must be sound: what appendShadowExtension() added,
+/// and its name where that is all there is. Sections may be empty then. `path` is for messages.
+/// Throws InputError if the file was rearranged since.
 void removeShadowExtension(nlohmann::ordered_json& json, Bytes& binary,
                            const std::filesystem::path& path);
 

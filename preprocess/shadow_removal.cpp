@@ -1,4 +1,5 @@
 #include "preprocess/error.hpp"
+#include "preprocess/gltf_checks.hpp"
 #include "preprocess/shadow_extension.hpp"
 
 #include <algorithm>
@@ -49,19 +50,8 @@ Json removeLastArray(Json& json, int accessor, const std::filesystem::path& path
     return view;
 }
 
-void removeName(Json& json) {
-    json["extensions"].erase(shadowExtensionName);
-    if (json["extensions"].empty()) json.erase("extensions");
-    if (!json.contains("extensionsUsed")) return;
-    Json& used = json["extensionsUsed"];
-    used.erase(std::remove(used.begin(), used.end(), shadowExtensionName), used.end());
-    if (used.empty()) json.erase("extensionsUsed");
-}
-
-} // namespace
-
-void removeShadowExtension(Json& json, Bytes& binary, const std::filesystem::path& path) {
-    const std::set<int> accessors = shadowAccessorsOf(*shadowExtensionOf(json));
+void removeData(Json& json, Bytes& binary, const std::set<int>& accessors,
+                const std::filesystem::path& path) {
     std::size_t shadowStart = binary.size();
     for (auto accessor = accessors.rbegin(); accessor != accessors.rend(); ++accessor) {
         const Json view = removeLastArray(json, *accessor, path);
@@ -70,9 +60,27 @@ void removeShadowExtension(Json& json, Bytes& binary, const std::filesystem::pat
     // What a tool moved behind the shadow data would be cut off with them.
     if (usedEnd(json) > shadowStart) failRearranged(path);
     binary.resize(shadowStart);
+    // Whatever else refers to them would refer to what is added next.
+    try {
+        requireSoundGltf(json, path);
+    } catch (const InputError&) {
+        failRearranged(path);
+    }
+}
+
+void removeName(Json& json) {
+    if (json.contains("extensions")) json["extensions"].erase(shadowExtensionName);
+    if (!json.contains("extensionsUsed")) return;
+    Json& used = json["extensionsUsed"];
+    used.erase(std::remove(used.begin(), used.end(), shadowExtensionName), used.end());
+}
+
+} // namespace
+
+void removeShadowExtension(Json& json, Bytes& binary, const std::filesystem::path& path) {
+    if (const Json* extension = shadowExtensionOf(json))
+        removeData(json, binary, shadowAccessorsOf(*extension), path);
     removeName(json);
-    for (const char* section : {"accessors", "bufferViews"})
-        if (json.contains(section) && json[section].empty()) json.erase(section);
 }
 
 } // namespace edgeshade

@@ -1,3 +1,4 @@
+#include "preprocess/buffer_view.hpp"
 #include "preprocess/edge_codec.hpp"
 #include "preprocess/shadow_extension.hpp"
 
@@ -44,16 +45,14 @@ class AccessorWriter {
 
     int add(const void* data, std::size_t size, std::size_t count, int componentType,
             const char* type) {
-        binary_.resize((binary_.size() + 3) / 4 * 4, 0);
-        json_["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", size}});
-        const auto* bytes = static_cast<const std::uint8_t*>(data);
-        binary_.insert(binary_.end(), bytes, bytes + size);
-        json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
-                                      {"componentType", componentType},
-                                      {"count", count},
-                                      {"type", type}});
-        return static_cast<int>(json_["accessors"].size()) - 1;
+        const std::size_t view =
+            appendView(json_, binary_, {static_cast<const std::uint8_t*>(data), size});
+        Json& accessors = json_["accessors"];
+        accessors.push_back({{"bufferView", view},
+                             {"componentType", componentType},
+                             {"count", count},
+                             {"type", type}});
+        return static_cast<int>(accessors.size()) - 1;
     }
 
     Json& json_;
@@ -98,9 +97,7 @@ void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
         {"maxMultiplicity", maxMultiplicity},      {"weldTolerance", settings.weldTolerance},
         {"castMasked", settings.castMasked},       {"casterError", settings.casterError},
         {"flatTolerance", settings.flatTolerance}, {"batches", std::move(batches)}};
-    Json& used = json["extensionsUsed"];
-    if (std::find(used.begin(), used.end(), shadowExtensionName) == used.end())
-        used.push_back(shadowExtensionName);
+    json["extensionsUsed"].push_back(shadowExtensionName);
 }
 
 } // namespace edgeshade

@@ -20,7 +20,7 @@ struct Casters {
 };
 
 /// The surfaces of a batch that cast: opaque triangles, with `castMasked` MASK and BLEND ones too
-/// (method, section 5).
+/// (docs/method.md, C7).
 Casters castingSurfacesOf(const Batch& batch, const std::vector<Material>& materials,
                           bool castMasked);
 

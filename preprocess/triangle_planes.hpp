@@ -9,7 +9,7 @@ namespace edgeshade {
 
 /// The plane of every triangle: dot(plane, (p, 1)) > 0 on the side from which it is seen
 /// counter-clockwise; the normal has unit length. Computed in double and rounded once, so that
-/// everything that asks for a triangle's side asks the same four floats (method, section 6.2).
+/// everything that asks for a triangle's side asks the same four floats (docs/method.md, C1).
 ///
 /// Triangles of a flat patch, oriented alike, coplanar by an exact predicate and connected through
 /// edges, share the plane of the largest of them bit for bit. With a `flatTolerance` (degrees, 0 to

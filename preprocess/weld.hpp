@@ -8,7 +8,7 @@
 
 namespace edgeshade {
 
-/// The order `A < B` of the method (section 1): lexicographic on (x, y, z).
+/// The order `A < B` of positions (docs/method.md, Terms): lexicographic on (x, y, z).
 inline bool orderedBefore(const glm::vec3& a, const glm::vec3& b) {
     if (a.x != b.x) return a.x < b.x;
     if (a.y != b.y) return a.y < b.y;

@@ -26,7 +26,7 @@ varying vec4 v_color;
 
 void main() {
 #ifdef NEAR_DISCARD
-    // The caster was clipped here (method, section 5): moved to infinity its cap would count.
+    // The caster was clipped here (docs/method.md, C11): moved to infinity its cap would count.
     if (v_clipZW.x < -v_clipZW.y) discard;
 #endif
 #ifdef ALPHA_TEST

@@ -1,5 +1,5 @@
-// Caps of the shadow volumes: one record a triangle A < B < C, front cap then back cap (method,
-// section 2; thesis, Algorithm 11).
+// Caps of the shadow volumes: one record a triangle A < B < C, front cap then back cap
+// (docs/method.md, Records and caps, as published; thesis, Algorithm 11).
 //
 // Variants: INSTANCED as in sides.vert; those of cap_corner.glsl; PROBE, for tests.
 #include "record_layout.glsl"

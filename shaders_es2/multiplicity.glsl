@@ -1,5 +1,5 @@
-// Signs and multiplicities: method, section 1. Written in the common part of GLSL ES 1.00 and C++
-// with GLM, so that the tests run these very lines on the CPU.
+// Signs and multiplicities: docs/method.md, Terms. Written in the common part of GLSL ES 1.00 and
+// C++ with GLM, so that the tests run these very lines on the CPU.
 //
 // One evaluation order everywhere: dot and cross products are spelled out, since the built-in ones
 // may be summed in any order. MULTIPLICITY_THREE_EDGE and MULTIPLICITY_SINGLE_EDGE choose the

@@ -1,4 +1,5 @@
-// Sides of the shadow volumes: one record an edge (method, section 2; thesis, Algorithm 10).
+// Sides of the shadow volumes: one record an edge (docs/method.md, Records and caps, as published;
+// thesis, Algorithm 10).
 //
 // Variants: MAX_MULTIPLICITY 1..5, opposite vertices a record; INSTANCED, records come once an
 // instance and the corner from its own attribute, else from spare components; SIDE_IS_UNIFORM

@@ -4,6 +4,7 @@
 #include "src/gl/capabilities.hpp"
 #include "src/viewer/viewer.hpp"
 #include "web/commands.hpp"
+#include "web/scene_reader.hpp"
 #include "web/scene_transfer.hpp"
 #include "web/sentence.hpp"
 
@@ -106,32 +107,6 @@ class PageViewer {
     std::string problem_;
 };
 
-/// The worker's half: reads files of the current folder of the file system in memory.
-class SceneReader {
-  public:
-    std::string read(const std::string& name, emscripten::val onStage) {
-        return sentenceOfFailure([&] {
-            const LoadedScene loaded =
-                loadScene(name, std::nullopt, ReadingLimits(),
-                          [&](LoadStage stage) { onStage(std::string(nameOf(stage))); });
-            onStage(std::string("hand over"));
-            warnings_ = nlohmann::ordered_json(loaded.scene.warnings.sentences()).dump();
-            triangles_ = loaded.scene.triangleCount();
-            bytes_ = toTransfer(loaded);
-        });
-    }
-    emscripten::val bytes() const {
-        return emscripten::val(emscripten::typed_memory_view(bytes_.size(), bytes_.data()));
-    }
-    std::string warnings() const { return warnings_; }
-    std::size_t triangles() const { return triangles_; }
-
-  private:
-    Bytes bytes_;
-    std::string warnings_ = "[]";
-    std::size_t triangles_ = 0;
-};
-
 EMSCRIPTEN_BINDINGS(edgeshade) {
     emscripten::class_<PageViewer>("Viewer")
         .constructor<>()
@@ -155,6 +130,12 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
     emscripten::class_<SceneReader>("SceneReader")
         .constructor<>()
         .function("read", &SceneReader::read)
+        .function("wantedImages", &SceneReader::wantedImages)
+        .function("webpOf", &SceneReader::webpOf)
+        .function("roomFor", &SceneReader::roomFor)
+        .function("room", &SceneReader::room)
+        .function("decideImage", &SceneReader::decideImage)
+        .function("finish", &SceneReader::finish)
         .function("bytes", &SceneReader::bytes)
         .function("warnings", &SceneReader::warnings)
         .function("triangles", &SceneReader::triangles);

@@ -1,5 +1,6 @@
 #include "web/scene_transfer.hpp"
 
+#include "preprocess/buffer_view.hpp"
 #include "preprocess/glb.hpp"
 #include "preprocess/packed_file.hpp"
 
@@ -109,22 +110,21 @@ void transfer(Archive& archive, Maybe<AdaptedShadow> auto& shadow) {
             shadow.flatEdges);
 }
 
-/// A GLB that has nothing but the images which materials use, at their indices.
+/// A GLB that has nothing but the images which materials use, at their indices, less those whose
+/// pixels are at hand.
 Bytes imagesAlone(const LoadedScene& loaded) {
     Json json = {{"asset", {{"version", "2.0"}}}};
     Bytes binary;
     for (const Material& material : loaded.scene.materials) {
-        if (material.image < 0) continue;
+        if (material.image < 0 || loaded.images.contains(material.image)) continue;
         if (!json.contains("images"))
             json["images"] = Json(loaded.document.json["images"].size(),
                                   {{"uri", "data:application/octet-stream;base64,AA=="}});
-        Json& image = json["images"].at(static_cast<std::size_t>(material.image));
-        if (image.contains("bufferView")) continue;
-        const Bytes encoded = encodedImageBytes(loaded.document, material.image);
-        json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", encoded.size()}});
-        image = {{"bufferView", json["bufferViews"].size() - 1}, {"mimeType", "image/png"}};
-        binary.insert(binary.end(), encoded.begin(), encoded.end());
+        const auto image = static_cast<std::size_t>(material.image);
+        if (json["images"].at(image).contains("bufferView")) continue;
+        const std::size_t view =
+            appendView(json, binary, encodedImageBytes(loaded.document, material.image));
+        json["images"].at(image) = {{"bufferView", view}, {"mimeType", "image/png"}};
     }
     if (!binary.empty()) json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
     return joinGlb(json.dump(), std::move(binary));
@@ -133,7 +133,8 @@ Bytes imagesAlone(const LoadedScene& loaded) {
 Bytes documentFor(const LoadedScene& loaded) {
     const Json& json = loaded.document.json;
     if (!json.contains("animations") || json["animations"].empty()) return imagesAlone(loaded);
-    return packedGlb(loaded.document, loaded.scene, {}, Encoding::none, loaded.settings);
+    Warnings ofImages; // those that are drawn are known to be sound
+    return packedGlb(loaded.document, loaded.scene, {}, Encoding::none, loaded.settings, ofImages);
 }
 
 std::vector<char> charactersOf(const std::string& text) {
@@ -153,6 +154,9 @@ Bytes toTransfer(const LoadedScene& loaded) {
            loaded.scene.movers, loaded.scene.materials, loaded.settings);
     for (const auto& shadow : loaded.adapted)
         transfer(writer, *shadow);
+    writer(loaded.images.size());
+    for (const auto& [index, image] : loaded.images)
+        writer(index, image->width, image->height, image->rgba);
     writer(loaded.scene.warnings.sentences().size());
     for (const std::string& sentence : loaded.scene.warnings.sentences())
         writer(charactersOf(sentence));
@@ -164,13 +168,20 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     Reader reader(bytes);
     std::vector<char> characters;
     Bytes document;
-    std::size_t warnings = 0;
+    std::size_t images = 0, warnings = 0;
     reader(characters, document, loaded.scene.batches, loaded.scene.movers, loaded.scene.materials,
            loaded.settings);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         AdaptedShadow shadow;
         transfer(reader, shadow);
         loaded.adapted.push_back(std::make_shared<const AdaptedShadow>(std::move(shadow)));
+    }
+    reader(images);
+    for (std::size_t i = 0; i < images; ++i) {
+        int index = 0;
+        Image image;
+        reader(index, image.width, image.height, image.rgba);
+        loaded.images[index] = std::make_shared<const Image>(std::move(image));
     }
     reader(warnings);
     loaded.document = parseGltf(document, textOf(characters));

@@ -69,8 +69,7 @@ class AdaptedSubject : public SyntheticSubject {
             static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
         shadow_->clusters.front().singles.count =
             static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
-        // Those that count twice once for each direction of counting.
-        for (const Times times : {Times::twice, Times::twice, Times::once})
+        for (const Times times : {Times::twice, Times::once})
             volumes_.drawSides(*buffers_, &proposed_, VolumeDraw{.clusters = {0, 1}}, times,
                                glm::vec4(0, 0, 0, 1), syntheticLight, glm::mat4(1.0f));
     }

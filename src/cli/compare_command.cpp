@@ -39,13 +39,17 @@ Json countsJson(const lab::WrongCounts& counts) {
             {"wrong_image_pixels", counts.wrongImagePixels},
             {"wrong_image_beyond_1px", counts.wrongImageBeyond1px},
             {"tie_pixels", counts.tiePixels},
-            {"wrong_image_beyond_1px_not_tied", counts.beyond1pxNotTied}};
+            {"wrong_image_beyond_1px_not_tied", counts.beyond1pxNotTied},
+            {"device_tie_pixels", counts.deviceTiePixels},
+            {"wrong_image_beyond_1px_not_device_tied", counts.beyond1pxNotDeviceTied}};
 }
 
 Json resultJson(const lab::CompareResult& result, DrawSettings settings,
                 const CasterSettings& casters, const std::vector<lab::LabView>& views) {
     settings.render = result.settings;
-    Json json = {{"name", result.name}, {"views", result.views}};
+    Json json = {{"name", result.name},
+                 {"views", result.views},
+                 {"subpixel_bits", result.subpixelBits}}; // of the grid of device ties
     json.update(countsJson(result.counts));
     json["worst_view"] = views.empty() ? Json(nullptr) : Json(views[result.worstView].name);
     json["settings"] = settingsJson(settings);
@@ -64,7 +68,8 @@ std::string tableOf(const std::vector<lab::CompareResult>& results) {
     std::ostringstream text;
     text << std::left << std::setw(34) << "percent of visible pixels" << std::right << std::setw(12)
          << "mask wrong" << std::setw(12) << "beyond 1px" << std::setw(13) << "image wrong"
-         << std::setw(12) << "beyond 1px" << std::setw(10) << "not tied"
+         << std::setw(12) << "beyond 1px" << std::setw(10) << "not tied" << std::setw(12)
+         << "at 1/" + std::to_string(1 << results.front().subpixelBits) + " px"
          << "\n";
     for (const lab::CompareResult& result : results) {
         const lab::WrongCounts& c = result.counts;
@@ -74,7 +79,7 @@ std::string tableOf(const std::vector<lab::CompareResult>& results) {
              << lab::percent(c.wrongMaskBeyond1px, c.visiblePixels) << std::setw(13)
              << lab::percent(c.wrongImagePixels, c.visiblePixels) << std::setw(12)
              << lab::percent(c.wrongImageBeyond1px, c.visiblePixels) << std::setw(10)
-             << c.beyond1pxNotTied << "\n";
+             << c.beyond1pxNotTied << std::setw(12) << c.beyond1pxNotDeviceTied << "\n";
     }
     std::string table = text.str();
     table.pop_back();

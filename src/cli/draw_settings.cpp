@@ -236,6 +236,7 @@ nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities) {
             {"renderer", capabilities.renderer},
             {"version", capabilities.version},
             {"depth_bits", capabilities.depthBits},
+            {"subpixel_bits", capabilities.subpixelBits},
             {"stencil_bits", capabilities.stencilBits},
             {"extensions", capabilities.extensions},
             {"vertex_mantissa_bits", capabilities.vertexHighpMantissaBits},

@@ -5,6 +5,7 @@
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/cli/summary.hpp"
+#include "src/image/image_choice.hpp"
 
 #include <memory>
 
@@ -27,6 +28,8 @@ void info(const InfoOptions& options) {
         options.casters.wanted().value_or(header ? header->settings : CasterSettings());
     PackInput input = readForPacking(std::move(document), settings, true);
     input.report.readSeconds += readSeconds;
+    decodeImages(input.document, input.scene); // for what it says about them
+    input.report.warnings = input.scene.warnings.sentences();
     printWarnings(input.report.warnings);
     std::string text = summaryOf(input.report);
     text += std::string("\npacked                    ") +

@@ -21,8 +21,9 @@ struct PackOptions {
 
 void pack(const PackOptions& options) {
     PackInput input = readForPacking(options.input, options.casters.settings(), options.limits);
+    const Bytes bytes = packBytes(input, options.encoding, options.casters.settings());
     printWarnings(input.report.warnings);
-    writeFile(options.output, packBytes(input, options.encoding, options.casters.settings()));
+    writeFile(options.output, bytes);
     printResult(summaryOf(input.report), options.report);
     writeReport(toJson(input.report), options.report);
 }

@@ -38,6 +38,7 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.version = text(GL_VERSION);
     capabilities.extensions = text(GL_EXTENSIONS);
     capabilities.depthBits = integer(GL_DEPTH_BITS);
+    capabilities.subpixelBits = std::max(integer(GL_SUBPIXEL_BITS), leastSubpixelBits);
     capabilities.stencilBits = integer(GL_STENCIL_BITS);
     capabilities.samples = integer(GL_SAMPLES);
     capabilities.vertexAttributes = integer(GL_MAX_VERTEX_ATTRIBS);

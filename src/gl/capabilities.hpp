@@ -19,6 +19,9 @@ enum class Limits {
 /// section 4.5.2).
 inline constexpr int leastMantissaBits = 16;
 
+/// Bits that ES 2.0 guarantees for places between pixels (OpenGL ES 2.0.25, table 6.18).
+inline constexpr int leastSubpixelBits = 4;
+
 /// What the current context is and can do.
 struct Capabilities {
     std::string vendor;
@@ -28,6 +31,7 @@ struct Capabilities {
     int depthBits = 0;
     int stencilBits = 0;
     int samples = 0;
+    int subpixelBits = 0; ///< vertices are put on a grid of 2^-subpixelBits pixels
     int vertexAttributes = 0;
     int textureUnits = 0; ///< of the fragment stage
     int varyingVectors = 0;

@@ -1,8 +1,10 @@
 #include "src/image/decode.hpp"
 
 #include "preprocess/error.hpp"
+#include "preprocess/image_type.hpp"
 #include "src/image/allocation_bound.hpp"
 #include "src/image/jpeg_checks.hpp"
+#include "src/image/webp.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -13,33 +15,36 @@
 
 namespace edgeshade {
 
-Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
+namespace {
+
+std::string sizeText(int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height) + " pixels";
+}
+
+/// PNG or JPEG.
+Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
                   MemoryBudget& memory) {
     constexpr int largest = 16384;
     // What a byte can stand for: deflate 1,032 others, each up to 8 pixels of PNG; JPEG a bit for
     // a block of 64 pixels.
     constexpr std::uint64_t mostPixelsPerByte = 8 * 1032;
-    constexpr std::uint64_t bytesPerPixel = 12; // decoded, as RGBA, and the copy that is returned
-    if (bytes.size() > std::numeric_limits<int>::max())
-        throw InputError(name + " has " + std::to_string(bytes.size()) +
-                         " bytes; at most 2147483647 are read.");
     if (const auto codes = oversizedHuffmanTable(bytes))
         throw InputError(name + " has a Huffman table of " + std::to_string(*codes) +
                          " codes; there can't be more than 256.");
     const auto size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
-        throw InputError(name + " is neither PNG nor JPEG.");
+        throw InputError(imageTypeOf(bytes).empty() ? name + " is neither PNG, JPEG nor WebP."
+                                                    : name + " can't be decoded: " +
+                                                          clauseOf(stbi_failure_reason()) + ".");
+    const std::string said = name + " has " + sizeText(width, height);
     if (width > largest || height > largest)
-        throw InputError(name + " has " + std::to_string(width) + "x" + std::to_string(height) +
-                         " pixels; at most " + std::to_string(largest) + " a side are read.");
+        throw InputError(said + "; at most " + std::to_string(largest) + " a side are read.");
     const std::uint64_t pixelCount = std::uint64_t(width) * static_cast<std::uint64_t>(height);
-    const std::string said =
-        name + " has " + std::to_string(width) + "x" + std::to_string(height) + " pixels";
     if (pixelCount / mostPixelsPerByte > bytes.size())
         throw InputError(said + ", which can't come from " + std::to_string(bytes.size()) +
                          " bytes.");
-    memory.take(pixelCount, bytesPerPixel, said + ", which");
+    countPixels(width, height, name, memory);
     // Twice its bytes; 16 bits a channel, twice; and some for what is small.
     const AllocationBound bound(2 * bytes.size() + static_cast<std::size_t>(16 * pixelCount) +
                                 (std::size_t{1} << 20));
@@ -55,9 +60,35 @@ Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
     return {width, height, std::vector<std::uint8_t>(pixels.get(), pixels.get() + count)};
 }
 
+} // namespace
+
+void countPixels(int width, int height, const std::string& name, MemoryBudget& memory) {
+    constexpr std::uint64_t bytesPerPixel = 12; // decoded, as RGBA, and the copy that is returned
+    memory.take(std::uint64_t(width) * static_cast<std::uint64_t>(height), bytesPerPixel,
+                name + " has " + sizeText(width, height) + ", which");
+}
+
+Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name,
+                  MemoryBudget& memory) {
+    if (bytes.size() > std::numeric_limits<int>::max())
+        throw InputError(name + " has " + std::to_string(bytes.size()) +
+                         " bytes; at most 2147483647 are read.");
+    const std::string_view type = imageTypeOf(bytes);
+    if (type == "image/webp") return decodeWebp(bytes, name, memory);
+    if (type == "image/ktx2")
+        throw InputError(name + " is KTX2, which is not read; 'gltf-transform ktxdecompress IN.glb "
+                                "OUT.glb' makes PNG of it.");
+    return decodeByStb(bytes, name, memory);
+}
+
 Image decodeImage(std::span<const std::uint8_t> bytes, const std::string& name) {
     MemoryBudget memory;
     return decodeImage(bytes, name, memory);
+}
+
+Image decodeImage(const GltfDocument& document, int image, MemoryBudget& memory) {
+    const std::string name = document.where("images[") + std::to_string(image) + "]";
+    return decodeImage(encodedImageBytes(document, image), name, memory);
 }
 
 Image toPowersOfTwo(const Image& image, int largest) {

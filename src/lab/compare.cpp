@@ -33,6 +33,7 @@ class Studio {
     }
 
     SidesLayout bestLayout() const { return edgeshade::bestLayout(context_.capabilities()); }
+    int subpixelBits() const { return context_.capabilities().subpixelBits; }
 
   private:
     const GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
@@ -63,7 +64,7 @@ FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request) {
 }
 
 JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabView& view,
-                 const AlphaAt& alphaAt) {
+                 const AlphaLookup& alpha) {
     FrameRequest request;
     request.camera = view.camera;
     request.width = task.width;
@@ -76,7 +77,7 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
     judged.oracle = std::make_unique<Oracle>(Question{&loaded.scene, loaded.settings.castMasked,
                                                       view.camera, judged.frame.near(),
                                                       judged.frame.lights, task.width, task.height},
-                                             alphaAt);
+                                             alpha);
     judged.answers = traceAll(*judged.oracle, {});
     return judged;
 }
@@ -85,11 +86,11 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
 class Jury {
   public:
     Jury(const LoadedScene& loaded, const CompareTask& task)
-        : loaded_(loaded), task_(task), studio_(task), alphaAt_(textureAlpha(loaded)) {}
+        : loaded_(loaded), task_(task), studio_(task), alpha_(textureAlpha(loaded)) {}
 
     /// Moves on to another view.
     void see(const LabView& view) {
-        judged_ = judge(loaded_, task_, view, alphaAt_);
+        judged_ = judge(loaded_, task_, view, alpha_);
         pictures_ = {};
         unshadowed_.reset();
         frames_ = {{&loaded_, judged_.frame}};
@@ -103,7 +104,8 @@ class Jury {
         pictures_.image = studio_.draw(renderer, drawn, frame, groups);
         frame.mask = true;
         pictures_.mask = studio_.draw(renderer, drawn, frame, groups);
-        return compareWithOracle(*judged_.oracle, judged_.answers, pictures_);
+        return compareWithOracle(*judged_.oracle, judged_.answers, pictures_,
+                                 studio_.subpixelBits());
     }
 
     const std::vector<std::uint8_t>& image() const { return pictures_.image; }
@@ -135,7 +137,7 @@ class Jury {
     const LoadedScene& loaded_;
     const CompareTask& task_;
     Studio studio_;
-    AlphaAt alphaAt_;
+    AlphaLookup alpha_;
     JudgedView judged_;
     std::map<const LoadedScene*, FrameView> frames_; ///< of judged_
     Pictures pictures_;
@@ -172,6 +174,7 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
         CompareResult& result = results.emplace_back();
         result.name = contender.name;
         result.settings = contender.settings;
+        result.subpixelBits = jury.studio().subpixelBits();
         result.settings.layout = contender.layout.value_or(jury.studio().bestLayout());
         renderers.push_back(jury.studio().rendererFor(result.settings));
         if (contender.tuneMapBias) {

@@ -36,6 +36,7 @@ struct CompareTask {
 struct CompareResult {
     std::string name;
     RenderSettings settings; ///< with the layout and the bias that were used
+    int subpixelBits = 0;    ///< of the device
     std::size_t views = 0;
     WrongCounts counts;
     std::vector<WrongCounts> byView;

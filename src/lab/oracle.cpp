@@ -178,8 +178,8 @@ glm::dvec3 pixelDirection(const Question& question, double x, double y) {
     return worldFromView * glm::dvec3(right, up, -1.0);
 }
 
-Oracle::Oracle(const Question& question, const AlphaAt& alphaAt)
-    : question_(question), alphaAt_(alphaAt),
+Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
+    : question_(question), alpha_(alpha),
       triangles_(eyeTriangles(*question.scene, question.camera.from, question.castMasked)),
       tree_(std::make_unique<Tree>(triangles_)) {}
 
@@ -196,7 +196,23 @@ double Oracle::rangeOf(std::size_t light) const {
 
 bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
     const Material& material = question_.scene->materials[triangle.material];
-    return material.alphaMode == AlphaMode::mask && alphaAt_(triangle, u, v) < material.alphaCutoff;
+    return material.alphaMode == AlphaMode::mask &&
+           alpha_.at(triangle, u, v) < material.alphaCutoff;
+}
+
+bool Oracle::isHoleByFilter(const EyeTriangle& triangle, double x, double y, double depth) const {
+    const Material& material = question_.scene->materials[triangle.material];
+    if (material.alphaMode != AlphaMode::mask || !triangle.visible || !alpha_.range) return false;
+    std::array<glm::dvec2, 3> places;
+    const std::array<glm::dvec2, 3> points = {{{x, y}, {x + 1.0, y}, {x, y + 1.0}}};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Meeting meeting = intersect(triangle, glm::dvec3(0.0), 0.0,
+                                          pixelDirection(question_, points[i].x, points[i].y));
+        if (i == 0 && (!meeting.inside() || meeting.t > depth)) return false;
+        places[i] = {meeting.u, meeting.v};
+    }
+    const glm::vec2 range = alpha_.range(triangle, places);
+    return range.x < material.alphaCutoff && range.y >= material.alphaCutoff;
 }
 
 void Oracle::visitSurfaces(const glm::dvec3& direction,

@@ -4,6 +4,7 @@
 #include "src/scene/camera.hpp"
 #include "src/scene/light.hpp"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -36,18 +37,26 @@ struct Question {
 /// Its length is such that the camera-space depth of `t * direction` is t.
 glm::dvec3 pixelDirection(const Question& question, double x, double y);
 
-/// Alpha of a triangle's surface at barycentric coordinates (u, v) of b and c. Given by whoever
-/// has the textures.
-using AlphaAt = std::function<float(const EyeTriangle&, double u, double v)>;
+/// Alpha of alpha-tested surfaces, given by whoever has the textures.
+struct AlphaLookup {
+    /// At barycentric coordinates (u, v) of b and c.
+    std::function<float(const EyeTriangle&, double u, double v)> at;
 
-/// Lit as in the method, section 7, by casting rays: Embree in robust mode finds what a ray may
+    /// The least and the most that a device's texture filter may make of it at a pixel: GLES 2
+    /// leaves open how much smaller copies of a texture are taken (2.0.25, 3.7.7). `places`: the
+    /// coordinates at the pixel's centre, one pixel to the right and one below. Null: what `at`
+    /// says.
+    std::function<glm::vec2(const EyeTriangle&, const std::array<glm::dvec2, 3>& places)> range;
+};
+
+/// Lit as in docs/method.md, C30, by casting rays: Embree in robust mode finds what a ray may
 /// hit, double arithmetic decides. A surface never blocks itself, nor do triangles exactly in its
 /// plane; one seen from the side turned away from a light is not lit by it, nor is what is out of
 /// its range.
 class Oracle {
   public:
     /// Throws Error(unavailable) where the program was built without Embree.
-    Oracle(const Question& question, const AlphaAt& alphaAt);
+    Oracle(const Question& question, const AlphaLookup& alpha);
     ~Oracle();
     Oracle(const Oracle&) = delete;
     Oracle& operator=(const Oracle&) = delete;
@@ -87,6 +96,10 @@ class Oracle {
     const std::vector<EyeTriangle>& triangles() const { return triangles_; }
     bool isHole(const EyeTriangle& triangle, double u, double v) const;
 
+    /// Whether a texture filter may decide if the triangle has a hole at a picture point, which is
+    /// at `depth` at the farthest.
+    bool isHoleByFilter(const EyeTriangle& triangle, double x, double y, double depth) const;
+
     /// The light relative to the eye, homogeneous.
     glm::dvec4 lightFromEye(std::size_t light) const;
     /// Its range; infinite for suns.
@@ -102,7 +115,7 @@ class Oracle {
                    const glm::dvec4& light, bool& certain) const;
 
     Question question_;
-    AlphaAt alphaAt_;
+    AlphaLookup alpha_;
     std::vector<EyeTriangle> triangles_;
     std::unique_ptr<Tree> tree_;
 };

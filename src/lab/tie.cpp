@@ -9,10 +9,8 @@
 namespace edgeshade::lab {
 namespace {
 
-constexpr double grid = 1.0 / 16.0; // pixels
-
 /// The picture points around a pixel's centre.
-std::array<glm::dvec2, 8> movedPoints(const glm::dvec2& center) {
+std::array<glm::dvec2, 8> movedPoints(const glm::dvec2& center, double grid) {
     std::array<glm::dvec2, 8> points;
     std::size_t count = 0;
     for (int dy = -1; dy <= 1; ++dy)
@@ -21,13 +19,14 @@ std::array<glm::dvec2, 8> movedPoints(const glm::dvec2& center) {
     return points;
 }
 
-/// How much a hit's depth changes at most as its triangle's plane is met 1/16 pixel aside.
-double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec2& at) {
+/// How much a hit's depth changes at most as its triangle's plane is met a step of the grid aside.
+double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec2& at,
+                   double grid) {
     const EyeTriangle& triangle = oracle.triangles()[hit.triangle];
     const glm::dvec3 normal = normalOf(triangle);
     const double offset = glm::dot(normal, triangle.a);
     double change = 0.0;
-    for (const glm::dvec2& point : movedPoints(at)) {
+    for (const glm::dvec2& point : movedPoints(at, grid)) {
         const double depth =
             offset / glm::dot(normal, pixelDirection(oracle.question(), point.x, point.y));
         // Behind the eye, or nowhere: the plane is seen edge-on.
@@ -38,7 +37,8 @@ double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec
 }
 
 /// Whether a triangle could face the light otherwise if its corners lay on the grid.
-bool couldTurn(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light) {
+bool couldTurn(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light,
+               double grid) {
     const Question& question = oracle.question();
     const double pixel =
         2.0 * std::tan(glm::radians(0.5 * question.camera.fovDegrees)) / question.height;
@@ -76,14 +76,16 @@ double lightSide(const EyeTriangle& triangle, const glm::dvec4& light) {
     return eyeSide * glm::dot(normal, glm::dvec3(light) - triangle.a * light.w);
 }
 
-/// Whether two visible surfaces 1/16 pixel apart are not joined there, so that one ends before the
-/// other, or one faces a light and the other does not, so that a shadow volume begins between them.
+/// Whether two visible surfaces a step of the grid apart are not joined there, so that one ends
+/// before the other, or one faces a light and the other does not, so that a shadow volume begins
+/// between them.
 bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm::dvec2& center,
-                       const Oracle::Hit& there, const glm::dvec2& moved) {
+                       const Oracle::Hit& there, const glm::dvec2& moved, double grid) {
     const EyeTriangle& first = oracle.triangles()[here.triangle];
     const EyeTriangle& second = oracle.triangles()[there.triangle];
     if (!shareEdge(first, second)) return true;
-    const double reach = depthChange(oracle, here, center) + depthChange(oracle, there, moved);
+    const double reach =
+        depthChange(oracle, here, center, grid) + depthChange(oracle, there, moved, grid);
     if (std::abs(here.depth - there.depth) > reach) return true;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);
@@ -93,10 +95,10 @@ bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm:
 }
 
 /// Whether the answer changes as the visible surface comes nearer or goes farther by as much as its
-/// own depth changes over 1/16 pixel.
+/// own depth changes over a step of the grid.
 bool hangsOnDepth(const Oracle& oracle, const Oracle::Hit& visible, const glm::dvec2& center,
-                  const Answer& answer) {
-    const double change = depthChange(oracle, visible, center);
+                  const Answer& answer, double grid) {
+    const double change = depthChange(oracle, visible, center, grid);
     if (!std::isfinite(change)) return true;
     for (double part = change; part > 1e-3 * change; part /= 4.0)
         for (const double depth : {visible.depth - part, visible.depth + part})
@@ -106,38 +108,51 @@ bool hangsOnDepth(const Oracle& oracle, const Oracle::Hit& visible, const glm::d
 }
 
 /// Whether a surface shows another answer that is hidden by no more than the changes of depth, its
-/// own and the visible one's, over 1/16 pixel.
+/// own and the visible one's, over a step of the grid.
 bool hangsOnHidden(const Oracle& oracle, const Oracle::Hit& visible, const glm::dvec2& center,
-                   const glm::dvec2& at, const Answer& answer) {
-    const double reach = visible.depth + depthChange(oracle, visible, center);
+                   const glm::dvec2& at, const Answer& answer, double grid) {
+    const double reach = visible.depth + depthChange(oracle, visible, center, grid);
     for (const Oracle::Hit& hit : oracle.surfacesAt(at.x, at.y))
-        if (hit.depth - depthChange(oracle, hit, at) <= reach &&
+        if (hit.depth - depthChange(oracle, hit, at, grid) <= reach &&
             !(oracle.answerOn(hit, at.x, at.y) == answer))
             return true;
     return false;
 }
 
+/// Whether the texture filter may decide if a surface before the visible one, or that one itself,
+/// is there at all.
+bool hangsOnFilter(const Oracle& oracle, const std::optional<Oracle::Hit>& visible,
+                   const glm::dvec2& center) {
+    const double depth = visible ? visible->depth : std::numeric_limits<double>::infinity();
+    const std::vector<std::uint32_t> met = oracle.candidates(
+        glm::dvec3(0.0), pixelDirection(oracle.question(), center.x, center.y), false);
+    return std::any_of(met.begin(), met.end(), [&](std::uint32_t triangle) {
+        return oracle.isHoleByFilter(oracle.triangles()[triangle], center.x, center.y, depth);
+    });
+}
+
 } // namespace
 
-bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict) {
+bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict, double grid) {
     if (verdict.coincident) return true;
     const glm::dvec2 center(x + 0.5, y + 0.5);
     const std::optional<Oracle::Hit> visible = visibleAt(oracle, center);
-    for (const glm::dvec2& point : movedPoints(center)) {
+    for (const glm::dvec2& point : movedPoints(center, grid)) {
         if (!(oracle.at(point.x, point.y) == verdict.answer)) return true;
         const std::optional<Oracle::Hit> moved = visibleAt(oracle, point);
         if (visible && moved && moved->triangle != visible->triangle &&
-            silhouetteBetween(oracle, *visible, center, *moved, point))
+            silhouetteBetween(oracle, *visible, center, *moved, point, grid))
             return true;
     }
+    if (hangsOnFilter(oracle, visible, center)) return true;
     if (!visible) return false;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i)
-        if (couldTurn(oracle, oracle.triangles()[visible->triangle], oracle.lightFromEye(i)))
+        if (couldTurn(oracle, oracle.triangles()[visible->triangle], oracle.lightFromEye(i), grid))
             return true;
-    for (const glm::dvec2& point : movedPoints(center))
-        if (hangsOnHidden(oracle, *visible, center, point, verdict.answer)) return true;
-    return hangsOnHidden(oracle, *visible, center, center, verdict.answer) ||
-           hangsOnDepth(oracle, *visible, center, verdict.answer);
+    for (const glm::dvec2& point : movedPoints(center, grid))
+        if (hangsOnHidden(oracle, *visible, center, point, verdict.answer, grid)) return true;
+    return hangsOnHidden(oracle, *visible, center, center, verdict.answer, grid) ||
+           hangsOnDepth(oracle, *visible, center, verdict.answer, grid);
 }
 
 } // namespace edgeshade::lab

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <thread>
 
@@ -102,11 +103,13 @@ WrongCounts& WrongCounts::operator+=(const WrongCounts& other) {
     wrongImageBeyond1px += other.wrongImageBeyond1px;
     tiePixels += other.tiePixels;
     beyond1pxNotTied += other.beyond1pxNotTied;
+    deviceTiePixels += other.deviceTiePixels;
+    beyond1pxNotDeviceTied += other.beyond1pxNotDeviceTied;
     return *this;
 }
 
 Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
-                             const Pictures& pictures) {
+                             const Pictures& pictures, int subpixelBits) {
     const View view(oracle, answers, pictures);
     const int width = oracle.question().width;
     const auto wrongPixels = [&] {
@@ -130,12 +133,18 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
     for (std::size_t s = 0; s < suspects.size(); ++s)
         answers[suspects[s]] = verdicts[s].answer;
 
-    std::vector<char> ties(suspects.size(), 0);
+    struct Tie {
+        bool coarsest = false, device = false; ///< on that grid
+    };
+    std::vector<Tie> ties(suspects.size());
     onAllCores(suspects.size(), [&](std::size_t s) {
         const std::size_t i = suspects[s];
-        if (view.wrongInMask(i) || view.wrongInImage(i))
-            ties[s] = isTie(oracle, static_cast<int>(i % width), static_cast<int>(i / width),
-                            verdicts[s]);
+        if (!view.wrongInMask(i) && !view.wrongInImage(i)) return;
+        const auto tiedOn = [&](double grid) {
+            return isTie(oracle, static_cast<int>(i % width), static_cast<int>(i / width),
+                         verdicts[s], grid);
+        };
+        ties[s] = {tiedOn(coarsestGrid), tiedOn(std::ldexp(1.0, -subpixelBits))};
     });
 
     Comparison comparison;
@@ -148,13 +157,15 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
         const std::size_t i = suspects[s];
         const bool inMask = view.wrongInMask(i), inImage = view.wrongInImage(i);
         if (!inMask && !inImage) continue;
-        const bool beyond = !view.nearBoundary(i), tie = ties[s] != 0;
+        const bool beyond = !view.nearBoundary(i), tie = ties[s].coarsest;
         counts.wrongMaskPixels += inMask;
         counts.wrongMaskBeyond1px += inMask && beyond;
         counts.wrongImagePixels += inImage;
         counts.wrongImageBeyond1px += inImage && beyond;
         counts.tiePixels += tie;
         counts.beyond1pxNotTied += inImage && beyond && !tie;
+        counts.deviceTiePixels += ties[s].device;
+        counts.beyond1pxNotDeviceTied += inImage && beyond && !ties[s].device;
         comparison.kinds[i] = tie ? PixelKind::tie : view.kindOfWrong(i);
     }
     return comparison;

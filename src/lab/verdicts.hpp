@@ -19,6 +19,9 @@ struct WrongCounts {
     std::size_t wrongImageBeyond1px = 0;
     std::size_t tiePixels = 0;        ///< of the wrong ones, in mask or image
     std::size_t beyond1pxNotTied = 0; ///< wrong in the image beyond 1 px and no tie
+    // The same with ties on the device's own grid in place of the coarsest one:
+    std::size_t deviceTiePixels = 0;
+    std::size_t beyond1pxNotDeviceTied = 0;
 
     WrongCounts& operator+=(const WrongCounts& other);
 };
@@ -33,8 +36,9 @@ struct Comparison {
 
 /// Counts where the pictures disagree with the answers. Every pixel on which they do is judged
 /// again, exactly unless rounding can't have changed the answer, and `answers` is corrected, before
-/// anything is counted.
+/// anything is counted. `subpixelBits`: the device puts vertices on a grid of 2^-subpixelBits
+/// pixels.
 Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
-                             const Pictures& pictures);
+                             const Pictures& pictures, int subpixelBits);
 
 } // namespace edgeshade::lab

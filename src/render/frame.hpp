@@ -15,7 +15,7 @@
 
 namespace edgeshade {
 
-/// Draws frames by the three passes of the method (section 3): ambient light and depth; for each
+/// Draws frames by the three passes of docs/method.md, A frame: ambient light and depth; for each
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps, or
 /// with none, in place of volumes.
 ///

@@ -11,7 +11,7 @@
 namespace edgeshade {
 
 /// A part of the view by distance along the viewing direction, drawn with a depth range of its own:
-/// what a depth buffer of n bits resolves at z is z^2 / (near * 2^n) (method, section 5).
+/// what a depth buffer of n bits resolves at z is z^2 / (near * 2^n) (docs/method.md, C26 and C27).
 struct DepthSlice {
     double near = 0.1;
     double far = std::numeric_limits<double>::infinity();

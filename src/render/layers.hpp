@@ -25,7 +25,7 @@ bool anyCapTouches(const LightPyramid& pyramid, const ShadowCluster& cluster,
                    const AdaptedShadow& shadow);
 
 /// How many triangles of a cluster a way to the light crosses, each by the sign that its plane has
-/// (method, section 4): a prism that is turned inside out by its plane's sign counts -1.
+/// (docs/method.md, C13): a prism that is turned inside out by its plane's sign counts -1.
 struct Layers {
     int lightFacing = 0; ///< what is counted of triangles with sign 1
     int facingAway = 0;  ///< with sign -1

@@ -10,10 +10,10 @@ struct PairList {
     std::vector<RecordRange> ofCluster; ///< ranges of `pairs`, by cluster
 };
 
-/// The records of a batch that can be silhouettes in some light of a ball, and more (method,
-/// section 6.8): every pair that is not listed has multiplicity 0 in all of them, whichever of its
-/// triangles count. Single records are silhouettes in any light but one in their plane, so none is
-/// left out. The vertex shader alone judges what is listed.
+/// The records of a batch that can be silhouettes in some light of a ball, and more
+/// (docs/method.md, C24): every pair that is not listed has multiplicity 0 in all of them,
+/// whichever of its triangles count. Single records are silhouettes in any light but one in their
+/// plane, so none is left out. The vertex shader alone judges what is listed.
 struct Proposal {
     PairList certain;   ///< silhouettes in any light of the ball: multiplicity ±2 if all count
     PairList uncertain; ///< silhouettes in some, maybe

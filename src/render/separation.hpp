@@ -11,7 +11,7 @@ namespace edgeshade {
 /// towards it to infinity.
 struct LightPyramid {
     std::array<glm::dvec3, 4> corners; ///< of the rectangle, or any parallelogram, in turn
-    glm::dvec4 light;                  ///< method, section 1
+    glm::dvec4 light;                  ///< docs/method.md, Terms
 };
 
 /// Whether pyramid and box are certainly apart: some axis separates them by more than rounding.

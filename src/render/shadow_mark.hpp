@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/gl/program.hpp"
+#include "src/render/whole_picture.hpp"
 
 namespace edgeshade {
 
@@ -9,8 +9,6 @@ namespace edgeshade {
 /// a colour that shadow leaves.
 class ShadowMark {
   public:
-    ShadowMark();
-
     /// Alpha 1: everything is unmarked, and shadow leaves all of it.
     void clear();
 
@@ -23,8 +21,7 @@ class ShadowMark {
   private:
     void drawCounted();
 
-    gl::Program program_;
-    gl::Buffer triangle_;
+    WholePicture picture_;
 };
 
 } // namespace edgeshade

@@ -34,11 +34,11 @@ std::uint32_t capCount(const AdaptedShadow& shadow, const ProposedRecords* propo
     return fewer ? lightFacingCapCount(*proposed, drawn) : drawn.caps.count;
 }
 
-/// How many records a draw takes, those of sides that count twice once for each direction.
+/// How many records a draw takes.
 std::size_t drawnRecords(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                          const VolumeDraw& draw) {
     return countOf(sideRecords(shadow, proposed, draw, Times::once)) +
-           2 * countOf(sideRecords(shadow, proposed, draw, Times::twice));
+           countOf(sideRecords(shadow, proposed, draw, Times::twice));
 }
 
 } // namespace

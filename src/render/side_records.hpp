@@ -38,8 +38,7 @@ VolumeDraw drawOf(const VolumeDraw& draw, std::uint32_t cluster);
 bool mayCountTwice(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                    const std::vector<VolumeDraw>& draws);
 
-/// How many vertices the vertex shader runs for such draws, where sides that count twice are drawn
-/// once for each direction of counting (see countByTwo()); `proposed` as in drawSides().
+/// How many vertices the vertex shader runs for such draws; `proposed` as in drawSides().
 std::size_t vertexRuns(const AdaptedShadow& shadow, const ProposedRecords* proposed,
                        const std::vector<VolumeDraw>& draws, const std::vector<Material>& materials,
                        bool sun);

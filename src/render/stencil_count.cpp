@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr GLuint allBits = 0xFF, lowestBit = 0x01;
+constexpr GLuint allBits = 0xFF, lowestBit = 0x01, highestBit = 0x80;
 
 void clearBits(GLuint bits, int value) {
     glStencilMask(bits);
@@ -31,27 +31,24 @@ void countByOne(bool zFail, bool mirrored) {
     }
 }
 
-int clearedForTwo(int start) {
-    return start ^ 1; // the lowest bit as the first direction needs it
+int halvedStart(int start) {
+    return (start & 0xFF) >> 1;
 }
 
-void countByTwo(int start, const std::function<void(bool up)>& draw) {
-    const bool odd = (start & 1) != 0;
-    glEnable(GL_CULL_FACE);
-    for (const bool up : {!odd, odd}) {
-        if (up == odd) clearBits(lowestBit, odd ? 1 : 0);
-        glStencilMask(allBits & ~lowestBit);
-        draw(up);
+void doubleCounts(int start, WholePicture& picture) {
+    glDisable(GL_DEPTH_TEST);
+    // Where the lower bit is 1 the two become 10, else 00.
+    glStencilOp(GL_ZERO, GL_KEEP, GL_REPLACE);
+    for (GLuint higher = highestBit; higher != lowestBit; higher >>= 1) {
+        const GLuint lower = higher >> 1;
+        glStencilFunc(GL_NOTEQUAL, static_cast<GLint>(higher), lower);
+        glStencilMask(higher | lower);
+        picture.draw();
     }
+    if ((start & 1) != 0) clearBits(lowestBit, 1);
     glStencilMask(allBits);
-    glDisable(GL_CULL_FACE);
-}
-
-void countStepOfTwo(bool up, bool zFail, bool mirrored) {
-    const bool front = up != zFail;
-    glCullFace(front != mirrored ? GL_BACK : GL_FRONT);
-    const GLenum step = up ? GL_INCR_WRAP : GL_DECR_WRAP;
-    glStencilOp(GL_KEEP, zFail ? step : GL_KEEP, zFail ? GL_KEEP : step);
+    glStencilFunc(GL_ALWAYS, 0, allBits);
+    glEnable(GL_DEPTH_TEST);
 }
 
 } // namespace edgeshade

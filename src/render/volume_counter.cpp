@@ -23,6 +23,7 @@ VolumeCounter::VolumeCounter(const RenderSettings& settings, const gl::Capabilit
     if (!records) return;
     if (records->volumes == VolumeLayout::adapted) {
         adapted_.emplace(settings.layout, instancing);
+        picture_.emplace();
         if (settings.silhouette == SilhouetteChoice::proposed)
             proposals_.emplace(settings.layout, mantissaBits_);
     } else {
@@ -95,13 +96,13 @@ void VolumeCounter::countAdapted(const PreparedCount& prepared, const GpuScene& 
         adapted_->drawFannedCaps(*of.volumes.adapted, of.proposed, draw, times, of.light,
                                  of.view.clipFromObject);
     };
-    if (prepared.countsByTwo)
-        countByTwo(prepared.start, [&](bool up) {
-            forEachDraw([&](const PreparedCount::Batch& of, const VolumeDraw& draw) {
-                countStepOfTwo(up, draw.zFail(), of.view.mirrored);
-                drawSides(of, draw, Times::twice);
-            });
+    if (prepared.countsByTwo) {
+        forEachDraw([&](const PreparedCount::Batch& of, const VolumeDraw& draw) {
+            countByOne(draw.zFail(), of.view.mirrored);
+            drawSides(of, draw, Times::twice);
         });
+        doubleCounts(prepared.start, *picture_);
+    }
     forEachDraw([&](const PreparedCount::Batch& of, const VolumeDraw& draw) {
         countByOne(draw.zFail(), of.view.mirrored);
         drawSides(of, draw, Times::once);
@@ -136,7 +137,7 @@ void VolumeCounter::countPublished(const PreparedCount& prepared, const GpuScene
 }
 
 int PreparedCount::cleared() const {
-    return countsByTwo ? clearedForTwo(start) : start;
+    return countsByTwo ? halvedStart(start) : start;
 }
 
 } // namespace edgeshade

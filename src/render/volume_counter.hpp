@@ -8,6 +8,7 @@
 #include "src/render/proposals.hpp"
 #include "src/render/render_settings.hpp"
 #include "src/render/sides_pass.hpp"
+#include "src/render/whole_picture.hpp"
 #include "src/scene/gpu_scene.hpp"
 
 #include <functional>
@@ -80,6 +81,7 @@ class VolumeCounter {
 
     int mantissaBits_;                      ///< of the vertex shader's floats
     std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
+    std::optional<WholePicture> picture_;   ///< likewise
     std::optional<Proposals> proposals_;    ///< where they are asked for
     std::optional<SidesPass> sides_;        ///< where not
     std::optional<CapsPass> caps_;          ///< likewise

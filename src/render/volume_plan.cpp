@@ -78,7 +78,7 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
     return !mayOverlap(cluster.bounds, boxAround(view.eye)) && isLightOutside(cluster, view);
 }
 
-/// How the cluster's triangles count, by winding numbers at eye and light (method, section 6.4).
+/// How the cluster's triangles count, by winding numbers at eye and light (docs/method.md, C8).
 /// They are 0 outside of its bounds; else their difference is told by the triangles on the way from
 /// near rectangle to light, `touched`. Nothing where that is not 0: everything visible is in its
 /// shadow.

@@ -10,7 +10,7 @@
 
 namespace edgeshade {
 
-/// Which triangles of a cluster cast (method, section 6.4).
+/// Which triangles of a cluster cast (docs/method.md, C8).
 enum class Counted {
     all,         ///< every triangle: always right
     lightFacing, ///< of a closed cluster around which eye and light have the same winding numbers
@@ -106,8 +106,8 @@ glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
 ///   which is never where that is outside of the box. For front caps the box must be beyond the
 ///   near plane; casters with holes take none;
 /// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
-///   and the nearest near plane, and eye and light have the same winding numbers (method, section
-///   6.4). Where these certainly differ, the cluster seals the eye off from the light.
+///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
+///   C8). Where these certainly differ, the cluster seals the eye off from the light.
 VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade

@@ -8,9 +8,9 @@
 
 namespace edgeshade {
 
-/// How a triangle's sign is found (method, section 4).
+/// How a triangle's sign is found (docs/method.md, The closed chain).
 enum class MultiplicityMethod {
-    plane,         ///< its plane, stored once (method, section 6.2): adapted records hold these
+    plane,         ///< its plane, stored once (docs/method.md, C1): adapted records hold these
     referenceEdge, ///< Milet 2020: one edge decides for the triangle
     threeEdge,     ///< Peciva 2013: three edges must agree
     singleEdge,    ///< Kim 2008: every edge for itself; not robust, the failing baseline

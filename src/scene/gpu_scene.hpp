@@ -36,7 +36,7 @@ struct GpuScene {
 using GroupedShadow = std::vector<std::vector<BatchVolumes>>;
 
 /// Uploads the surfaces, and the records that shadow volumes are drawn from, none where none will
-/// be drawn. Throws InputError for broken images, Error(unavailable) if the GL can't.
+/// be drawn. Throws Error(unavailable) if the GL can't.
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities);
 

@@ -8,7 +8,7 @@
 
 namespace edgeshade {
 
-/// A light in the world (method, section 1): w = 1, a point light at xyz; w = 0, a sun, xyz
+/// A light in the world (docs/method.md, Terms): w = 1, a point light at xyz; w = 0, a sun, xyz
 /// pointing towards it.
 struct Light {
     glm::dvec4 position{0.0, 1.0, 0.0, 0.0};

@@ -14,30 +14,32 @@ const char* nameOf(LoadStage stage) {
         return "read";
     case LoadStage::flatten:
         return "flatten";
+    case LoadStage::images:
+        return "images";
     case LoadStage::shadows:
         break;
     }
     return "shadows";
 }
 
-LoadedScene loadScene(const std::filesystem::path& path,
+LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
                       const std::function<void(LoadStage)>& onStage, const std::string& variant) {
-    const auto enter = [&](LoadStage stage) {
-        if (onStage) onStage(stage);
-    };
-    enter(LoadStage::read);
+    if (onStage) onStage(LoadStage::read);
     LoadedScene loaded;
     loaded.document = readGltf(path, limits);
-    const auto header = readShadowHeader(loaded.document);
-    const bool fits = header && (!wanted || *wanted == header->settings);
-    const bool usePacked = fits && variant.empty();
-    loaded.settings = fits ? header->settings : wanted.value_or(CasterSettings());
     loaded.variant = variant;
-    enter(LoadStage::flatten);
+    const auto header = readShadowHeader(loaded.document);
+    loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
+    if (onStage) onStage(LoadStage::flatten);
     loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance, variant);
-    enter(LoadStage::shadows);
-    if (usePacked) {
+    return loaded;
+}
+
+void addShadows(LoadedScene& loaded) {
+    const auto header = readShadowHeader(loaded.document);
+    const bool fits = header && header->settings == loaded.settings;
+    if (fits && loaded.variant.empty()) {
         readCasters(loaded.document, *header, loaded.scene);
         if (header->encoding != Encoding::none)
             loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
@@ -49,7 +51,24 @@ LoadedScene loadScene(const std::filesystem::path& path,
     }
     loaded.adapted =
         buildAdapted(loaded.scene, loaded.settings.castMasked, loaded.settings.flatTolerance);
+}
+
+LoadedScene loadScene(const std::filesystem::path& path,
+                      const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
+                      const std::function<void(LoadStage)>& onStage, const std::string& variant) {
+    LoadedScene loaded = readScene(path, wanted, limits, onStage, variant);
+    if (onStage) onStage(LoadStage::images);
+    loaded.images = decodeImages(loaded.document, loaded.scene);
+    if (onStage) onStage(LoadStage::shadows);
+    addShadows(loaded);
     return loaded;
+}
+
+std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image) {
+    const auto found = loaded.images.find(image);
+    if (found != loaded.images.end()) return found->second;
+    MemoryBudget memory = loaded.document.memory;
+    return std::make_shared<const Image>(decodeImage(loaded.document, image, memory));
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include "preprocess/adapted_data.hpp"
 #include "preprocess/shadow_extension.hpp"
+#include "src/image/image_choice.hpp"
 
 #include <functional>
 #include <optional>
@@ -12,6 +13,7 @@ namespace edgeshade {
 struct LoadedScene {
     GltfDocument document;
     Scene scene;
+    SceneImages images; ///< of the materials' images those whose pixels are at hand
     std::vector<std::shared_ptr<const AdaptedShadow>> adapted; ///< one a batch
     std::vector<BatchShadow> shadows; ///< the published layout where the file has it; or empty
     CasterSettings settings;
@@ -19,9 +21,9 @@ struct LoadedScene {
 };
 
 /// What loading does, in this order.
-enum class LoadStage { read, flatten, shadows };
+enum class LoadStage { read, flatten, images, shadows };
 
-/// "read", "flatten", "shadows".
+/// "read", "flatten", "images", "shadows".
 const char* nameOf(LoadStage stage);
 
 /// Reads a file, packed or not. `wanted`: what the user asked for, if anything; shadow data packed
@@ -32,6 +34,19 @@ LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
                       const std::function<void(LoadStage)>& onStage = {},
                       const std::string& variant = {});
+
+/// Its first two stages; decoding the images is the caller's.
+LoadedScene readScene(const std::filesystem::path& path,
+                      const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
+                      const std::function<void(LoadStage)>& onStage = {},
+                      const std::string& variant = {});
+
+/// Its last stage. Throws InputError.
+void addShadows(LoadedScene& loaded);
+
+/// The pixels of an image that a material is drawn with: those at hand, or decoded anew. Throws
+/// InputError.
+std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image);
 
 /// What tells the holes of a batch's published caps: three vec4s a cap, one a corner of the sorted
 /// triangle, (u, v, alpha of the vertex colour, 0).

@@ -1,21 +1,18 @@
 #pragma once
 
-#include "preprocess/gltf_document.hpp"
-#include "preprocess/material.hpp"
 #include "src/gl/capabilities.hpp"
 #include "src/gl/objects.hpp"
+#include "src/scene/load.hpp"
 
 #include <map>
-#include <vector>
 
 namespace edgeshade {
 
-/// The base colour textures of a document's materials, on the GPU.
+/// The base colour textures of a scene's materials, on the GPU.
 class Textures {
   public:
-    /// Decodes and uploads what the materials use. Throws InputError, Error(unavailable).
-    Textures(const GltfDocument& document, const std::vector<Material>& materials,
-             const gl::Capabilities& capabilities);
+    /// Uploads what the materials use. Throws InputError, Error(unavailable).
+    Textures(const LoadedScene& loaded, const gl::Capabilities& capabilities);
 
     /// The material's texture; a white one where it has none.
     gl::Name of(const Material& material) const;

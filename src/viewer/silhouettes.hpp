@@ -9,7 +9,7 @@ namespace edgeshade::viewer {
 struct EdgeCounts {
     std::size_t records = 0;
     std::size_t edges = 0;
-    std::size_t silhouettes = 0; ///< records with non-zero multiplicity (method, section 1)
+    std::size_t silhouettes = 0; ///< records with non-zero multiplicity (docs/method.md, Terms)
 };
 
 /// Counts in double, for people: the vertex shader alone judges what is drawn.

@@ -3,7 +3,7 @@
 
     tests/bench/accuracy.py                 compares all scenes (an hour on two cores), then the table
     tests/bench/accuracy.py --volumes       compares volumes alone; maps stay as they were
-    tests/bench/accuracy.py --table         the README's table from the results that are there
+    tests/bench/accuracy.py --table         docs/measured/accuracy.md from the results that are there
     tests/bench/accuracy.py --take FOLDER   from reports of `compare` that were made by hand
 """
 
@@ -75,7 +75,7 @@ def main(words):
                 full = compare(scene, PUBLISHED + MAPS)
             results["scenes"][scene] = condensed(full)
         write_results("accuracy", results)
-    replace_between("README.md", "accuracy", table(results))
+    replace_between("docs/measured/accuracy.md", "accuracy", table(results))
 
 
 if __name__ == "__main__":

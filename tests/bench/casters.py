@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What coarser casters save and what they get wrong, on models in ../shared/scenes: a table of
-docs/adapted.md.
+docs/measured/casters.md.
 
     tests/bench/casters.py           measures, then the table
     tests/bench/casters.py --table   the table from the results that are there
@@ -70,7 +70,7 @@ def table(results):
 
 def main():
     results = results_of("casters", lambda: {scene: measured(scene) for scene in MEASURED})
-    replace_between("docs/adapted.md", "casters", table(results))
+    replace_between("docs/measured/casters.md", "casters", table(results))
 
 
 if __name__ == "__main__":

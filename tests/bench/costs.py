@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What drawing costs, on models in ../shared/scenes: results, README's and docs/claims.md's tables,
-plots.
+"""What drawing costs, on models in ../shared/scenes: results, plots, and the tables of
+docs/measured/costs.md and claims.md.
 
     tests/bench/costs.py [PART...]      measures: flight, repeat, sizes, synthetic, tradeoff; all of them
     tests/bench/costs.py --table        tables and plots from the results that are there
@@ -265,17 +265,17 @@ def tradeoff_table(data):
 
 def tables():
     if flight := stored("bench_flight"):
-        replace_between("README.md", "costs", flight_table(flight))
-        replace_between("docs/claims.md", "maps",
+        replace_between("docs/measured/costs.md", "costs", flight_table(flight))
+        replace_between("docs/measured/claims.md", "maps",
                         flight_table(flight) + "\n\n" + thesis_maps_table(flight))
-        replace_between("docs/claims.md", "robust", robust_table(flight))
+        replace_between("docs/measured/claims.md", "robust", robust_table(flight))
     if sizes := stored("bench_sizes"):
-        replace_between("docs/claims.md", "sizes", sizes_table(sizes))
+        replace_between("docs/measured/claims.md", "sizes", sizes_table(sizes))
     if synthetic := stored("bench_synthetic"):
-        replace_between("docs/claims.md", "fit", fit_table(synthetic))
+        replace_between("docs/measured/claims.md", "fit", fit_table(synthetic))
         synthetic_plot(synthetic, ROOT / "docs" / "pictures" / "synthetic.svg")
     if tradeoff := stored("tradeoff"):
-        replace_between("docs/claims.md", "tradeoff", tradeoff_table(tradeoff))
+        replace_between("docs/measured/claims.md", "tradeoff", tradeoff_table(tradeoff))
 
 
 def main(words):

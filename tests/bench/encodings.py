@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What each encoding takes in the file and at load, on every model in ../shared/scenes: a table of
-docs/adapted.md.
+docs/measured/encodings.md.
 
     tests/bench/encodings.py           measures, then the table
     tests/bench/encodings.py --table   the table from the results that are there
@@ -73,7 +73,7 @@ def measured_all():
 
 def main():
     results = results_of("encodings", measured_all)
-    replace_between("docs/adapted.md", "encodings", table(results))
+    replace_between("docs/measured/encodings.md", "encodings", table(results))
 
 
 if __name__ == "__main__":

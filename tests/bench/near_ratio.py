@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Wrong pixels against the near plane's distance: one depth range, and depth slices (method,
-section 5). Writes docs/depth.md's table and docs/pictures/near-ratio.svg.
+"""Wrong pixels against the near plane's distance: one depth range, and depth slices
+(docs/method.md, C26 and C27). Writes docs/measured/near-plane.md's table and docs/pictures/near-ratio.svg.
 
     tests/bench/near_ratio.py [SCENE]    the name of a model in ../shared/scenes, bunny.draco
 """
@@ -92,7 +92,7 @@ def main(words):
     name = words[0] if words else "bunny.draco"
     rows = measure(SCENES / f"{name}.glb")
     write_results("near_ratio", {"machine": machine(), "scene": name, "rows": rows})
-    replace_between("docs/depth.md", "near-ratio", table(rows))
+    replace_between("docs/measured/near-plane.md", "near-ratio", table(rows))
     plot(rows, ROOT / "docs" / "pictures" / "near-ratio.svg")
 
 

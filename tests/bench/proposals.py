@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What proposing silhouettes takes, on every model in ../shared/scenes: a table of docs/adapted.md.
+"""What proposing silhouettes takes, on every model in ../shared/scenes: docs/measured/proposals.md.
 
     tests/bench/proposals.py           measures, then the table
     tests/bench/proposals.py --table   the table from the results that are there
@@ -48,7 +48,7 @@ def table(results):
 
 def main():
     results = results_of("proposals", measured)
-    replace_between("docs/adapted.md", "proposals", table(results))
+    replace_between("docs/measured/proposals.md", "proposals", table(results))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What the adapted records leave of the published ones, and proposals of them, beside cube maps, on
-every model in ../shared/scenes: the tables of docs/adapted.md.
+every model in ../shared/scenes: the tables of docs/measured/records.md.
 
     tests/bench/records.py           measures, then the tables
     tests/bench/records.py --table   the tables from the results that are there
@@ -127,12 +127,12 @@ def conditions(results):
 
 def main():
     results = results_of("records", lambda: {scene: measured(scene) for scene in NAMES})
-    replace_between("docs/adapted.md", "records", table(results))
-    replace_between("docs/adapted.md", "frames", conditions(results)
+    replace_between("docs/measured/records.md", "records", table(results))
+    replace_between("docs/measured/records.md", "frames", conditions(results)
                     + "The light at rest:\n\n" + frame_table(results, "resting")
                     + "\n\nA light that moves in every frame:\n\n" + frame_table(results, "moving"))
-    replace_between("docs/adapted.md", "maps", map_table(results))
-    replace_between("docs/adapted.md", "stages", stage_table(results))
+    replace_between("docs/measured/records.md", "maps", map_table(results))
+    replace_between("docs/measured/records.md", "stages", stage_table(results))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""How quickly casters become records, on every model in ../shared/scenes: a table of docs/adapted.md.
+"""How quickly casters become records, on every model in ../shared/scenes: a table of
+docs/measured/encodings.md.
 
     tests/bench/throughput.py           measures, then the table
     tests/bench/throughput.py --table   the table from the results that are there
@@ -37,7 +38,7 @@ def table(results):
 def main():
     results = results_of("throughput", lambda: told_of_models(
         "release/tests/bench/preprocess_throughput", "THROUGHPUT", NAMES))
-    replace_between("docs/adapted.md", "throughput", table(results))
+    replace_between("docs/measured/encodings.md", "throughput", table(results))
 
 
 if __name__ == "__main__":

@@ -86,10 +86,8 @@ void expectWarned(const BadInput& row, const std::string& verb) {
 std::string documentedRow(const BadInput& row) {
     const TempFolder folder;
     const ProcessResult result = run(row, row.verbs.front(), folder, row.make(folder));
-    std::string message = row.warned ? warningsOf(result) : messageOf(result);
-    const std::string place = folder.path().string();
-    for (std::size_t at; (at = message.find(place)) != std::string::npos;)
-        message.replace(at, place.size() + (message[at + place.size()] == '/'), "");
+    const std::string message =
+        withoutFolder(row.warned ? warningsOf(result) : messageOf(result), folder.path());
     return "| " + row.name + " | " + row.verbs.front() + " | " + std::to_string(result.status) +
            " | " + cellOf(message.substr(row.warned ? 0 : std::string("edgeshade: ").size())) +
            " |";

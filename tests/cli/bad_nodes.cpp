@@ -88,12 +88,6 @@ std::vector<BadInput> badNodes() {
                  {"nodes[0]", "finite"}),
         badScene("MaterialOutOfRange",
                  [](GltfBuilder& gltf) { primitiveOf(gltf)["material"] = 99; }, {"material", "99"}),
-        badScene(
-            "TextureOutOfRange",
-            [](GltfBuilder& gltf) {
-                gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 99;
-            },
-            {"materials[0]", "99"}),
         badScene("UnknownAlphaMode",
                  [](GltfBuilder& gltf) { gltf.json["materials"][0]["alphaMode"] = "SOLID"; },
                  {"materials[0].alphaMode", "SOLID"}),

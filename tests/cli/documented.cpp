@@ -44,6 +44,12 @@ void expectDocumented(const std::string& section, const std::vector<std::string>
     EXPECT_EQ(documented, rows) << "EDGESHADE_UPDATE_DOCS=1 in the environment writes them anew";
 }
 
+std::string withoutFolder(std::string text, const std::string& folder) {
+    for (std::size_t at; (at = text.find(folder)) != std::string::npos;)
+        text.erase(at, folder.size() + (text[at + folder.size()] == '/'));
+    return text;
+}
+
 std::string cellOf(std::string text) {
     constexpr std::size_t longest = 200;
     if (text.size() > longest) text = text.substr(0, longest) + "…";

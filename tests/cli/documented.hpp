@@ -11,6 +11,9 @@ namespace edgeshade::test {
 void expectDocumented(const std::string& section, const std::vector<std::string>& rows,
                       const std::string& page = "bad-inputs.md");
 
+/// `text` without the path of a folder that is another one each time.
+std::string withoutFolder(std::string text, const std::string& folder);
+
 /// A cell of a table: on one line, no longer than reads well, without what Markdown would take for
 /// markup.
 std::string cellOf(std::string text);

@@ -8,6 +8,7 @@
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/support/webp_encoding.hpp"
 
 #include <functional>
 #include <gtest/gtest.h>
@@ -44,6 +45,14 @@ ExtensionRow row(const std::string& name, const std::function<void(GltfBuilder&)
                 change(gltf);
                 return gltf.glb();
             }};
+}
+
+/// The extension on the box's texture, which has another image there.
+ExtensionRow onTexture(const std::string& name, const Bytes& image, const std::string& type) {
+    return row(name, [=](GltfBuilder& gltf) {
+        const int source = gltf.addImage({{"uri", dataUri(image, type)}});
+        gltf.json["textures"][0]["extensions"][name] = {{"source", source}};
+    });
 }
 
 /// The extension on the box's material.
@@ -150,6 +159,9 @@ std::vector<ExtensionRow> materialRows() {
                 metallic["baseColorTexture"]["extensions"]["KHR_texture_transform"] = {
                     {"offset", {0.25, 0.5}}, {"scale", {4.0, 3.0}}};
             }),
+        onTexture("EXT_texture_webp", smallWebp(), "image/webp"),
+        onTexture("KHR_texture_basisu", Bytes{0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB},
+                  "image/ktx2"),
         onMaterial("KHR_materials_unlit", Json::object()),
         onMaterial("KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0, 1, 0, 1}}}),
         onMaterial("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}}),

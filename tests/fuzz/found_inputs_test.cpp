@@ -1,5 +1,7 @@
 // What fuzzers start from and what they found, in the ordinary build.
 #include "preprocess/file_io.hpp"
+#include "tests/fuzz/gltf_structure.hpp"
+#include "tests/fuzz/pack_and_check.hpp"
 #include "tests/fuzz/read_everything.hpp"
 #include "tests/fuzz/seeds.hpp"
 
@@ -14,7 +16,7 @@ TEST(FoundInputs, NoneOfThemDoesHarm) {
         SCOPED_TRACE(entry.path().filename());
         const Bytes bytes = readFile(entry.path());
         if (entry.path().extension() == ".glb" || entry.path().extension() == ".gltf")
-            readEverything(bytes);
+            readEverything(bytes), packAndCheck(bytes);
         else
             EXPECT_FALSE(readImage(bytes));
         ++count;
@@ -23,9 +25,15 @@ TEST(FoundInputs, NoneOfThemDoesHarm) {
 }
 
 TEST(Seeds, ScenesAreAccepted) {
-    for (const auto& seeds : {gltfSeeds(), compressionSeeds(), shadowSeeds()})
+    for (const auto& seeds : {gltfSeeds(), compressionSeeds(), shadowSeeds(), packSeeds()})
         for (const auto& [name, bytes] : seeds)
             EXPECT_TRUE(readEverything(bytes)) << name;
+}
+
+TEST(Seeds, ScenesArePacked) {
+    for (const auto& seeds : {gltfSeeds(), compressionSeeds(), shadowSeeds(), packSeeds()})
+        for (const auto& [name, bytes] : seeds)
+            EXPECT_TRUE(packAndCheck(bytes)) << name;
 }
 
 TEST(Seeds, ImagesAreAccepted) {

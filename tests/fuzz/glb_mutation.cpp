@@ -111,6 +111,11 @@ const std::vector<std::string>& words() {
                                                  "EXT_meshopt_compression",
                                                  "EDGESHADE_shadow_volume",
                                                  "KHR_texture_transform",
+                                                 "data:,",
+                                                 "data:image/webp;base64,UklGRgA=",
+                                                 "data:image/png;base64,iVBORw0KGgo=",
+                                                 "mimeType",
+                                                 "image/png",
                                                  "bufferView",
                                                  "byteOffset",
                                                  "byteLength",
@@ -169,6 +174,10 @@ Json oddValue(Random& random) {
     }
 }
 
+std::string textOf(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 Json nearbyNumber(const Json& number, Random& random) {
     const double value = number.get<double>();
     const bool isWhole = number.is_number_integer() && std::abs(value) < 1e15;
@@ -212,6 +221,35 @@ void changeJson(Json& json, const std::vector<Json*>& roots, Random& random) {
     } else {
         value = below(random, 3) == 0 ? another : oddValue(random);
     }
+}
+
+/// What the root of a glTF may have.
+constexpr const char* sections[] = {
+    "accessors", "animations", "asset",  "bufferViews",    "buffers",
+    "cameras",   "extensions", "extras", "extensionsUsed", "extensionsRequired",
+    "images",    "materials",  "meshes", "nodes",          "samplers",
+    "scene",     "scenes",     "skins",  "textures",
+};
+
+/// Drops, empties, adds or moves a section; `repeated` becomes text of a member to be given twice.
+void changeSections(Json& json, std::string& repeated, Random& random) {
+    if (!json.is_object()) return;
+    const char* any = sections[below(random, std::size(sections))];
+    if (json.empty() || below(random, 4) == 0) { // one that may not be there
+        static const Json empty[] = {Json::array(), Json::object(), Json::array({Json::object()})};
+        json[any] = empty[below(random, std::size(empty))];
+        return;
+    }
+    auto member = json.begin();
+    std::advance(member, static_cast<std::ptrdiff_t>(below(random, json.size())));
+    const std::string key = member.key();
+    const Json value = *member;
+    const std::size_t kind = below(random, 3);
+    if (kind == 0)
+        repeated = textOf(key) + ":" + textOf(value) + ",";
+    else
+        json.erase(key);
+    if (kind == 1) json[key] = value; // now the last
 }
 
 bool isWholeNumber(const Json& object, const char* key) {
@@ -292,13 +330,17 @@ std::size_t mutateGlb(std::uint8_t* data, std::size_t size, std::size_t mostSize
     try {
         GlbParts parts(Bytes(data, data + size));
         const std::size_t room = mostSize > size ? std::min<std::size_t>(mostSize - size, 256) : 0;
+        std::string repeated;
         for (std::size_t changes = 1 + below(random, 3); changes > 0; --changes)
-            if (below(random, 2) == 0)
+            if (scope.sections && below(random, 4) == 0)
+                changeSections(parts.json, repeated, random);
+            else if (below(random, 2) == 0)
                 changeJson(parts.json, scope.json(parts.json), random);
             else
                 changeBytes(parts.json, parts.binary, scope.ranges(parts.json), random, room / 4);
-        const Bytes glb =
-            joinGlb(parts.json.dump(-1, ' ', false, Json::error_handler_t::replace), parts.binary);
+        std::string json = textOf(parts.json);
+        if (parts.json.is_object() && !parts.json.empty()) json.insert(1, repeated);
+        const Bytes glb = joinGlb(std::move(json), parts.binary);
         if (glb.size() > mostSize) return LLVMFuzzerMutate(data, size, mostSize);
         std::memcpy(data, glb.data(), glb.size());
         return glb.size();

@@ -1,4 +1,4 @@
-// PNG and JPEG, byte by byte.
+// PNG, JPEG and WebP, byte by byte.
 #include "tests/fuzz/read_everything.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,50 +1,15 @@
 #include "tests/fuzz/read_everything.hpp"
 
 #include "preprocess/animation_reading.hpp"
-#include "preprocess/error.hpp"
 #include "preprocess/flatten.hpp"
 #include "preprocess/pack.hpp"
-#include "src/image/decode.hpp"
+#include "src/image/image_choice.hpp"
+#include "tests/fuzz/refusal.hpp"
 
-#include <cstdio>
-#include <cstdlib>
+#include <optional>
 
 namespace edgeshade::test {
 namespace {
-
-/// No file of this folder can be there, so that external ones are refused.
-constexpr const char* path = "/proc/self/nothing/fuzz.glb";
-
-ReadingLimits smallLimits() {
-    ReadingLimits limits;
-    limits.fileBytes = 1 << 20;
-    limits.memoryBytes = 64 << 20;
-    limits.triangles = 100'000;
-    limits.nodes = 1'000;
-    limits.nodeDepth = 50;
-    return limits;
-}
-
-void requireSentence(const std::string& message) {
-    const bool isSentence = message.find("fuzz.glb") != std::string::npos &&
-                            message.size() < 2000 && message.ends_with('.') &&
-                            !message.ends_with("..");
-    if (isSentence) return;
-    std::fprintf(stderr, "not a sentence that names the file: %s\n", message.c_str());
-    std::abort();
-}
-
-/// Runs the part; returns whether it refused nothing.
-template <class Part>
-bool accepted(Part part) {
-    try {
-        part();
-        return true;
-    } catch (const InputError& error) {
-        requireSentence(error.what());
-        return false;
-    }
-}
 
 void readShadowData(const GltfDocument& document) {
     const auto header = readShadowHeader(document);
@@ -61,11 +26,11 @@ void readAnimationOf(const GltfDocument& document) {
 }
 
 void readImages(const GltfDocument& document) {
-    const std::size_t count = document.json.contains("images") ? document.json["images"].size() : 0;
-    MemoryBudget memory = document.memory;
-    for (int image = 0; image < static_cast<int>(count); ++image)
-        decodeImage(encodedImageBytes(document, image),
-                    document.where("images[" + std::to_string(image) + "]"), memory);
+    Scene scene = flattenScene(document, 0.0);
+    scene.warnings = {};
+    decodeImages(document, scene);
+    for (const std::string& warning : scene.warnings.sentences())
+        requireSentence(warning);
 }
 
 void packAgain(GltfDocument document) {
@@ -79,7 +44,7 @@ void packAgain(GltfDocument document) {
 
 bool readEverything(std::span<const std::uint8_t> bytes) {
     std::optional<GltfDocument> document;
-    if (!accepted([&] { document = parseGltf(bytes, path, smallLimits()); })) return false;
+    if (!accepted([&] { document = parseGltf(bytes, fuzzedPath, smallLimits()); })) return false;
     bool all = accepted([&] { readShadowData(*document); });
     all &= accepted([&] { readAnimationOf(*document); });
     all &= accepted([&] { readImages(*document); });

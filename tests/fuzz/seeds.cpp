@@ -4,6 +4,7 @@
 #include "tests/support/draco_encoding.hpp"
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
+#include "tests/support/webp_encoding.hpp"
 
 #include <meshoptimizer.h>
 #include <stb_image_write.h>
@@ -220,7 +221,10 @@ Seeds imageSeeds() {
     return {{"small.png", smallPng()},
             {"rgba.png", encodePng(gradient(9, 7, 4), 9, 7)},
             {"color.jpg", jpeg},
-            {"gray.jpg", gray}};
+            {"gray.jpg", gray},
+            {"lossless.webp", webpOf(gradient(9, 7, 4), 9, 7)},
+            {"lossy.webp", webpOf(gradient(33, 17, 4), 33, 17, true)},
+            {"animated.webp", animatedWebp()}};
 }
 
 } // namespace edgeshade::test

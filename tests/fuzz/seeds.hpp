@@ -14,6 +14,7 @@ using Seeds = std::vector<std::pair<std::string, Bytes>>;
 Seeds gltfSeeds();        ///< everything that reading knows, a little of each
 Seeds compressionSeeds(); ///< Draco and meshopt, every mode and filter
 Seeds shadowSeeds();      ///< packed files of every encoding
+Seeds packSeeds();        ///< for each section of glTF one that has all others; packed files
 Seeds imageSeeds();
 
 } // namespace edgeshade::test

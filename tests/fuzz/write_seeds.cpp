@@ -1,5 +1,5 @@
-// write_seeds FOLDER: writes what each fuzzer starts from into FOLDER/gltf, /compression, /shadow
-// and /image.
+// write_seeds FOLDER: writes what each fuzzer starts from into FOLDER/gltf, /compression, /shadow,
+// /pack and /image.
 #include "tests/fuzz/seeds.hpp"
 
 #include <filesystem>
@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     const std::pair<const char*, Seeds> corpora[] = {{"gltf", gltfSeeds()},
                                                      {"compression", compressionSeeds()},
                                                      {"shadow", shadowSeeds()},
+                                                     {"pack", packSeeds()},
                                                      {"image", imageSeeds()}};
     for (const auto& [name, seeds] : corpora) {
         const std::filesystem::path folder = std::filesystem::path(argv[1]) / name;

@@ -87,7 +87,7 @@ TEST(Material, BaseColourAndItsTextureAreRead) {
         {{"pbrMetallicRoughness",
           {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}}, {"baseColorTexture", {{"index", 1}}}}}});
     EXPECT_EQ(material.baseColorFactor, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
-    EXPECT_EQ(material.image, 1);
+    EXPECT_EQ(material.texture, 1);
 }
 
 TEST(Material, SpecularGlossinessDiffuseStandsForTheBaseColour) {
@@ -99,7 +99,7 @@ TEST(Material, SpecularGlossinessDiffuseStandsForTheBaseColour) {
                        {{"diffuseFactor", {0.5, 0.25, 1, 1}},
                         {"diffuseTexture", {{"index", 1}, {"texCoord", 1}}}}}}}});
     EXPECT_EQ(material.baseColorFactor, glm::vec4(0.5f, 0.25f, 1.0f, 1.0f));
-    EXPECT_EQ(material.image, 1);
+    EXPECT_EQ(material.texture, 1);
     EXPECT_EQ(material.texcoordSet, 1);
 }
 

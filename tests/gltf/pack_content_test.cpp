@@ -1,8 +1,10 @@
+#include "preprocess/pack.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/scene_triangles.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/support/webp_encoding.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -89,6 +91,30 @@ TEST(PackContent, ExternalBuffersAndImagesAreEmbedded) {
     }
 }
 
+TEST(PackContent, ImagesOfAFileWithoutBuffersOrViewsAreEmbedded) {
+    // Members more or less, as the first view is a member that may move all others in memory.
+    for (int more = 0; more < 8; ++more)
+        for (const bool hasBuffer : {false, true}) {
+            GltfBuilder gltf;
+            gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}, {"name", "first"}});
+            gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}, {"name", "second"}});
+            for (int i = 0; i < more; ++i)
+                gltf.json["member" + std::to_string(i)] = i;
+            if (hasBuffer) gltf.binary = {1, 2, 3};
+            SCOPED_TRACE(gltf.json.dump());
+            const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+            EXPECT_EQ(parts.json["buffers"].size(), 1u);
+            EXPECT_EQ(parts.json.value("member" + std::to_string(more - 1), -1), more - 1);
+            ASSERT_EQ(parts.json["images"].size(), 2u);
+            for (std::size_t i = 0; i < 2; ++i) {
+                EXPECT_EQ(parts.json["images"][i], Json({{"name", gltf.json["images"][i]["name"]},
+                                                         {"bufferView", i},
+                                                         {"mimeType", "image/png"}}));
+                EXPECT_EQ(viewOf(parts, i), smallPng());
+            }
+        }
+}
+
 TEST(PackContent, SeveralBuffersBecomeOne) {
     GltfBuilder gltf;
     gltf.addShapeNode(tetrahedron());
@@ -145,12 +171,87 @@ TEST(PackContent, AFallbackBufferMayStandInFront) {
     }
 }
 
-TEST(PackContent, AMissingImageIsNamed) {
+TEST(PackContent, AFallbackBufferKeepsNoUri) {
+    GltfBuilder gltf = meshoptScene(box(glm::vec3(1.0f)));
+    Json fallback = gltf.json["buffers"][1];
+    fallback["byteLength"] = 0;
+    fallback["uri"] = "data:application/octet-stream;base64,AA==";
+    gltf.json["buffers"].push_back(fallback);
+    const GlbParts parts(packed(gltf.glb(), Encoding::indexed));
+    ASSERT_EQ(parts.json["buffers"].size(), 3u);
+    EXPECT_FALSE(parts.json["buffers"][2].contains("uri"));
+}
+
+TEST(PackContent, ViewsOfABufferWithoutBytesKeepOne) {
+    const Json meshopt = {{"EXT_meshopt_compression", {{"fallback", true}}}};
+    for (const Json& buffer :
+         {Json({{"byteLength", 0}, {"uri", "data:application/octet-stream;base64,AA=="}}),
+          Json({{"byteLength", 8}, {"extensions", meshopt}})}) {
+        GltfBuilder gltf;
+        gltf.json["buffers"] = Json::array({buffer});
+        gltf.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", buffer["byteLength"]}}};
+        const Bytes once = packed(gltf.glb(), Encoding::indexed);
+        EXPECT_EQ(packed(once, Encoding::indexed), once);
+    }
+}
+
+TEST(PackContent, WhatKindOfPictureAnImageIsItsBytesSay) {
+    const Bytes ktx2 = {0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, '\r', '\n', 0x1A, '\n', 0};
+    const std::pair<Bytes, const char*> kinds[] = {
+        {smallPng(), "image/png"}, {smallWebp(), "image/webp"}, {ktx2, "image/ktx2"}};
+    for (const auto& [bytes, type] : kinds)
+        for (const Json& said : {Json(), Json{{"mimeType", "image/jpeg"}}}) {
+            GltfBuilder gltf = variedScene();
+            Json image = said.is_null() ? Json::object() : said;
+            image["uri"] = dataUri(bytes, "image/jpeg");
+            gltf.addImage(image);
+            const Packed result = packedWithWarnings(gltf.glb(), Encoding::none);
+            EXPECT_TRUE(result.warnings.empty());
+            const GlbParts parts(result.glb);
+            EXPECT_EQ(parts.json["images"][0]["mimeType"], type);
+            EXPECT_FALSE(parts.json["images"][0].contains("uri"));
+            EXPECT_EQ(viewOf(parts, parts.json["images"][0]["bufferView"].get<std::size_t>()),
+                      bytes);
+        }
+}
+
+TEST(PackContent, AnImageThatCantBeEmbeddedStaysAsItIsWithAWarning) {
     const TempFolder folder;
+    folder.write("image.gif", std::string_view("GIF89a"));
     GltfBuilder gltf = variedScene();
-    gltf.addImage({{"uri", "gone.png"}});
-    expectInputError([&] { packed(gltf.glb(), Encoding::none, {}, folder / "scene.glb"); },
-                     {"gone.png"});
+    gltf.addImage({{"uri", "gone.png"}, {"name", "kept"}});
+    gltf.addImage({{"uri", "../outside.png"}});
+    gltf.addImage({{"uri", "image.gif"}, {"mimeType", "image/gif"}});
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    for (const Encoding encoding : everyEncoding) {
+        const Packed result = packedWithWarnings(gltf.glb(), encoding, {}, folder / "scene.glb");
+        const Json images = GlbParts(result.glb).json["images"];
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_EQ(images[i], gltf.json["images"][i]);
+        EXPECT_TRUE(images[3].contains("bufferView"));
+        ASSERT_EQ(result.warnings.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_NE(result.warnings[i].find("images[" + std::to_string(i) + "]"),
+                      std::string::npos);
+            EXPECT_TRUE(result.warnings[i].ends_with("; it is not embedded."));
+        }
+        EXPECT_NE(result.warnings[0].find("gone.png' does not exist"), std::string::npos);
+        // Packing it again finds the same.
+        EXPECT_EQ(packed(result.glb, encoding, {}, folder / "scene.glb"), result.glb);
+    }
+}
+
+TEST(PackContent, AnImageBeyondALimitIsAnError) {
+    const TempFolder folder;
+    folder.write("large.png", Bytes(200'000));
+    GltfBuilder gltf = variedScene();
+    gltf.addImage({{"uri", "large.png"}});
+    ReadingLimits limits;
+    limits.fileBytes = 100'000;
+    const auto path = folder.write("scene.glb", gltf.glb());
+    PackInput input = readForPacking(path, {}, limits);
+    expectInputError([&] { packBytes(input, Encoding::none, {}); },
+                     {"images[0].uri", "large.png", "limit of a file is 100000"});
 }
 
 } // namespace edgeshade::test

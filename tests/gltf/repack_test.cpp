@@ -4,6 +4,7 @@
 #include "tests/support/scene_triangles.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <gtest/gtest.h>
 
 namespace edgeshade::test {
@@ -104,6 +105,60 @@ TEST(Repack, AFileWhoseBatchesAreGoneIsRefused) {
     parts.json["extensions"][shadowExtensionName].erase("batches");
     expectInputError([&] { packed(parts.glb(), Encoding::indexed); },
                      {"test.glb", shadowExtensionName, "batches"});
+}
+
+TEST(Repack, APictureWithoutBuffersIsEmbeddedOnce) {
+    GltfBuilder gltf;
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    expectRepackable(gltf.glb());
+}
+
+TEST(Repack, EmptySectionsAreLeftOut) {
+    GltfBuilder gltf;
+    gltf.json["extensions"] = Json::object();
+    for (const char* section : {"extensionsUsed", "accessors", "bufferViews", "images", "skins"})
+        gltf.json[section] = Json::array();
+    gltf.addNode({{"name", "nothing"}});
+    expectRepackable(gltf.glb());
+    EXPECT_FALSE(GlbParts(packed(gltf.glb(), Encoding::indexed)).json.contains("skins"));
+}
+
+TEST(Repack, TheNameMayBeThereWithoutTheExtension) {
+    GltfBuilder gltf = variedScene();
+    gltf.json["extensionsUsed"] = {shadowExtensionName, "VENDOR_unknown", shadowExtensionName};
+    expectRepackable(gltf.glb());
+    EXPECT_EQ(GlbParts(packed(gltf.glb(), Encoding::indexed)).json["extensionsUsed"],
+              Json::array({"VENDOR_unknown", shadowExtensionName}));
+}
+
+TEST(Repack, AFileWhoseShadowDataAreUsedElsewhereIsRefused) {
+    // Removed with the shadow data, they would be others after packing.
+    GltfBuilder gltf = variedScene();
+    const int unused = gltf.addArray(std::vector<std::uint8_t>(4), 1);
+    const GlbParts sound(packed(gltf.glb(), Encoding::indexed));
+    const std::size_t accessor = sound.json["accessors"].size() - 1;
+    const std::size_t view = sound.json["bufferViews"].size() - 1;
+    const auto expectRefused = [&](const std::function<void(Json&)>& change) {
+        GlbParts parts = sound;
+        change(parts.json);
+        expectInputError([&] { packed(parts.glb(), Encoding::expanded); },
+                         {"test.glb", "rearranged"});
+    };
+    const auto addMesh = [](Json& json, const Json& primitive) {
+        json["meshes"].push_back({{"primitives", Json::array({primitive})}});
+    };
+    expectRefused([&](Json& json) { addMesh(json, {{"attributes", {{"POSITION", accessor}}}}); });
+    expectRefused([&](Json& json) {
+        addMesh(json, {{"attributes", {{"POSITION", 0}}}, {"indices", accessor}});
+    });
+    expectRefused([&](Json& json) {
+        addMesh(json, {{"attributes", {{"POSITION", 0}}}, {"targets", {{{"POSITION", accessor}}}}});
+    });
+    expectRefused([&](Json& json) {
+        json["skins"] = {{{"joints", Json::array({0})}, {"inverseBindMatrices", accessor}}};
+    });
+    expectRefused([&](Json& json) { json["images"] = {{{"bufferView", view}}}; });
+    expectRefused([&](Json& json) { json["accessors"][unused]["bufferView"] = view; });
 }
 
 TEST(Repack, AFileWithAViewBehindTheShadowDataIsRefused) {

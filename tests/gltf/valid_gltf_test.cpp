@@ -4,6 +4,7 @@
 #include "tests/support/meshopt_encoding.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/temp_folder.hpp"
+#include "tests/support/webp_encoding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +13,14 @@ namespace {
 
 const std::filesystem::path validatorFolder = EDGESHADE_VALIDATOR;
 
-/// Expects that the validator finds no error in the asset packed with any encoding.
-void expectValid(const Bytes& asset) {
+/// Expects that the validator, with `options` of its script, finds no error in the asset packed
+/// with any encoding.
+void expectValid(const Bytes& asset, const std::vector<std::string>& options = {}) {
     if (!std::filesystem::exists(validatorFolder / "node_modules" / "gltf-validator"))
         GTEST_SKIP() << "the glTF validator is not installed";
     const TempFolder folder;
     std::vector<std::string> arguments = {"node", validatorFolder / "validate_packed.mjs"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
     for (const Encoding encoding : everyEncoding)
         arguments.push_back(
             folder.write(std::string(nameOf(encoding)) + ".glb", packed(asset, encoding)));
@@ -71,6 +74,58 @@ TEST(ValidGltf, WhatWasMended) {
 TEST(ValidGltf, AFallbackThatDoesNotSaySo) {
     GltfBuilder gltf = meshoptScene(box(glm::vec3(1.0f)));
     gltf.json["buffers"][1].erase("extensions");
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, ImagesOfAFileWithoutBuffers) {
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    gltf.json["textures"] = {{{"source", 0}}};
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, PicturesOfAnyKind) {
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    for (const std::string bytes : {"RIFF....WEBP", "RIFF", "a picture of a kind of its own"})
+        gltf.addImage({{"uri", dataUri(Bytes(bytes.begin(), bytes.end()))}});
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, EmptySections) {
+    GltfBuilder gltf;
+    gltf.addNode({{"name", "nothing"}});
+    for (const char* section : {"accessors", "bufferViews", "images", "meshes", "skins"})
+        gltf.json[section] = Json::array();
+    expectValid(gltf.glb());
+}
+
+TEST(ValidGltf, ImagesThatWereLeftAsTheyAre) {
+    GltfBuilder gltf = variedScene();
+    for (const char* uri : {"gone.png", "gone.webp", "gone.ktx2"})
+        gltf.addImage({{"uri", uri}});
+    gltf.useExtension("EXT_texture_webp", false);
+    gltf.useExtension("KHR_texture_basisu", false);
+    gltf.json["textures"] = {
+        {{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}},
+        {{"source", 0}, {"extensions", {{"KHR_texture_basisu", {{"source", 2}}}}}}};
+    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+    const int second =
+        gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
+    gltf.addShapeNode(box(glm::vec3(0.5f)), {{"material", second}});
+    expectValid(gltf.glb(), {"--files-missing"});
+}
+
+TEST(ValidGltf, WebpThatWasEmbedded) {
+    GltfBuilder gltf = variedScene();
+    gltf.addImage({{"uri", dataUri(smallPng(), "image/png")}});
+    gltf.addImage({{"uri", dataUri(smallWebp(), "image/webp")}});
+    gltf.useExtension("EXT_texture_webp", false);
+    gltf.json["textures"] = {
+        {{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}}};
+    gltf.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
     expectValid(gltf.glb());
 }
 

@@ -4,6 +4,7 @@
 #include "src/image/png.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"
+#include "tests/support/webp_encoding.hpp"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -93,6 +94,59 @@ TEST(DecodeImage, AFewBytesAreNoLargePicture) {
     png[18] = png[22] = 0x3F; // 16128 pixels a side, about
     expectInputError([&] { decodeImage(png, "'a.glb': images[0]"); },
                      {"images[0]", "16130x16130 pixels", "bytes"});
+}
+
+TEST(DecodeImage, LosslessWebpComesBackBitForBit) {
+    Bytes pixels(64 * 32 * 4); // colours of clear pixels too
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = static_cast<std::uint8_t>(i * 7 + i / 256);
+    const Image image = decodeImage(webpOf(pixels, 64, 32), "image");
+    EXPECT_EQ(image.width, 64);
+    EXPECT_EQ(image.height, 32);
+    EXPECT_EQ(image.rgba, pixels);
+}
+
+TEST(DecodeImage, LossyWebpComesBackAboutAsItWas) {
+    Bytes pixels;
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 40; ++x)
+            for (const int value : {5 * x, 5 * y, 100, 255 - 5 * x})
+                pixels.push_back(static_cast<std::uint8_t>(value));
+    const Image image = decodeImage(webpOf(pixels, 40, 48, true), "image");
+    ASSERT_EQ(image.rgba.size(), pixels.size());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        ASSERT_NEAR(image.rgba[i], pixels[i], 24) << "byte " << i;
+}
+
+TEST(DecodeImage, WebpThatIsCutOffAnywhereIsRefused) {
+    const Bytes webp = smallWebp();
+    for (std::size_t size = 0; size < webp.size() - 1; ++size) {
+        SCOPED_TRACE(size);
+        expectInputError([&] { decodeImage(std::span(webp).first(size), "'a.glb': images[0]"); },
+                         {"images[0]"});
+    }
+}
+
+TEST(DecodeImage, AnAnimatedWebpIsRefused) {
+    expectInputError([] { decodeImage(animatedWebp(), "'a.glb': images[0]"); },
+                     {"images[0]", "animated WebP"});
+}
+
+TEST(DecodeImage, WebpCountsAsMemoryBeforeItIsDecoded) {
+    const Bytes webp = webpOf(Bytes(4 * 4000 * 3000), 4000, 3000);
+    ASSERT_LT(webp.size(), 1000u);
+    ReadingLimits limits;
+    limits.memoryBytes = 100'000'000;
+    MemoryBudget memory(limits);
+    EXPECT_THROW(decodeImage(webp, "image", memory), LimitError);
+    expectInputError([&] { decodeImage(webp, "'a.glb': images[0]", memory); },
+                     {"images[0]", "4000x3000 pixels", "144000000 bytes of memory"});
+}
+
+TEST(DecodeImage, Ktx2IsRefusedWithWhatConvertsIt) {
+    const Bytes ktx2 = {0xAB, 'K', 'T', 'X', ' ', '2', '0', 0xBB, '\r', '\n', 0x1A, '\n'};
+    expectInputError([&] { decodeImage(ktx2, "'a.glb': images[0]"); },
+                     {"images[0] is KTX2", "'gltf-transform ktxdecompress IN.glb OUT.glb'"});
 }
 
 } // namespace edgeshade::test

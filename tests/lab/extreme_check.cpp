@@ -34,8 +34,8 @@ ExtremeOutcome check(const Extreme& extreme) {
                               extreme.lights, extreme.width, extreme.height},
                              lab::textureAlpha(scene));
     auto answers = lab::traceAll(oracle, {});
-    outcome.adapted = lab::compareWithOracle(oracle, answers, adapted).counts;
-    outcome.published = lab::compareWithOracle(oracle, answers, published).counts;
+    outcome.adapted = lab::compareWithOracle(oracle, answers, adapted, 8).counts;
+    outcome.published = lab::compareWithOracle(oracle, answers, published, 8).counts;
     return outcome;
 }
 

@@ -1,5 +1,5 @@
 // The extremes: each case is drawn in code, says what it provokes, and is held against the oracle
-// and for the closed chain (method, sections 4, 5 and 7).
+// and for the closed chain (docs/method.md, C1, C30 and C32).
 
 #include "tests/lab/extreme_check.hpp"
 

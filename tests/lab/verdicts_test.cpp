@@ -4,6 +4,7 @@
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace edgeshade {
@@ -32,10 +33,12 @@ struct Fixture {
         pictures.image.assign(4 * pixelCount, 200);
     }
 
+    lab::AlphaLookup alpha{[](auto&&...) { return 1.0f; }, {}};
+
     lab::WrongCounts counts() {
-        const lab::Oracle oracle(question, [](auto&&...) { return 1.0f; });
+        const lab::Oracle oracle(question, alpha);
         auto answers = lab::traceAll(oracle, {});
-        return lab::compareWithOracle(oracle, answers, pictures).counts;
+        return lab::compareWithOracle(oracle, answers, pictures, 8).counts;
     }
 };
 
@@ -93,6 +96,69 @@ TEST(Verdicts, WhatTheProgramDrawsIsRight) {
     const lab::WrongCounts counts = fixture.counts();
     EXPECT_EQ(counts.wrongMaskBeyond1px, 0u);
     EXPECT_LE(counts.wrongMaskPixels, 20u);
+}
+
+/// What is counted of a pixel in the middle whose picture is wrong. The eye looks straight down
+/// from height 10, and 100 pixels reach from the middle to where the floor leaves the picture.
+lab::WrongCounts countsOfMiddle(Fixture fixture) {
+    const std::size_t middle = pixelCount / 2 + size / 2; // centre half a pixel aside of (0, 0)
+    const std::uint8_t other = fixture.pictures.mask[4 * middle] == 0 ? 255 : 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        fixture.pictures.mask[4 * middle + c] = other;
+    return fixture.counts();
+}
+
+/// A floor in whose middle pixel a shadow's boundary passes so many pixels from the centre.
+Fixture boundaryAside(double pixels) {
+    Fixture fixture;
+    const double pixel = 10.0 * std::tan(glm::radians(22.5)) / (0.5 * size);
+    const auto edge = static_cast<float>(pixel * (0.5 + pixels));
+    // A roof above the eye, which throws its edge straight down.
+    fixture.scene = SceneBuilder()
+                        .floor(50)
+                        .quad({edge, 20, -9}, {edge, 20, 9}, {90, 20, 9}, {90, 20, -9})
+                        .scene();
+    fixture.question.lights = {test::sun({0, 1, 0})};
+    const lab::Oracle oracle(fixture.question, fixture.alpha);
+    const auto answers = lab::traceAll(oracle, {});
+    for (std::size_t i = 0; i < pixelCount; ++i)
+        for (std::size_t c = 0; c < 3; ++c) {
+            fixture.pictures.mask[4 * i + c] = answers[i].lit != 0 ? 255 : 0;
+            fixture.pictures.image[4 * i + c] = answers[i].lit != 0 ? 200 : 80;
+        }
+    return fixture;
+}
+
+TEST(Verdicts, TiesHangOnLessThanAStepOfTheGrid) {
+    const auto ties = [](double pixels) {
+        const lab::WrongCounts counts = countsOfMiddle(boundaryAside(pixels));
+        EXPECT_EQ(counts.wrongMaskPixels, 1u) << pixels;
+        return std::pair(counts.tiePixels, counts.deviceTiePixels);
+    };
+    EXPECT_EQ(ties(0.003), std::pair(std::size_t{1}, std::size_t{1})); // 1/256 is 0.0039
+    EXPECT_EQ(ties(0.03), std::pair(std::size_t{1}, std::size_t{0}));
+    EXPECT_EQ(ties(0.1), std::pair(std::size_t{0}, std::size_t{0})); // 1/16 is 0.0625
+}
+
+TEST(Verdicts, HolesThatAFilterDecidesAreTies) {
+    const auto tiesWith = [](float least, float most) {
+        Material leaf;
+        leaf.alphaMode = AlphaMode::mask;
+        Fixture fixture;
+        fixture.scene = SceneBuilder()
+                            .floor(50)
+                            .material(leaf)
+                            .quad({-1, 1, -2}, {-1, 1, 1}, {3, 1, 1}, {3, 1, -2})
+                            .scene();
+        fixture.alpha.range = [=](auto&&...) { return glm::vec2(least, most); };
+        const lab::WrongCounts counts = countsOfMiddle(fixture);
+        EXPECT_EQ(counts.wrongMaskPixels, 1u);
+        EXPECT_EQ(counts.tiePixels, counts.deviceTiePixels);
+        return counts.tiePixels;
+    };
+    EXPECT_EQ(tiesWith(0.4f, 0.9f), 1u); // the cutoff is 0.5
+    EXPECT_EQ(tiesWith(0.6f, 0.9f), 0u);
+    EXPECT_EQ(tiesWith(0.1f, 0.4f), 0u);
 }
 
 } // namespace

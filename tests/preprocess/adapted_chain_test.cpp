@@ -1,4 +1,4 @@
-// The closed chain (method, section 4) of adapted records: whatever the signs are, what sides and
+// The closed chain (docs/method.md) of adapted records: whatever the signs are, what sides and
 // caps of a cluster emit must have no boundary, with every triangle counted and, in closed ones,
 // with one facing alone.
 #include "tests/support/adapted_chain.hpp"

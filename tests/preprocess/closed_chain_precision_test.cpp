@@ -1,5 +1,5 @@
 // The closed chain on devices whose vertex stage has 16 mantissa bits, however they round: signs
-// are less exact there and no less consistent (method, sections 4 and 5).
+// are less exact there and no less consistent (docs/method.md, C1).
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/rounded_arithmetic.hpp"
 #include "tests/support/shader_arithmetic.hpp"

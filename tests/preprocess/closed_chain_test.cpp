@@ -1,4 +1,4 @@
-// The closed chain (method, section 4): whatever the signs are, what sides and caps emit must have
+// The closed chain (docs/method.md): whatever the signs are, what sides and caps emit must have
 // no boundary. Here the chain itself is built, triangle by triangle, from the records that the
 // packer emits; closed_chain_bulk_test.cpp tries many more by their multiplicities alone.
 #include "open_chain_tally.hpp"

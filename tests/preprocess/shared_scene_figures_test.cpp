@@ -1,6 +1,5 @@
-// What real models are made of (method, section 6), welded on exact positions. Closed counts edges
-// with as many triangles in one direction as in the other, any number of them; the method's table
-// is narrower there.
+// What real models are made of (docs/method.md), welded on exact positions. Closed counts edges
+// with as many triangles in one direction as in the other, any number of them.
 #include "preprocess/shadow_data.hpp"
 #include "shared_scene.hpp"
 

@@ -1,6 +1,6 @@
 // Closed components count by their light-facing triangles alone where winding numbers allow it, and
-// in full elsewhere (method, section 6.4): light and eye inside and outside, in the same and in
-// different components, nested and self-intersecting ones.
+// in full elsewhere (docs/method.md, C8 and C9): light and eye inside and outside, in the same and
+// in different components, nested and self-intersecting ones.
 
 #include "preprocess/adapted_data.hpp"
 #include "tests/support/mask_case.hpp"

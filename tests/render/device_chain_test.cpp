@@ -1,4 +1,4 @@
-// The closed chain on the numbers that the GL implementation really computes (method, section 4).
+// The closed chain on the numbers that the GL implementation really computes (docs/method.md, C1).
 
 #include "preprocess/flatten.hpp"
 #include "tests/support/adapted_probe.hpp"

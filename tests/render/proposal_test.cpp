@@ -1,4 +1,4 @@
-// Proposals (method, section 6.8): no record that is left out may have a multiplicity other than 0
+// Proposals (docs/method.md, C24): no record that is left out may have a multiplicity other than 0
 // for any light of the ball.
 #include "src/render/proposal.hpp"
 

@@ -10,10 +10,10 @@ namespace edgeshade::test {
 /// What a pixel shows by ray casting.
 enum class Answer : std::uint8_t { nothing, shadow, lit };
 
-/// The lit mask of a small scene by casting rays at every triangle in double: lit as in the
-/// method, section 7. `castMasked`: MASK and BLEND triangles block light; MASK surfaces are visible
-/// where their factor's alpha reaches the cutoff, BLEND ones never. Surfaces nearer than `near`
-/// along the viewing direction are not visible, but cast. Rows top to bottom.
+/// The lit mask of a small scene by casting rays at every triangle in double: lit as in
+/// docs/method.md, C30. `castMasked`: MASK and BLEND triangles block light; MASK surfaces are
+/// visible where their factor's alpha reaches the cutoff, BLEND ones never. Surfaces nearer than
+/// `near` along the viewing direction are not visible, but cast. Rows top to bottom.
 std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Light& light,
                              int width, int height, double near, bool castMasked = false);
 

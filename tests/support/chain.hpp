@@ -7,9 +7,10 @@
 
 namespace edgeshade::test {
 
-/// Edges at which the sides don't fit the caps (method, section 4): the multiplicities of an edge's
-/// records must sum to the signs of its triangles, each with the direction in which the sorted
-/// triangle A < B < C runs through the edge (A to B and B to C: +, A to C: -).
+/// Edges at which the sides don't fit the caps (docs/method.md, The closed chain): the
+/// multiplicities of an edge's records must sum to the signs of its triangles, each with the
+/// direction in which the sorted triangle A < B < C runs through the edge (A to B and B to C: +, A
+/// to C: -).
 ///
 /// multiplicities: one a record of buildSides(); signs: one a triangle.
 inline std::size_t openEdges(const BatchTopology& topology, int maxMultiplicity,

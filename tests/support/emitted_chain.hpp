@@ -1,8 +1,8 @@
 #pragma once
 
 // What the shaders emit, as a chain of oriented triangles over symbolic vertices: vertex i of the
-// mesh, or its point at infinity (method, section 4). Positions serve the signs alone, so nothing
-// here depends on rounding but the signs themselves.
+// mesh, or its point at infinity (docs/method.md, The closed chain). Positions serve the signs
+// alone, so nothing here depends on rounding but the signs themselves.
 
 #include "preprocess/caps_data.hpp"
 #include "preprocess/sides_data.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// The closed chain (method, section 4) on packed records, by multiplicities alone.
+// The closed chain (docs/method.md) on packed records, by multiplicities alone.
 
 #include "preprocess/shadow_data.hpp"
 #include "tests/support/chain.hpp"

@@ -17,14 +17,21 @@ bool sameBits(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) 
 
 } // namespace
 
-Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settings,
-             const std::filesystem::path& path) {
+Packed packedWithWarnings(const Bytes& asset, Encoding encoding, const CasterSettings& settings,
+                          const std::filesystem::path& path) {
     const GltfDocument document = parseGltf(asset, path);
     Scene scene = flattenScene(document, settings.weldTolerance);
     simplifyCasters(scene, settings.casterError);
     BuildSeconds seconds;
-    return packedGlb(document, scene, buildTopology(scene, settings.castMasked, seconds), encoding,
-                     settings);
+    Warnings warnings;
+    Bytes glb = packedGlb(document, scene, buildTopology(scene, settings.castMasked, seconds),
+                          encoding, settings, warnings);
+    return {std::move(glb), warnings.sentences()};
+}
+
+Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settings,
+             const std::filesystem::path& path) {
+    return packedWithWarnings(asset, encoding, settings, path).glb;
 }
 
 std::vector<BatchShadow> readBack(const Bytes& packedAsset) {

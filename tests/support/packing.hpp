@@ -14,6 +14,15 @@ inline constexpr Encoding everyEncoding[] = {Encoding::expanded, Encoding::index
 Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settings = {},
              const std::filesystem::path& path = "test.glb");
 
+/// The same with what it warns about.
+struct Packed {
+    Bytes glb;
+    std::vector<std::string> warnings;
+};
+Packed packedWithWarnings(const Bytes& asset, Encoding encoding,
+                          const CasterSettings& settings = {},
+                          const std::filesystem::path& path = "test.glb");
+
 /// The shadow data as a renderer gets them from a packed file.
 std::vector<BatchShadow> readBack(const Bytes& packedAsset);
 

@@ -1,4 +1,4 @@
-// Fetches a scene and, for a .gltf, the files that it names.
+// Fetches a scene and the files that a .gltf names.
 
 import { requireReadableSize } from './files.js';
 import { outsideFilesOf } from './virtual-folder.js';
@@ -45,13 +45,16 @@ async function bytesOf(address, name, onFraction) {
   return bytes;
 }
 
-/** {name, files: Map of paths to bytes} */
+/** The bytes of a file that the scene at `url` names. */
+export const downloadBeside = (url, uri, path) => bytesOf(new URL(uri, url), path, () => {});
+
+/** The scene and its buffers: {name, files: Map of paths to bytes}. Images may come later. */
 export async function download(url, onFraction) {
   const address = new URL(url);
   const name = decodeURIComponent(address.pathname.split('/').pop()) || 'scene.glb';
   const bytes = await bytesOf(address, name, onFraction);
   const files = new Map([[name, bytes]]);
-  for (const { uri, path } of outsideFilesOf(bytes))
-    files.set(path, await bytesOf(new URL(uri, address), path, () => {}));
+  for (const { uri, path } of outsideFilesOf(bytes, ['buffers']))
+    files.set(path, await downloadBeside(url, uri, path));
   return { name, files };
 }

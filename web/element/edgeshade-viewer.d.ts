@@ -75,14 +75,14 @@ export interface LoadDetail {
   triangles: number;
   fileBytes: number;
   warnings: string[];
-  /** By stage: download, read, flatten, shadows, hand over, upload, draw. */
+  /** By stage: download, read, flatten, images, shadows, hand over, upload, draw. */
   milliseconds: Record<string, number>;
   /** From the call of load() to the first frame. */
   totalMilliseconds: number;
 }
 
 export interface ProgressDetail {
-  stage: 'download' | 'read' | 'flatten' | 'shadows' | 'hand over' | 'upload' | 'draw';
+  stage: 'download' | 'read' | 'flatten' | 'images' | 'shadows' | 'hand over' | 'upload' | 'draw';
   /** Of the whole load, 0..1. */
   fraction: number;
 }

@@ -3,9 +3,10 @@
 // Where each stage begins and ends on the bar.
 const spans = {
   download: [0, 0.5, 'Fetching the scene'],
-  read: [0.5, 0.62, 'Reading the scene'],
-  flatten: [0.62, 0.7, 'Placing its parts'],
-  shadows: [0.7, 0.86, 'Finding its edges'],
+  read: [0.5, 0.58, 'Reading the scene'],
+  flatten: [0.58, 0.64, 'Placing its parts'],
+  images: [0.64, 0.72, 'Getting its images'],
+  shadows: [0.72, 0.86, 'Finding its edges'],
   'hand over': [0.86, 0.9, 'Handing it over'],
   upload: [0.9, 0.98, 'Uploading to the GPU'],
   draw: [0.98, 1, 'Drawing the first frame'],

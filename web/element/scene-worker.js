@@ -2,8 +2,9 @@
 // the page a buffer that only needs copying.
 
 import { instantiate } from './runtime.js';
-import { download } from './download.js';
-import { placeFiles } from './virtual-folder.js';
+import { download, downloadBeside } from './download.js';
+import { takeImages } from './scene-images.js';
+import { placeFile, placeFiles, placeOf } from './virtual-folder.js';
 
 const progress = (stage, fraction = 0) => postMessage({ progress: { stage, fraction } });
 
@@ -18,6 +19,13 @@ async function bytesOf(source) {
     }
   }
   return { name: source.name, files };
+}
+
+/** Fetches a file that the scene names, unless it is there or is none of the scene's own. */
+async function fetchFile(fs, source, uri) {
+  const path = placeOf(uri);
+  if (!source.url || !path || fs.analyzePath(path).exists) return;
+  placeFile(fs, path, await downloadBeside(source.url, uri, path));
 }
 
 /** Milliseconds that each stage took. */
@@ -39,6 +47,11 @@ class Stages {
   }
 }
 
+/** Throws the program's sentence for a failure, if there is one. */
+function requireDone(problem) {
+  if (problem) throw new Error(problem);
+}
+
 async function read({ module, source }) {
   const stages = new Stages();
   stages.enter('download');
@@ -48,8 +61,10 @@ async function read({ module, source }) {
   placeFiles(program.FS, name, files);
   files.clear();
   const reader = new program.SceneReader();
-  const problem = reader.read(name, (stage) => stages.enter(stage));
-  if (problem) throw new Error(problem);
+  const onStage = (stage) => stages.enter(stage);
+  requireDone(reader.read(name, onStage));
+  await takeImages(reader, (uri) => fetchFile(program.FS, source, uri));
+  requireDone(reader.finish(onStage));
   const bytes = reader.bytes().slice();
   stages.enter(null);
   const scene = {

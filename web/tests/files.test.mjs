@@ -130,6 +130,6 @@ test('progress goes from the download to the first frame, and only forwards', as
   });
   for (let i = 1; i < steps.length; ++i) assert.ok(steps[i].fraction >= steps[i - 1].fraction);
   assert.deepEqual([...new Set(steps.map(({ stage }) => stage))],
-    ['download', 'read', 'flatten', 'shadows', 'hand over', 'upload', 'draw']);
+    ['download', 'read', 'flatten', 'images', 'shadows', 'hand over', 'upload', 'draw']);
   await shared.check(page);
 });

@@ -1,33 +1,49 @@
 // The native program's picture of the sample.
 
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { repository } from './server.mjs';
 
 const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
 
-/** PNG bytes, from the state's eye, lights (of one range) and mask scale, drawn with further `options`. `filtersExactly`: without
- * Mesa's short cut that filters textures in 8 bits. */
-export function rendered({ camera: { from, to, fov }, lights, left }, options = [], { filtersExactly = true } = {}) {
+/** What `make` returns of a folder that goes away with everything in it. */
+function inFolder(make) {
   const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
   try {
-    const png = join(folder, 'native.png');
-    const light = lights.flatMap(([x, y, z, w]) => [w ? '--light' : '--sun', `${x},${y},${z}`]);
-    const range = lights.find((one) => one[4])?.[4];
-    if (range) light.push('--light-range', `${range}`);
-    if (left?.mask_scale > 1) light.push('--mask-scale', `1/${left.mask_scale}`);
-    execFileSync(program, ['render', join(repository, 'assets/pavilion.glb'), png,
-      '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
-      '--ambient', '0.4', ...light, ...options],
-    { stdio: 'pipe', timeout: 60000,
-      env: { ...process.env, ...(filtersExactly && { GALLIVM_PERF: 'no_aos_sampling' }) } });
-    return readFileSync(png);
+    return make(folder);
   } finally {
     rmSync(folder, { recursive: true });
   }
 }
+
+/** A scene's bytes after `pack` with `options`. */
+export const packed = (scene, options = []) => inFolder((folder) => {
+  const [source, glb] = [join(folder, 'scene.gltf'), join(folder, 'packed.glb')];
+  writeFileSync(source, scene);
+  execFileSync(program, ['pack', source, glb, ...options], { stdio: 'pipe', timeout: 60000 });
+  return readFileSync(glb);
+});
+
+/** PNG bytes, from the state's eye, lights (of one range) and mask scale, drawn with further
+ * `options`. `scene`: bytes of another scene than the sample. `filtersExactly`: without Mesa's short
+ * cut that filters textures in 8 bits. */
+export const rendered = ({ camera: { from, to, fov }, lights, left }, options = [], { filtersExactly = true, scene } = {}) => inFolder((folder) => {
+  const png = join(folder, 'native.png');
+  const file = scene ? join(folder, 'scene') : join(repository, 'assets/pavilion.glb');
+  if (scene) writeFileSync(file, scene);
+  const light = lights.flatMap(([x, y, z, w]) => [w ? '--light' : '--sun', `${x},${y},${z}`]);
+  const range = lights.find((one) => one[4])?.[4];
+  if (range) light.push('--light-range', `${range}`);
+  if (left?.mask_scale > 1) light.push('--mask-scale', `1/${left.mask_scale}`);
+  execFileSync(program, ['render', file, png,
+    '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
+    '--ambient', '0.4', ...light, ...options],
+  { stdio: 'pipe', timeout: 60000,
+    env: { ...process.env, ...(filtersExactly && { GALLIVM_PERF: 'no_aos_sampling' }) } });
+  return readFileSync(png);
+});
 
 /** Views of the sample: an eye each, lights, how many pixels may differ away from outlines
  * (`astray`) and what share of all (`share`), where that is not as usual. */

@@ -1,4 +1,6 @@
-// A small scene for tests that need some picture and no particular one.
+// A small scene for tests that need some picture and no particular one, and one with a texture.
+
+import { deflateSync } from 'node:zlib';
 
 const floats = (values) => Buffer.from(new Float32Array(values).buffer);
 const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
@@ -69,4 +71,62 @@ export function smallGlb() {
   head.writeUInt32LE(2, 4);
   head.writeUInt32LE(head.length + chunks.length, 8);
   return Buffer.concat([head, chunks]);
+}
+
+/** 8x8 pixels of many colours and alphas, RGBA. */
+export const texels = Uint8Array.from({ length: 4 * 64 }, (_, at) => {
+  const i = at >> 2;
+  return [37 * i, 91 * i + 20, 255 - 4 * i, 37 * (i % 8) ** 2 * (i >> 3)][at & 3] % 256;
+});
+
+/** The same as WebP, every bit kept. */
+export const texelsAsWebp = Buffer.from('UklGRkoAAABXRUJQVlA4TD4AAAAvB8ABEJkKRPQ/NlH/gvc/QBYMIpFd4gPqikAg' +
+  'kAQx8Ogf/1cMAA1UECFkkMYOuH3nOgEpe2wAxqGweAT6Aw==', 'base64');
+
+/** PNG's checksum. */
+function crc32(bytes) {
+  let sum = -1;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let bit = 0; bit < 8; ++bit) sum = (sum >>> 1) ^ (sum & 1 ? 0xEDB88320 : 0);
+  }
+  return ~sum >>> 0;
+}
+
+function pngChunk(type, content) {
+  const body = Buffer.concat([Buffer.from(type, 'latin1'), content]);
+  const [length, sum] = [Buffer.alloc(4), Buffer.alloc(4)];
+  length.writeUInt32BE(content.length);
+  sum.writeUInt32BE(crc32(body));
+  return Buffer.concat([length, body, sum]);
+}
+
+/** The same as PNG. */
+export function texelsAsPng() {
+  const rows = Array.from({ length: 8 }, (_, y) => Buffer.concat([Buffer.of(0), texels.subarray(32 * y, 32 * y + 32)]));
+  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
+    pngChunk('IHDR', Buffer.of(0, 0, 0, 8, 0, 0, 0, 8, 8, 6, 0, 0, 0)),
+    pngChunk('IDAT', deflateSync(Buffer.concat(rows))), pngChunk('IEND', Buffer.alloc(0))]);
+}
+
+/** What `bytes` are in a data URI; which kind of picture, the bytes themselves say. */
+export const dataUri = (bytes) => `data:image/png;base64,${bytes.toString('base64')}`;
+
+/** The small scene with a picture on its pillar, as .gltf. `image`: glTF's entry; `material`: what
+ * else its material has; `animated`: whether the stone moves. */
+export function texturedGltf(image, material = {}, { animated = false } = {}) {
+  const { json, binary } = smallScene();
+  const uvs = floats(Array.from({ length: 6 }, () => [0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1]).flat());
+  json.bufferViews.push({ buffer: 0, byteOffset: binary.length, byteLength: uvs.length });
+  json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType: 5126, count: 36, type: 'VEC2' });
+  json.meshes[1].primitives[0].attributes.TEXCOORD_0 = json.accessors.length - 1;
+  json.images = [image];
+  json.samplers = [{ magFilter: 9728, minFilter: 9728 }];
+  json.textures = [{ source: 0, sampler: 0 }];
+  json.materials[1] = { pbrMetallicRoughness: { baseColorTexture: { index: 0 } }, ...material };
+  json.nodes[1].scale = [3, 0.5, 3];
+  if (!animated) delete json.animations;
+  const all = Buffer.concat([binary, uvs]);
+  const uri = `data:application/octet-stream;base64,${all.toString('base64')}`;
+  return Buffer.from(JSON.stringify({ ...json, buffers: [{ byteLength: all.length, uri }] }));
 }

@@ -4,7 +4,7 @@ import { createReadStream, existsSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { smallGltf } from './scenes.mjs';
+import { smallGltf, texelsAsPng, texturedGltf } from './scenes.mjs';
 
 export const repository = fileURLToPath(new URL('../../../', import.meta.url));
 const roots = {
@@ -18,6 +18,14 @@ const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/ja
   '.css': 'text/css', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
   '.glb': 'model/gltf-binary', '.gltf': 'model/gltf+json', '.json': 'application/json' };
 
+/** What is made when it is asked for. */
+const made = {
+  '/tests/small.gltf': smallGltf,
+  '/tests/found/scene.gltf': () => texturedGltf({ uri: 'texture%20of%20it.png' }),
+  '/tests/found/texture%20of%20it.png': texelsAsPng,
+  '/tests/gone/scene.gltf': () => texturedGltf({ uri: 'gone.png' }),
+};
+
 function fileOf(url) {
   const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
   const root = Object.keys(roots).find((prefix) => path.startsWith(prefix));
@@ -25,11 +33,14 @@ function fileOf(url) {
   return below.startsWith('..') ? null : join(roots[root], below.endsWith('/') || below === '.' ? `${below}/index.html` : below);
 }
 
-/** {address, close()} */
+/** {address, asked, close()}; `asked`: every path that was asked for. */
 export async function serve() {
+  const asked = [];
   const server = createServer((request, response) => {
-    if (request.url === '/tests/small.gltf') {
-      response.writeHead(200, { 'content-type': types['.gltf'] }).end(smallGltf());
+    asked.push(request.url);
+    if (made[request.url]) {
+      const type = types[extname(request.url)] ?? 'application/octet-stream';
+      response.writeHead(200, { 'content-type': type }).end(made[request.url]());
       return;
     }
     const file = fileOf(request.url);
@@ -43,6 +54,7 @@ export async function serve() {
   });
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   return {
+    asked,
     address: `http://127.0.0.1:${server.address().port}`,
     close: () => new Promise((resolve) => { server.closeAllConnections(); server.close(resolve); }),
   };

@@ -1,0 +1,22 @@
+#include "src/render/whole_picture.hpp"
+
+#include "shaders_es2.hpp"
+#include "src/render/attributes.hpp"
+
+#include <array>
+
+namespace edgeshade {
+
+WholePicture::WholePicture() : program_(shaders::fill_vert, shaders::fill_frag, {}, {"a_corner"}) {
+    constexpr std::array<float, 6> corners = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
+    triangle_ = gl::vertexBuffer<float>(corners);
+}
+
+void WholePicture::draw() {
+    program_.use();
+    AttributeBinding binding(nullptr);
+    binding.add(triangle_, 2, GL_FLOAT, false, 2 * sizeof(float), 0, false);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+} // namespace edgeshade

@@ -1,0 +1,272 @@
+// What is left out with a warning, run through the real program: one sentence that names the file,
+// status 0, and the picture of the scene without it.
+#include "tests/cli/left_out.hpp"
+
+#include "src/image/png.hpp"
+#include "tests/cli/documented.hpp"
+#include "tests/support/child_process.hpp"
+#include "tests/support/webp_encoding.hpp"
+
+#include <gtest/gtest.h>
+#include <sstream>
+
+namespace edgeshade::test {
+namespace {
+
+constexpr std::size_t mostMemory = std::size_t{1} << 30; // a small file must not take more
+
+class LeftOutTest : public testing::TestWithParam<LeftOut> {};
+
+/// The lines of standard error that warn, without the word.
+std::vector<std::string> warningsOf(const ProcessResult& result) {
+    constexpr std::string_view start = "warning: ";
+    std::vector<std::string> warnings;
+    std::istringstream lines(result.err);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(start)) warnings.push_back(line.substr(start.size()));
+    return warnings;
+}
+
+ProcessResult run(const std::string& verb, const std::filesystem::path& input,
+                  const std::filesystem::path& output) {
+    std::vector<std::string> arguments = {verb, input};
+    if (verb != "info") arguments.push_back(output);
+    if (verb == "render") arguments.insert(arguments.end(), {"--size", "48x48"});
+    if (verb == "info") arguments.insert(arguments.end(), {"--report", "-"});
+    return runEdgeshade(arguments);
+}
+
+Bytes pictureOf(const std::filesystem::path& scene) {
+    const TempFolder folder;
+    const ProcessResult result = run("render", scene, folder / "picture.png");
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.status == 0 ? readFile(folder / "picture.png") : Bytes();
+}
+
+Bytes pictureOf(const GltfBuilder& gltf) {
+    const TempFolder folder;
+    return pictureOf(folder.write("scene.glb", gltf.glb()));
+}
+
+/// The sound scene, drawn with its material's factor.
+Bytes plainPicture() {
+    GltfBuilder gltf = soundScene();
+    gltf.json["materials"][0]["pbrMetallicRoughness"].erase("baseColorTexture");
+    return pictureOf(gltf);
+}
+
+Bytes soundPicture() {
+    return pictureOf(soundScene());
+}
+
+Json jsonOf(const std::filesystem::path& glb) {
+    return GlbParts(readFile(glb)).json;
+}
+
+void expectWarning(const LeftOut& row, const std::string& verb) {
+    SCOPED_TRACE(verb);
+    const TempFolder folder;
+    const std::filesystem::path input = row.make(folder);
+    const ProcessResult result = run(verb, input, folder / "output");
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_LT(result.peakBytes, mostMemory);
+    const auto warnings = warningsOf(result);
+    ASSERT_EQ(warnings.size(), 1u) << result.err;
+    EXPECT_TRUE(warnings[0].ends_with(".") && !warnings[0].ends_with("..")) << warnings[0];
+    EXPECT_NE(warnings[0].find(input.string()), std::string::npos) << "the file is not named";
+    for (const std::string& word : row.words)
+        EXPECT_NE(warnings[0].find(word), std::string::npos)
+            << "'" << word << "' is missing in " << warnings[0];
+    if (verb == "render") {
+        EXPECT_TRUE(readFile(folder / "output") == plainPicture());
+    } else if (verb == "info") {
+        EXPECT_EQ(Json::parse(result.out)["warnings"], Json(warnings));
+    } else {
+        EXPECT_EQ(jsonOf(folder / "output")["images"], jsonOf(input)["images"])
+            << "what can't be embedded stays as it is";
+    }
+}
+
+/// An image of these bytes in a view of the asset's.
+Json embeddedIn(GltfBuilder& gltf, const Bytes& image) {
+    return {{"bufferView", gltf.addView(image)}, {"mimeType", "image/webp"}};
+}
+
+/// The sound scene with a second image, which `extension` names.
+GltfBuilder withExtension(const std::string& extension, const Bytes& image) {
+    GltfBuilder gltf = soundScene();
+    gltf.useExtension(extension, false);
+    const int index = gltf.addImage(embeddedIn(gltf, image));
+    gltf.json["textures"][0]["extensions"] = {{extension, {{"source", index}}}};
+    return gltf;
+}
+
+/// Draws it and returns its warnings.
+std::vector<std::string> warningsAndPictureOf(const GltfBuilder& gltf, const Bytes& expected) {
+    const TempFolder folder;
+    const ProcessResult result =
+        run("render", folder.write("scene.glb", gltf.glb()), folder / "out.png");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(readFile(folder / "out.png") == expected);
+    return warningsOf(result);
+}
+
+/// A floor below a sheet with holes, whose texture, of `png` or the same as WebP, is cut out.
+GltfBuilder sheetWithHoles(bool png) {
+    Bytes pixels;
+    for (int i = 0; i < 8 * 8; ++i)
+        for (const int value : {200, 4 * i, 90, (i + i / 8) % 2 == 0 ? 255 : 0})
+            pixels.push_back(static_cast<std::uint8_t>(value));
+    GltfBuilder gltf;
+    gltf.addImage(
+        {{"uri", png ? dataUri(encodePng(pixels, 8, 8)) : dataUri(webpOf(pixels, 8, 8))}});
+    gltf.json["textures"] = {{{"source", 0}}};
+    gltf.addMaterial({{"alphaMode", "MASK"},
+                      {"doubleSided", true},
+                      {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    gltf.addShapeNode(box(glm::vec3(4.0f, 0.1f, 4.0f)));
+    const int mesh = gltf.addShape(box(glm::vec3(1.0f)), {{"material", 0}});
+    gltf.addNode({{"mesh", mesh}, {"translation", {0, 2, 0}}});
+    return gltf;
+}
+
+} // namespace
+
+TEST_P(LeftOutTest, IsDrawnAllTheSameWithAWarning) {
+    for (const std::string& verb : GetParam().verbs)
+        expectWarning(GetParam(), verb);
+}
+
+void PrintTo(const LeftOut& row, std::ostream* stream) {
+    *stream << row.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, LeftOutTest, testing::ValuesIn(leftOutImages()),
+                         [](const auto& row) { return row.param.name; });
+
+TEST(LeftOut, TheTableIsDocumented) {
+    std::vector<std::string> rows;
+    for (const LeftOut& row : leftOutImages()) {
+        const TempFolder folder;
+        const ProcessResult result = run(row.verbs[0], row.make(folder), folder / "output");
+        const std::string warning = withoutFolder(warningsOf(result).at(0), folder.path());
+        std::string verbs;
+        for (const std::string& verb : row.verbs)
+            verbs += (verbs.empty() ? "" : ", ") + verb;
+        rows.push_back("| " + row.name + " | " + verbs + " | " + cellOf(warning) + " |");
+    }
+    expectDocumented("left-out", rows);
+}
+
+TEST(LeftOut, TheTextureOfTheSceneIsSeen) {
+    EXPECT_FALSE(soundPicture() == plainPicture());
+}
+
+TEST(LeftOut, WhatNothingSamplesIsNeitherReadNorWarnedAbout) {
+    const TempFolder folder;
+    GltfBuilder gltf = soundScene();
+    const Json gone = {{"index", 1}}, nowhere = {{"index", 99}}, broken = Json::object();
+    gltf.addImage({{"uri", "gone.png"}});
+    gltf.json["textures"].push_back({{"source", 1}});
+    // Of a material that is drawn, but not sampled.
+    Json& material = gltf.json["materials"][0];
+    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = gone;
+    material["normalTexture"] = nowhere;
+    material["occlusionTexture"] = broken;
+    material["emissiveTexture"] = 7;
+    // Of a material that no surface has, and of none.
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", gone}}}});
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", nowhere}}}});
+    gltf.addImage({{"bufferView", 99}});
+    gltf.addImage({{"uri", {{"not", "text"}}}});
+    gltf.json["textures"].push_back({{"source", "not a number"}});
+    const auto input = folder.write("scene.glb", gltf.glb());
+    for (const char* verb : {"info", "render"}) {
+        const ProcessResult result = run(verb, input, folder / "output");
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_TRUE(warningsOf(result).empty()) << result.err;
+    }
+    EXPECT_TRUE(readFile(folder / "output") == soundPicture());
+}
+
+TEST(LeftOut, AnImageOfSeveralMaterialsIsWarnedAboutOnce) {
+    const TempFolder folder;
+    GltfBuilder gltf = soundScene();
+    gltf.json["images"][0] = {{"uri", "gone.png"}};
+    gltf.json["textures"].push_back({{"source", 0}});
+    for (const int texture : {0, 1}) {
+        const int material = gltf.addMaterial(
+            {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+        gltf.addShapeNode(box(glm::vec3(0.5f)), {{"material", material}});
+    }
+    const ProcessResult result =
+        run("render", folder.write("scene.glb", gltf.glb()), folder / "out.png");
+    EXPECT_EQ(warningsOf(result).size(), 1u) << result.err;
+}
+
+TEST(LeftOut, AWebpIsDrawnAsThePngOfItsPixels) {
+    GltfBuilder gltf = soundScene();
+    gltf.json["images"][0] = embeddedIn(gltf, smallWebp());
+    EXPECT_TRUE(pictureOf(gltf) == soundPicture());
+}
+
+TEST(LeftOut, TheWebpOfAnExtensionComesFirst) {
+    GltfBuilder gltf = withExtension("EXT_texture_webp", smallWebp());
+    gltf.json["images"][0] = {{"uri", "gone.png"}}; // not even looked for
+    EXPECT_TRUE(warningsAndPictureOf(gltf, soundPicture()).empty());
+}
+
+TEST(LeftOut, WhereAWebpIsBrokenTheTexturesOwnImageIsTaken) {
+    for (const Bytes& image : {Bytes(10), animatedWebp()}) {
+        const auto warnings =
+            warningsAndPictureOf(withExtension("EXT_texture_webp", image), soundPicture());
+        ASSERT_EQ(warnings.size(), 1u);
+        EXPECT_NE(warnings[0].find("images[1]"), std::string::npos) << warnings[0];
+    }
+}
+
+TEST(LeftOut, TheTexturesOwnImageIsTakenBeforeABasisOne) {
+    const GltfBuilder gltf = withExtension("KHR_texture_basisu", Bytes(10));
+    EXPECT_TRUE(warningsAndPictureOf(gltf, soundPicture()).empty());
+}
+
+TEST(LeftOut, CastersWithHolesAreTheSameInWebp) {
+    const TempFolder folder;
+    const auto png = folder.write("png.glb", sheetWithHoles(true).glb());
+    const auto webp = folder.write("webp.glb", sheetWithHoles(false).glb());
+    const auto render = [&](const std::filesystem::path& scene,
+                            const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"render", scene, folder / "out.png", "--size",
+                                              "120x90"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ProcessResult result = runEdgeshade(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return readFile(folder / "out.png");
+    };
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{}, {"--cast-masked"}, {"--cast-masked", "--mask"}})
+        EXPECT_TRUE(render(webp, options) == render(png, options));
+    EXPECT_FALSE(render(png, {"--cast-masked"}) == render(png, {}));
+}
+
+TEST(LeftOut, TheOracleLeavesOutWhatIsLeftOutOfThePicture) {
+    for (const bool broken : {false, true}) {
+        const TempFolder folder;
+        GltfBuilder gltf = sheetWithHoles(false);
+        if (broken) gltf.json["images"][0] = {{"uri", "gone.png"}};
+        const ProcessResult result =
+            runEdgeshade({"compare", folder.write("scene.glb", gltf.glb()), "--views", "2",
+                          "--size", "96x72", "--cast-masked", "--report", "-"});
+        if (result.status == 3) GTEST_SKIP() << result.err;
+        ASSERT_EQ(result.status, 0) << result.err;
+        // Of a hole's edge the oracle, which does not filter, knows little; of no holes it is
+        // right.
+        const Json report = Json::parse(result.out);
+        EXPECT_GT(report["visible_pixels"], 1000);
+        if (broken) {
+            EXPECT_EQ(report["wrong_mask_beyond_1px"], 0);
+        }
+    }
+}
+
+} // namespace edgeshade::test

@@ -1,0 +1,40 @@
+// The images that a scene is drawn with: fetched where they are not there yet, and decoded by the
+// browser where they are WebP.
+
+import { WebpDecoder } from './webp.js';
+
+/** The pixels of WebP bytes, in the reader's room. Throws an Error for what the reader refuses;
+ * returns why the browser can't decode them, or ''. */
+async function decodeWebp(reader, decoder, image) {
+  const webp = reader.webpOf(image).slice(); // whatever the program does, these stay
+  if (webp.length === 0) return '';
+  let pixels;
+  try {
+    pixels = await decoder.pixelsOf(webp);
+  } catch {
+    return 'it is WebP that this browser can\'t decode.';
+  }
+  const problem = reader.roomFor(image, pixels.width, pixels.height);
+  if (problem) throw new Error(problem);
+  reader.room().set(pixels.rgba);
+  return '';
+}
+
+/**
+ * Has `reader`, a SceneReader, decide on all images. `fetchFile` gets a uri and puts its file where
+ * the reader finds it, if it can be had; what it throws says why not.
+ */
+export async function takeImages(reader, fetchFile) {
+  const decoder = new WebpDecoder();
+  for (;;) {
+    const wanted = JSON.parse(reader.wantedImages());
+    if (wanted.length === 0) return;
+    const problems = await Promise.all(wanted.map(({ uri }) =>
+      fetchFile(uri).then(() => '', (error) => error.message)));
+    for (const [i, { image }] of wanted.entries()) {
+      const problem = reader.decideImage(image,
+        problems[i] || await decodeWebp(reader, decoder, image));
+      if (problem) throw new Error(problem);
+    }
+  }
+}
