@@ -4,7 +4,8 @@
 //
 // Space: the camera's, x right, y up, z the depth along the viewing direction, in units of the near
 // plane's distance.
-uniform vec2 u_tangents; // of half the picture's angles, across and up
+uniform vec2 u_tangents; // half the picture's window, across and up, a unit of depth
+uniform vec2 u_middle;   // of the window
 uniform vec2 u_focal;    // fragments a unit of tangent
 uniform float u_near;    // scene units
 
@@ -21,7 +22,7 @@ Plane planeHere() {
     plane.inverseDepth = u_near / v_clip.z;
     plane.change = vec2(dFdx(plane.inverseDepth), dFdy(plane.inverseDepth));
     vec2 slope = plane.change * u_focal;
-    vec2 tangent = v_clip.xy / v_clip.z * u_tangents;
+    vec2 tangent = v_clip.xy / v_clip.z * u_tangents + u_middle;
     plane.normal = vec3(slope, plane.inverseDepth - dot(slope, tangent));
     return plane;
 }

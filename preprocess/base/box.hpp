@@ -19,6 +19,10 @@ struct Box {
         return glm::all(glm::lessThanEqual(low, point)) &&
                glm::all(glm::lessThanEqual(point, high));
     }
+    /// One of eight, 0 to 7: bit 0 for high x, bit 1 for high y, bit 2 for high z.
+    glm::dvec3 corner(int i) const {
+        return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+    }
     glm::dvec3 center() const { return empty() ? glm::dvec3(0.0) : 0.5 * (low + high); }
     double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
 };

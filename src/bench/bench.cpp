@@ -176,7 +176,7 @@ class Course {
 
     void look(double share) {
         FrameRequest request;
-        request.camera = task_.cameraAt(share);
+        request.frustum = task_.frustumAt(share);
         request.width = task_.width;
         request.height = task_.height;
         request.depth.near = task_.near;

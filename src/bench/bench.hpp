@@ -29,7 +29,7 @@ struct Task {
     gl::Limits limits = gl::Limits::device;
     int frames = 120;                       ///< measured, at least 1
     int warmUp = 3;                         ///< frames before, not measured
-    std::function<Camera(double)> cameraAt; ///< after a share 0..1 of the flight
+    std::function<Frustum(double)> frustumAt; ///< after a share 0..1 of the flight
     std::vector<Light> lights;
     bool lightMoves = false;          ///< by movedLights(); else shadow maps are drawn once
     std::optional<double> near;       ///< nothing: fitted to each view

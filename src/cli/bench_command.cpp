@@ -70,7 +70,7 @@ void benchScene(const BenchOptions& options) {
         task.limits = options.glLimits;
         task.frames = options.frames > 0 ? options.frames : defaultFrames;
         task.warmUp = options.warmUp;
-        task.cameraAt = flightFor(view, loaded.scene);
+        task.frustumAt = flightFor(view, loaded.scene);
         task.lights = requestFor(view, loaded.scene).lights;
         task.lightMoves = options.lightMoves;
         task.near = view.depth.near;

@@ -99,12 +99,14 @@ bench::Setting toTask(const BenchSetting& setting) {
     return task;
 }
 
-std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& scene) {
-    if (view.from || view.to)
-        return [camera = requestFor(view, scene).camera](double) { return camera; };
-    const bench::Flythrough flight(worldBounds(scene), view.fovDegrees,
-                                   static_cast<double>(view.width) / view.height);
-    return [flight](double share) { return flight.cameraAt(share); };
+std::function<Frustum(double)> flightFor(const ViewOptions& view, const Scene& scene) {
+    if (view.hasCamera())
+        return [frustum = requestFor(view, scene).frustum](double) { return frustum; };
+    const double aspect = view.aspect();
+    const bench::Flythrough flight(worldBounds(scene), view.fovDegrees, aspect);
+    return [flight, aspect, height = view.orthoHeight](double share) {
+        return frustumOf(flight.cameraAt(share), aspect, height);
+    };
 }
 
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing) {

@@ -20,7 +20,7 @@ struct BenchSetting {
 bench::Setting toTask(const BenchSetting& setting);
 
 /// The flight that the program measures, or the camera that was typed, which stays where it is.
-std::function<Camera(double)> flightFor(const ViewOptions& view, const Scene& scene);
+std::function<Frustum(double)> flightFor(const ViewOptions& view, const Scene& scene);
 
 /// `--timing query|finish|processor`; nothing: the best.
 void addTimingOption(CLI::App& verb, std::optional<gl::Timing>& timing);

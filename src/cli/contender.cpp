@@ -26,13 +26,15 @@ void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene,
     if (task.lights.size() > lab::mostLights)
         throw Error(ExitStatus::usage,
                     "The oracle takes at most " + std::to_string(lab::mostLights) + " lights.");
-    const double aspect = static_cast<double>(view.width) / view.height;
-    if ((view.from || view.to) && !viewsTyped) {
+    if (view.cameraMatrix && viewsTyped)
+        throw Error(ExitStatus::usage, "--camera-matrix is one view, so --views does not go with it.");
+    if (view.hasCamera() && !viewsTyped) {
         const FrameRequest request = requestFor(view, scene);
-        task.views = {{"as asked", request.camera, request.lights.front()}};
+        task.views = {{"as asked", request.frustum, request.lights.front()}};
         task.lights = request.lights;
     } else {
-        task.views = lab::labViews(scene, static_cast<std::size_t>(views), view.fovDegrees, aspect);
+        task.views = lab::labViews(scene, static_cast<std::size_t>(views), view.fovDegrees,
+                                   view.aspect(), view.orthoHeight);
     }
 }
 

@@ -3,9 +3,11 @@
 #include "preprocess/base/error.hpp"
 #include "src/cli/limit_options.hpp"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <glm/gtc/type_ptr.hpp>
 #include <tuple>
 
 namespace edgeshade::cli {
@@ -22,18 +24,30 @@ double numberFrom(std::string_view text, const std::string& option) {
     return value;
 }
 
-/// "x,y,z".
-glm::dvec3 vectorFrom(const std::string& text, const std::string& option) {
-    glm::dvec3 vector(0.0);
+/// So many finite numbers with commas in between. `form`: what the text should be.
+template <std::size_t count>
+std::array<double, count> numbersFrom(const std::string& text, const std::string& option,
+                                      const std::string& form) {
+    std::array<double, count> numbers;
     std::size_t start = 0;
-    for (glm::length_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < count; ++i) {
         const std::size_t comma = text.find(',', start);
-        if ((comma == std::string::npos) != (c == 2))
-            throw CLI::ValidationError(option, "'" + text + "' is not of the form x,y,z");
-        vector[c] = numberFrom(std::string_view(text).substr(start, comma - start), option);
+        if ((comma == std::string::npos) != (i + 1 == count))
+            throw CLI::ValidationError(option, "'" + text + "' is not " + form);
+        numbers[i] = numberFrom(std::string_view(text).substr(start, comma - start), option);
         start = comma + 1;
     }
-    return vector;
+    return numbers;
+}
+
+/// "x,y,z".
+glm::dvec3 vectorFrom(const std::string& text, const std::string& option) {
+    return glm::make_vec3(numbersFrom<3>(text, option, "of the form x,y,z").data());
+}
+
+/// Column by column.
+glm::dmat4 matrixFrom(const std::string& text, const std::string& option) {
+    return glm::make_mat4(numbersFrom<16>(text, option, "16 numbers with commas").data());
 }
 
 const Choices<gl::Limits> limitNames = {{"device", gl::Limits::device},
@@ -57,6 +71,20 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
         [&](const std::string& text) { options.from = vectorFrom(text, "--camera-from"); });
     addTextOption(verb, "--camera-to", "X,Y,Z", "What the eye looks at (middle of the scene)",
                   [&](const std::string& text) { options.to = vectorFrom(text, "--camera-to"); });
+    addTextOption(verb, "--camera-matrix", "M0,...,M15",
+                  "A view matrix, world to camera, column by column, in place of both",
+                  [&](const std::string& text) {
+                      options.cameraMatrix = rigidView(matrixFrom(text, "--camera-matrix"));
+                  });
+    for (const char* other : {"--camera-from", "--camera-to"})
+        verb.get_option("--camera-matrix")->excludes(verb.get_option(other));
+    addTextOption(verb, "--ortho", "HEIGHT",
+                  "An orthographic picture, so many scene units high (perspective)",
+                  [&](const std::string& text) {
+                      options.orthoHeight = numberFrom(text, "--ortho");
+                      if (*options.orthoHeight <= 0.0)
+                          throw CLI::ValidationError("--ortho", "'" + text + "' is not above 0");
+                  });
     addTextOption(verb, "--fov", "DEG", "Vertical field of view in degrees (45)",
                   [&](const std::string& text) {
                       options.fovDegrees = numberFrom(text, "--fov");
@@ -200,19 +228,30 @@ void addReportOption(CLI::App& verb, std::string& path) {
         ->type_name("FILE");
 }
 
-FrameRequest requestFor(const ViewOptions& options, const Scene& scene) {
-    FrameRequest request;
-    request.width = options.width;
-    request.height = options.height;
-    request.depth = options.depth;
-    const double aspect = static_cast<double>(options.width) / options.height;
-    const Camera framing = framingCamera(worldBounds(scene), options.fovDegrees, aspect);
-    request.camera = {options.from.value_or(framing.from), options.to.value_or(framing.to),
-                      options.fovDegrees};
-    if (request.camera.from == request.camera.to)
+Camera cameraFor(const ViewOptions& options, const Scene& scene) {
+    const Camera framing =
+        framingCamera(worldBounds(scene), options.fovDegrees, options.aspect());
+    const Camera camera{options.from.value_or(framing.from), options.to.value_or(framing.to),
+                        options.fovDegrees};
+    if (camera.from == camera.to)
         throw Error(ExitStatus::usage,
                     "--camera-from and --camera-to are the same point, so the camera has no "
                     "direction.");
+    return camera;
+}
+
+FrameRequest requestFor(const ViewOptions& options, const Scene& scene) {
+    if (options.orthoHeight && options.depth.near)
+        throw Error(ExitStatus::usage,
+                    "--near does not go with --ortho, whose picture shows all that there is before "
+                    "and behind the camera.");
+    FrameRequest request;
+    request.frustum =
+        frustumOf(cameraFor(options, scene), options.aspect(), options.orthoHeight);
+    if (options.cameraMatrix) request.frustum.viewFromWorld = *options.cameraMatrix;
+    request.width = options.width;
+    request.height = options.height;
+    request.depth = options.depth;
     request.lights = options.lights;
     if (request.lights.empty()) request.lights.push_back(defaultLight());
     return request;

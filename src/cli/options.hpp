@@ -17,9 +17,14 @@ struct ViewOptions {
     int height = 1080;
     std::optional<glm::dvec3> from;
     std::optional<glm::dvec3> to;
+    std::optional<glm::dmat4> cameraMatrix; ///< a rigid view matrix, in place of the two
     double fovDegrees = 45.0;
+    std::optional<double> orthoHeight; ///< of an orthographic picture, in scene units
     DepthChoice depth;
     std::vector<Light> lights; ///< in the order in which they were typed
+
+    double aspect() const { return static_cast<double>(width) / height; }
+    bool hasCamera() const { return from || to || cameraMatrix; }
 };
 
 /// `--weld-tolerance`, `--flat-tolerance` and `--caster-error`, where they were typed.
@@ -99,8 +104,12 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options);
 /// The word that the option has for them.
 std::string glLimitsName(gl::Limits limits);
 
-/// The request: the camera frames the scene where it was not typed, and there is at least one
-/// light. Throws Error(usage) for a camera without a direction.
+/// The camera, which frames the scene where it was not typed. Throws Error(usage) for one without a
+/// direction.
+Camera cameraFor(const ViewOptions& options, const Scene& scene);
+
+/// The request, with that camera or the matrix that was typed, and at least one light. Throws
+/// Error(usage) for what does not go together.
 FrameRequest requestFor(const ViewOptions& options, const Scene& scene);
 
 } // namespace edgeshade::cli

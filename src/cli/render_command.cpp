@@ -9,6 +9,7 @@
 #include "src/image/png.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 
+#include <glm/gtc/type_ptr.hpp>
 #include <memory>
 
 namespace edgeshade::cli {
@@ -36,6 +37,26 @@ std::pair<std::size_t, std::size_t> countMask(const std::vector<std::uint8_t>& r
 
 nlohmann::ordered_json vectorJson(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
+}
+
+/// What the picture was seen by: as typed, and as it became.
+nlohmann::ordered_json cameraJson(const ViewOptions& options, const Scene& scene,
+                                  const FrameView& view) {
+    nlohmann::ordered_json camera;
+    if (options.cameraMatrix) {
+        camera["matrix"] = std::vector<double>(glm::value_ptr(*options.cameraMatrix),
+                                               glm::value_ptr(*options.cameraMatrix) + 16);
+    } else {
+        const Camera typed = cameraFor(options, scene);
+        camera["from"] = vectorJson(typed.from);
+        camera["to"] = vectorJson(typed.to);
+    }
+    if (options.orthoHeight)
+        camera["ortho"] = *options.orthoHeight;
+    else
+        camera["fov"] = options.fovDegrees;
+    camera["near"] = view.near();
+    return camera;
 }
 
 /// Depth slices from near to far, and how many groups of casters each light needs.
@@ -112,11 +133,7 @@ void render(const RenderOptions& options) {
     }
     nlohmann::ordered_json report = {
         {"size", {view.width, view.height}},
-        {"camera",
-         {{"from", vectorJson(view.camera.from)},
-          {"to", vectorJson(view.camera.to)},
-          {"fov", view.camera.fovDegrees},
-          {"near", view.near()}}},
+        {"camera", cameraJson(options.view, loaded.scene, view)},
         {"lights", lights},
         {"settings", settingsJson(options.settings)},
         {"plan", planJson(view)},

@@ -113,7 +113,7 @@ bench::Report measureCosts(const TradeoffOptions& options, const LoadedScene& lo
     task.height = options.view.height;
     task.limits = options.glLimits;
     task.frames = options.frames;
-    task.cameraAt = flightFor(options.view, loaded.scene);
+    task.frustumAt = flightFor(options.view, loaded.scene);
     task.lights = requestFor(options.view, loaded.scene).lights;
     task.lightMoves = options.lightMoves;
     task.near = options.view.depth.near;

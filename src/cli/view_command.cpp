@@ -28,7 +28,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
     const FrameRequest request = requestFor(options.view, scene);
     const RenderSettings& render = options.settings.render;
     viewer::ViewState state;
-    state.camera = request.camera;
+    state.camera = cameraFor(options.view, scene);
     state.lights = request.lights;
     state.left = {render.shadows, render.map.size, render.multiplicity, render.maskScale};
     state.ambient = render.ambient;
@@ -40,6 +40,10 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
 }
 
 void view(const WindowOptions& options) {
+    if (options.view.cameraMatrix || options.view.orthoHeight)
+        throw Error(ExitStatus::usage,
+                    "The window's camera is in perspective and looks from --camera-from to "
+                    "--camera-to: --camera-matrix and --ortho are for render, compare and bench.");
     const auto load = [&](const std::filesystem::path& path, const std::string& variant) {
         LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits, {}, variant);
         printWarnings(loaded.scene.warnings.sentences());

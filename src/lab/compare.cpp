@@ -66,7 +66,7 @@ FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request) {
 JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabView& view,
                  const AlphaLookup& alpha) {
     FrameRequest request;
-    request.camera = view.camera;
+    request.frustum = view.frustum;
     request.width = task.width;
     request.height = task.height;
     request.depth.near = task.near;
@@ -75,7 +75,7 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
     judged.request = request;
     judged.frame = frameOf(loaded, request);
     judged.oracle = std::make_unique<Oracle>(Question{&loaded.scene, loaded.settings.castMasked,
-                                                      view.camera, judged.frame.near(),
+                                                      judged.frame.frustum, judged.frame.near(),
                                                       judged.frame.lights, task.width, task.height},
                                              alpha);
     judged.answers = traceAll(*judged.oracle, {});

@@ -19,6 +19,9 @@ struct Vector {
         : x(std::move(px)), y(std::move(py)), z(std::move(pz)) {}
 };
 
+Vector operator+(const Vector& a, const Vector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
 Vector operator-(const Vector& a, const Vector& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
@@ -93,16 +96,16 @@ bool isBlocked(const Oracle& oracle, std::uint32_t own, const ExactTriangle& sur
 
 Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     const Question& question = oracle.question();
-    const glm::dvec3 roundedDirection = pixelDirection(question, x, y);
-    const Vector direction(roundedDirection), eye(glm::dvec3(0.0));
+    const PixelRay ray = pixelRay(question, x, y);
+    const Vector direction(ray.direction), origin(ray.origin);
     const Rational near(question.near);
     Verdict verdict;
     std::optional<ExactHit> nearest;
     std::uint32_t own = 0;
-    for (const std::uint32_t i : oracle.candidates(glm::dvec3(0.0), roundedDirection, false)) {
+    for (const std::uint32_t i : oracle.candidates(ray.origin, ray.direction, false)) {
         const EyeTriangle& triangle = oracle.triangles()[i];
         if (!triangle.visible) continue;
-        const auto hit = intersect(ExactTriangle(triangle), eye, direction);
+        const auto hit = intersect(ExactTriangle(triangle), origin, direction);
         if (!hit || hit->t < near || hit->t <= 0 || oracle.isHole(triangle, hit->u, hit->v))
             continue;
         if (nearest && hit->t == nearest->t) verdict.coincident = true;
@@ -114,9 +117,11 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     if (!nearest) return verdict;
 
     const ExactTriangle surface(oracle.triangles()[own]);
-    const Vector point = nearest->t * direction;
-    const glm::dvec3 roundedPoint = nearest->t.convert_to<double>() * roundedDirection;
-    const int eyeSide = -signOf(dot(surface.normal, surface.a));
+    const Vector point = origin + nearest->t * direction;
+    const glm::dvec3 roundedPoint = ray.at(nearest->t.convert_to<double>());
+    const Vector fromViewer =
+        question.frustum.orthographic ? Vector(question.frustum.forward()) : surface.a;
+    const int eyeSide = -signOf(dot(surface.normal, fromViewer));
     verdict.answer.surface = true;
     for (std::size_t i = 0; i < question.lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);

@@ -169,25 +169,33 @@ struct Oracle::Tree {
     }
 };
 
-glm::dvec3 pixelDirection(const Question& question, double x, double y) {
-    const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(viewFromWorld(question.camera)));
-    const double tangent = std::tan(glm::radians(0.5 * question.camera.fovDegrees));
-    const double right =
-        (2.0 * x / question.width - 1.0) * tangent * question.width / question.height;
-    const double up = (1.0 - 2.0 * y / question.height) * tangent;
-    return worldFromView * glm::dvec3(right, up, -1.0);
+PixelRay pixelRay(const Question& question, double x, double y) {
+    const Frustum& frustum = question.frustum;
+    const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(frustum.viewFromWorld));
+    const glm::dvec2 place(2.0 * x / question.width - 1.0, 1.0 - 2.0 * y / question.height);
+    const glm::dvec2 window = frustum.windowAt(place);
+    if (frustum.orthographic)
+        return {worldFromView * glm::dvec3(window, 0.0), worldFromView * glm::dvec3(0, 0, -1)};
+    return {glm::dvec3(0.0), worldFromView * glm::dvec3(window, -1.0)};
 }
 
 Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
     : question_(question), alpha_(alpha),
-      triangles_(eyeTriangles(*question.scene, question.camera.from, question.castMasked)),
+      triangles_(
+          eyeTriangles(*question.scene, question.frustum.position(), question.castMasked)),
       tree_(std::make_unique<Tree>(triangles_)) {}
 
 Oracle::~Oracle() = default;
 
 glm::dvec4 Oracle::lightFromEye(std::size_t light) const {
     const glm::dvec4& position = question_.lights[light].position;
-    return {glm::dvec3(position) - question_.camera.from * position.w, position.w};
+    return {glm::dvec3(position) - question_.frustum.position() * position.w, position.w};
+}
+
+double Oracle::eyeSide(const EyeTriangle& triangle) const {
+    const glm::dvec3 normal = normalOf(triangle);
+    return question_.frustum.orthographic ? -glm::dot(normal, question_.frustum.forward())
+                                          : -glm::dot(normal, triangle.a);
 }
 
 double Oracle::rangeOf(std::size_t light) const {
@@ -206,8 +214,8 @@ bool Oracle::isHoleByFilter(const EyeTriangle& triangle, double x, double y, dou
     std::array<glm::dvec2, 3> places;
     const std::array<glm::dvec2, 3> points = {{{x, y}, {x + 1.0, y}, {x, y + 1.0}}};
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Meeting meeting = intersect(triangle, glm::dvec3(0.0), 0.0,
-                                          pixelDirection(question_, points[i].x, points[i].y));
+        const PixelRay ray = pixelRay(question_, points[i].x, points[i].y);
+        const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
         if (i == 0 && (!meeting.inside() || meeting.t > depth)) return false;
         places[i] = {meeting.u, meeting.v};
     }
@@ -215,12 +223,12 @@ bool Oracle::isHoleByFilter(const EyeTriangle& triangle, double x, double y, dou
     return range.x < material.alphaCutoff && range.y >= material.alphaCutoff;
 }
 
-void Oracle::visitSurfaces(const glm::dvec3& direction,
+void Oracle::visitSurfaces(const PixelRay& ray,
                            const std::function<void(const Hit&, bool certain)>& visit) const {
-    tree_->traverse(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
+    tree_->traverse(ray.origin, ray.direction, infinity, [&](std::uint32_t i) {
         const EyeTriangle& triangle = triangles_[i];
         if (!triangle.visible) return false;
-        const Meeting meeting = intersect(triangle, glm::dvec3(0.0), 0.0, direction);
+        const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
         const bool hit = meeting.inside() && meeting.t >= question_.near &&
                          !isHole(triangle, meeting.u, meeting.v);
         // The edge of a hole is texture filtering's matter, which has no error bound.
@@ -236,7 +244,7 @@ Oracle::Checked Oracle::checkedAt(double x, double y) const {
     Hit nearest{0, infinity, 0.0};
     double second = infinity; // the least depth that another surface may have
     bool certain = true;
-    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit, bool sure) {
+    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool sure) {
         certain = certain && sure;
         const bool closer = hit.depth < nearest.depth;
         const Hit& farther = closer ? nearest : hit;
@@ -251,7 +259,7 @@ Oracle::Checked Oracle::checkedAt(double x, double y) const {
 
 std::vector<Oracle::Hit> Oracle::surfacesAt(double x, double y) const {
     std::vector<Hit> hits;
-    visitSurfaces(pixelDirection(question_, x, y), [&](const Hit& hit, bool) {
+    visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool) {
         if (std::isfinite(hit.depth)) hits.push_back(hit);
     });
     return hits;
@@ -259,14 +267,16 @@ std::vector<Oracle::Hit> Oracle::surfacesAt(double x, double y) const {
 
 Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
     const EyeTriangle& surface = triangles_[hit.triangle];
-    const glm::dvec3 direction = pixelDirection(question_, x, y);
-    const glm::dvec3 point = hit.depth * direction;
-    const double pointError = (hit.error + rounding * hit.depth) * magnitude(direction);
+    const PixelRay ray = pixelRay(question_, x, y);
+    const glm::dvec3 point = ray.at(hit.depth);
+    const double pointError = (hit.error + rounding * hit.depth) * magnitude(ray.direction) +
+                              rounding * magnitude(ray.origin);
     const glm::dvec3 normal = normalOf(surface);
     const double area = magnitude(surface.b - surface.a) * magnitude(surface.c - surface.a);
-    const double eyeSide = -glm::dot(normal, surface.a);
+    const double eyeSide = this->eyeSide(surface);
+    const double eyeReach = question_.frustum.orthographic ? 1.0 : magnitude(surface.a);
     Checked checked{{true, 0}, true};
-    checked.certain = std::abs(eyeSide) > rounding * area * magnitude(surface.a);
+    checked.certain = std::abs(eyeSide) > rounding * area * eyeReach;
     for (std::size_t i = 0; i < question_.lights.size(); ++i) {
         const glm::dvec4 light = lightFromEye(i);
         const glm::dvec3 towards = glm::dvec3(light) - surface.a * light.w;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/lab/eye_triangles.hpp"
-#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/frustum.hpp"
 #include "src/shadow/geometry/light.hpp"
 
 #include <array>
@@ -21,21 +21,28 @@ struct Answer {
 
 inline constexpr std::size_t mostLights = 32;
 
-/// What is judged: a scene, a camera, lights, a picture size. `near`: surfaces nearer along the
+/// What is judged: a scene, a view of it, lights, a picture size. `near`: surfaces nearer along the
 /// viewing direction can't be seen, but cast.
 struct Question {
     const Scene* scene = nullptr;
     bool castMasked = false;
-    Camera camera;
+    Frustum frustum; ///< orthographic: all that can be seen is before it, see standingBack()
     double near = 0.0;
     std::vector<Light> lights; ///< at most mostLights
     int width = 1;
     int height = 1;
 };
 
-/// The ray of a picture point: origin at the eye, x and y in pixels (centres at +0.5, rows down).
-/// Its length is such that the camera-space depth of `t * direction` is t.
-glm::dvec3 pixelDirection(const Question& question, double x, double y);
+/// A line of sight, with world axes and the camera's position as origin.
+struct PixelRay {
+    glm::dvec3 origin; ///< at depth 0: of a perspective the camera itself
+    glm::dvec3 direction; ///< as long as makes the depth of at(t) t
+
+    glm::dvec3 at(double depth) const { return origin + depth * direction; }
+};
+
+/// That of a picture point, x and y in pixels (centres at +0.5, rows down).
+PixelRay pixelRay(const Question& question, double x, double y);
 
 /// Alpha of alpha-tested surfaces, given by whoever has the textures.
 struct AlphaLookup {
@@ -100,15 +107,18 @@ class Oracle {
     /// at `depth` at the farthest.
     bool isHoleByFilter(const EyeTriangle& triangle, double x, double y, double depth) const;
 
-    /// The light relative to the eye, homogeneous.
+    /// The light relative to the camera's position, homogeneous.
     glm::dvec4 lightFromEye(std::size_t light) const;
+    /// Which side of the triangle its viewer is on, by the order of its corners; as large as
+    /// normalOf() times a distance, or a direction of length 1.
+    double eyeSide(const EyeTriangle& triangle) const;
     /// Its range; infinite for suns.
     double rangeOf(std::size_t light) const;
 
   private:
     struct Tree; ///< Embree's
 
-    void visitSurfaces(const glm::dvec3& direction,
+    void visitSurfaces(const PixelRay& ray,
                        const std::function<void(const Hit&, bool certain)>& visit) const;
     Checked checkedOn(const Hit& hit, double x, double y) const;
     bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError,

@@ -27,8 +27,9 @@ double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec
     const double offset = glm::dot(normal, triangle.a);
     double change = 0.0;
     for (const glm::dvec2& point : movedPoints(at, grid)) {
+        const PixelRay ray = pixelRay(oracle.question(), point.x, point.y);
         const double depth =
-            offset / glm::dot(normal, pixelDirection(oracle.question(), point.x, point.y));
+            (offset - glm::dot(normal, ray.origin)) / glm::dot(normal, ray.direction);
         // Behind the eye, or nowhere: the plane is seen edge-on.
         if (!(depth > 0.0)) return std::numeric_limits<double>::infinity();
         change = std::max(change, std::abs(depth - hit.depth));
@@ -40,10 +41,9 @@ double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec
 bool couldTurn(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light,
                double grid) {
     const Question& question = oracle.question();
-    const double pixel =
-        2.0 * std::tan(glm::radians(0.5 * question.camera.fovDegrees)) / question.height;
-    const auto reach = [&](const glm::dvec3& corner) {
-        return grid * pixel * glm::length(corner); // a corner's own freedom, in scene units
+    const double pixel = question.frustum.size().y / question.height;
+    const auto reach = [&](const glm::dvec3& corner) { // its own freedom, in scene units
+        return grid * pixel * (question.frustum.orthographic ? 1.0 : glm::length(corner));
     };
     const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
     const glm::dvec3 aL = glm::dvec3(light) - triangle.a * light.w;
@@ -70,10 +70,9 @@ bool shareEdge(const EyeTriangle& first, const EyeTriangle& second) {
     return shared >= 2;
 }
 
-double lightSide(const EyeTriangle& triangle, const glm::dvec4& light) {
-    const glm::dvec3 normal = normalOf(triangle);
-    const double eyeSide = -glm::dot(normal, triangle.a);
-    return eyeSide * glm::dot(normal, glm::dvec3(light) - triangle.a * light.w);
+double lightSide(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light) {
+    return oracle.eyeSide(triangle) *
+           glm::dot(normalOf(triangle), glm::dvec3(light) - triangle.a * light.w);
 }
 
 /// Whether two visible surfaces a step of the grid apart are not joined there, so that one ends
@@ -89,7 +88,7 @@ bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm:
     if (std::abs(here.depth - there.depth) > reach) return true;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);
-        if ((lightSide(first, light) > 0.0) != (lightSide(second, light) > 0.0)) return true;
+        if ((lightSide(oracle, first, light) > 0.0) != (lightSide(oracle, second, light) > 0.0)) return true;
     }
     return false;
 }
@@ -124,8 +123,8 @@ bool hangsOnHidden(const Oracle& oracle, const Oracle::Hit& visible, const glm::
 bool hangsOnFilter(const Oracle& oracle, const std::optional<Oracle::Hit>& visible,
                    const glm::dvec2& center) {
     const double depth = visible ? visible->depth : std::numeric_limits<double>::infinity();
-    const std::vector<std::uint32_t> met = oracle.candidates(
-        glm::dvec3(0.0), pixelDirection(oracle.question(), center.x, center.y), false);
+    const PixelRay ray = pixelRay(oracle.question(), center.x, center.y);
+    const std::vector<std::uint32_t> met = oracle.candidates(ray.origin, ray.direction, false);
     return std::any_of(met.begin(), met.end(), [&](std::uint32_t triangle) {
         return oracle.isHoleByFilter(oracle.triangles()[triangle], center.x, center.y, depth);
     });

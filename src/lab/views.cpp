@@ -59,7 +59,7 @@ SurfacePoint surfacePoint(const Scene& scene, Draw& draw) {
 } // namespace
 
 std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovDegrees,
-                              double aspect) {
+                              double aspect, std::optional<double> height) {
     const Box box = worldBounds(scene);
     const glm::dvec3 center = box.center();
     const double size = std::max(box.diagonal(), 1e-9);
@@ -80,7 +80,7 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
     std::vector<LabView> views;
     for (std::size_t i = 0; i < count; ++i) {
         LabView view;
-        view.camera = {outside(draw.between(0.6, 1.1)), center, fovDegrees};
+        Camera camera{outside(draw.between(0.6, 1.1)), center, fovDegrees};
         std::string kind;
         switch (i % 6) {
         case 0:
@@ -89,8 +89,8 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
             break;
         case 1:
             kind = "inside, point light inside";
-            view.camera.from = inBox();
-            view.camera.to = inBox();
+            camera.from = inBox();
+            camera.to = inBox();
             view.light = point(inBox());
             break;
         case 2:
@@ -105,20 +105,21 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
         }
         case 4:
             kind = "inside, sun";
-            view.camera.from = inBox();
-            view.camera.to = inBox();
+            camera.from = inBox();
+            camera.to = inBox();
             view.light = sun(draw.direction(0.3, 0.9));
             break;
         default: {
             kind = "close to a surface, point light outside";
             const SurfacePoint surface = surfacePoint(scene, draw);
-            view.camera.from = surface.point + 0.05 * size * surface.normal;
-            view.camera.to = surface.point + 0.02 * size * draw.direction(-1.0, 1.0);
+            camera.from = surface.point + 0.05 * size * surface.normal;
+            camera.to = surface.point + 0.02 * size * draw.direction(-1.0, 1.0);
             view.light = point(center + size * draw.between(0.5, 1.5) * draw.direction(0.2, 0.9));
             break;
         }
         }
         view.name = std::to_string(i) + ": " + kind;
+        view.frustum = frustumOf(camera, aspect, height);
         views.push_back(view);
     }
     return views;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/frustum.hpp"
 #include "src/shadow/geometry/light.hpp"
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace edgeshade::lab {
 
-/// A camera and a light to compare from, and what kind of view it is.
+/// What to see and a light to compare by, and what kind of view it is.
 struct LabView {
     std::string name; ///< e.g. "3: inside, point light inside"
-    Camera camera;
+    Frustum frustum;
     Light light;
 };
 
 /// `count` views around and inside the scene, in turn: from outside with a light above; from
 /// inside with a light inside; from outside with a grazing sun; from outside with a light close to
 /// a surface; from inside with a sun; close to a surface with a light outside. The same scene and
-/// count give the same views.
+/// count give the same views. `height`: of orthographic ones, in scene units; nothing: perspective.
 std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovDegrees,
-                              double aspect);
+                              double aspect, std::optional<double> height = {});
 
 } // namespace edgeshade::lab

@@ -168,7 +168,7 @@ void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
 void Viewer::Parts::draw() {
     Stopwatch watch;
     FrameRequest request;
-    request.camera = state.camera;
+    request.frustum = frustumOf(state.camera, stage.aspect());
     request.width = stage.width;
     request.height = stage.height;
     request.lights = state.lights;

@@ -33,8 +33,8 @@ Task taskFor(const LoadedScene& loaded) {
     task.width = task.height = 32;
     task.frames = 6;
     task.warmUp = 1;
-    task.cameraAt = [flight = Flythrough(worldBounds(loaded.scene), 45.0, 1.0)](double share) {
-        return flight.cameraAt(share);
+    task.frustumAt = [flight = Flythrough(worldBounds(loaded.scene), 45.0, 1.0)](double share) {
+        return frustumOf(flight.cameraAt(share), 1.0);
     };
     task.lights = {pointLight({2.0, 6.0, 3.0})};
     for (const ShadowMethod shadows :
@@ -143,7 +143,7 @@ std::vector<std::uint8_t> pictureOf(ShadowMethod shadows, StageClock* clock) {
     Renderer renderer(settings, context.capabilities());
     const GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
     FrameRequest request;
-    request.camera = {{6.0, 5.0, 7.0}, {0.0, 0.0, 0.0}, 45.0};
+    request.frustum = frustumOf({{6.0, 5.0, 7.0}, {0.0, 0.0, 0.0}, 45.0}, 1.0);
     request.width = request.height = 64;
     request.lights = {pointLight({2.0, 6.0, 3.0})};
     request.depth.slices = 1;

@@ -5,6 +5,7 @@
 #include "tests/support/headless.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Extreme {
     std::string provokes;
     std::function<LoadedScene()> load; ///< drawn only when the case runs
     Camera camera{{5, 4, 6}, {0, 0.5, 0}, 50.0};
+    std::optional<Frustum> frustum{}; ///< in place of the camera's
     std::vector<Light> lights = {pointLight({0.6, 5, 0.3})};
     int width = 320;
     int height = 240;
@@ -24,6 +26,11 @@ struct Extreme {
     std::size_t leastTriangles = 0; ///< the scene must have
     double mostWrongPercent = 0.5;  ///< of the visible pixels, boundaries and ties included
     bool takesLong = false;         ///< over 20 s
+
+    /// What is seen.
+    Frustum seen() const {
+        return frustum.value_or(frustumOf(camera, static_cast<double>(width) / height));
+    }
 };
 
 /// The themes of the table.

@@ -32,7 +32,7 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
     plain.shadows = ShadowMethod::none;
     FrameView frame = makeFrameView(
         scene.scene, scene.settings.castMasked,
-        {extreme.camera, extreme.width, extreme.height, extreme.lights, extreme.depth});
+        {extreme.seen(), extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
     const GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
     const auto draw = [&](const RenderSettings& settings, const FrameView& view,

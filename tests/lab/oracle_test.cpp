@@ -20,7 +20,8 @@ const lab::AlphaLookup solid{[](const lab::EyeTriangle&, double, double) { retur
 lab::Question above(const Scene& scene, double half, int size, const Light& light) {
     lab::Question question;
     question.scene = &scene;
-    question.camera = {{0, 20, 0}, {0, 0, 0}, glm::degrees(2.0 * std::atan(half / 20.0))};
+    question.frustum =
+        frustumOf({{0, 20, 0}, {0, 0, 0}, glm::degrees(2.0 * std::atan(half / 20.0))}, 1.0);
     question.lights = {light};
     question.width = question.height = size;
     return question;
@@ -91,13 +92,13 @@ TEST(Oracle, AgreesWithBruteForceAndWithItsExactJudge) {
                             .scene();
     lab::Question question;
     question.scene = &scene;
-    question.camera = {{5, 4, 6}, {0, 0.5, 0}, 50.0};
+    question.frustum = frustumOf({{5, 4, 6}, {0, 0.5, 0}, 50.0}, 4.0 / 3.0);
     question.lights = {pointLight({0.3, 4, 0.7})};
     question.width = 120;
     question.height = 90;
     const Oracle oracle(question, solid);
     const auto answers = lab::traceAll(oracle, {});
-    const auto expected = test::castMask(scene, question.camera, question.lights[0], 120, 90, 0.0);
+    const auto expected = test::castMask(scene, question.frustum, question.lights[0], 120, 90, 0.0);
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const Answer wanted{expected[i] != test::Answer::nothing,
                             expected[i] == test::Answer::lit ? 1u : 0u};
@@ -120,7 +121,8 @@ TEST(Oracle, WhatItCallsCertainIsExactlyTrue) {
                 test::yard().placedBy(glm::translate(glm::dmat4(1.0), offset)).scene();
             lab::Question question;
             question.scene = &scene;
-            question.camera = {glm::dvec3(5, 1, 4) + offset, glm::dvec3(0, 1, 1) + offset, 60.0};
+            question.frustum = frustumOf(
+                {glm::dvec3(5, 1, 4) + offset, glm::dvec3(0, 1, 1) + offset, 60.0}, 4.0 / 3.0);
             question.lights = {{light.position + glm::dvec4(offset * light.position.w, 0.0)}};
             question.width = 32;
             question.height = 24;

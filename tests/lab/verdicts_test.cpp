@@ -19,12 +19,13 @@ constexpr std::size_t pixelCount = std::size_t{size} * size;
 /// A lit floor that fills the picture, with pictures that are right everywhere.
 struct Fixture {
     Scene scene = SceneBuilder().floor(50).scene();
+    Camera camera{{0, 10, 0}, {0, 0, 0}, 45.0};
     lab::Question question;
     lab::Pictures pictures;
 
     Fixture() {
         question.scene = &scene;
-        question.camera = {{0, 10, 0}, {0, 0, 0}, 45.0};
+        question.frustum = frustumOf(camera, 1.0);
         question.lights = {pointLight({1, 8, 2})};
         question.width = question.height = size;
         pictures.mask.assign(4 * pixelCount, 255);
@@ -85,7 +86,7 @@ TEST(Verdicts, AMissingSurfaceIsWrongInTheMask) {
 TEST(Verdicts, WhatTheProgramDrawsIsRight) {
     Fixture fixture;
     fixture.scene = SceneBuilder().floor(50).box({-1, 1, -1}, {1, 2, 1}).scene();
-    test::TestView view{fixture.question.camera, fixture.question.lights, size, size};
+    test::TestView view{fixture.camera, fixture.question.lights, size, size};
     fixture.pictures.image = test::drawScene(fixture.scene, view, {});
     view.mask = true;
     fixture.pictures.mask = test::drawScene(fixture.scene, view, {});

@@ -9,7 +9,7 @@ namespace {
 /// Normalised device x and y of a world point.
 glm::dvec2 project(const Camera& camera, double aspect, const glm::dvec3& point) {
     const glm::dvec4 clip =
-        clipFromView(camera, aspect, 0.1) * viewFromWorld(camera) * glm::dvec4(point, 1.0);
+        clipFromView(frustumOf(camera, aspect), 0.1) * viewFromWorld(camera) * glm::dvec4(point, 1.0);
     return glm::dvec2(clip) / clip.w;
 }
 
@@ -45,7 +45,7 @@ TEST(Camera, DirectionsLieOnTheFarPlaneBitForBit) {
     const auto vector = [&] { return glm::dvec3(normal(random), normal(random), normal(random)); };
     for (int i = 0; i < 10000; ++i) {
         const Camera camera{100.0 * vector(), vector(), 45.0};
-        const glm::mat4 clip(clipFromView(camera, 1.5, 0.01) * viewFromWorld(camera));
+        const glm::mat4 clip(clipFromView(frustumOf(camera, 1.5), 0.01) * viewFromWorld(camera));
         const glm::vec3 d(vector());
         const glm::vec4 far = clip[0] * d.x + clip[1] * d.y + clip[2] * d.z + clip[3] * 0.0f;
         ASSERT_EQ(far.z, far.w);

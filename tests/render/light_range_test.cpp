@@ -29,7 +29,7 @@ Light lamp(const glm::dvec3& position, double range) {
 
 FrameView viewFrom(const Camera& camera, double near, double farthest) {
     FrameView view;
-    view.camera = camera;
+    view.frustum = frustumOf(camera, static_cast<double>(width) / height);
     view.width = width;
     view.height = height;
     view.slices = {{near, std::numeric_limits<double>::infinity()}};
@@ -53,7 +53,7 @@ TEST(LightReach, HoldsEveryVisiblePointOfTheBall) {
         crossing += std::abs(depth - near) < light.range;
         small += !reach.empty() && reach.width * reach.height < width * height / 4;
         const glm::dmat4 clipFromWorld =
-            clipFromView(camera, static_cast<double>(width) / height, near) * viewFromWorld(camera);
+            clipFromView(view.frustum, near) * view.frustum.viewFromWorld;
         for (int p = 0; p < 60; ++p) {
             // On the ball or within it.
             const glm::dvec3 direction = glm::normalize(random.inCube());
@@ -230,7 +230,7 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
     const LoadedScene loaded{{}, builder.scene(), {}, buildAdapted(builder.scene(), false), {}, {}};
     const FrameView view =
         makeFrameView(loaded.scene, loaded.settings.castMasked,
-                      {{{0, 6, 14}, {0, 0, 0}, 60.0}, width, height, {light}, {}});
+                      {frustumOf({{0, 6, 14}, {0, 0, 0}, 60.0}, static_cast<double>(width) / height), width, height, {light}, {}});
     const GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     glScissor(1, 2, 3, 4);

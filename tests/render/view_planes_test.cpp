@@ -18,7 +18,8 @@ constexpr int width = 240, height = 180;
 
 FrameView randomView(Random& random) {
     FrameView view;
-    view.camera = {3.0 * random.inCube(), 3.0 * random.inCube(), random.uniform(5, 150)};
+    view.frustum = frustumOf({3.0 * random.inCube(), 3.0 * random.inCube(), random.uniform(5, 150)},
+                             static_cast<double>(width) / height);
     view.width = width;
     view.height = height;
     const double near = random.magnitude(-3, 0);
@@ -39,8 +40,7 @@ glm::dmat4 randomPlace(Random& random) {
 bool isShown(const glm::dvec4& inWorld, const FrameView& view) {
     const DepthSlice& slice = view.slices[0];
     const glm::dvec4 clip =
-        clipFromView(view.camera, static_cast<double>(width) / height, slice.near) *
-        viewFromWorld(view.camera) * inWorld;
+        view.clipFromView(slice) * view.frustum.viewFromWorld * inWorld;
     return std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && -clip.w <= clip.z &&
            clip.w <= std::min(slice.far, view.farthestDepth);
 }

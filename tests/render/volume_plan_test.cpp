@@ -64,7 +64,7 @@ ShadowCluster clusterAt(const glm::dvec3& center, double halfSize, bool closed =
 /// From the origin along -z, 60 degrees both ways, from 0.1 to 100.
 FrameView viewAlongZ() {
     FrameView view;
-    view.camera = {{0, 0, 0}, {0, 0, -1}, 60.0};
+    view.frustum = frustumOf({{0, 0, 0}, {0, 0, -1}, 60.0}, 1.0);
     view.width = view.height = 64;
     view.slices = {{0.1, std::numeric_limits<double>::infinity()}};
     view.farthestDepth = 100.0;
@@ -376,8 +376,8 @@ TEST(VolumePlan, EndsHaveTheEyeAndAllThatIsVisibleOnTheLightsSide) {
     std::size_t ends = 0;
     for (int i = 0; i < 5'000; ++i) {
         FrameView view = viewAlongZ();
-        view.camera.from = 20.0 * random.inCube();
-        view.camera.to = view.camera.from + random.inCube();
+        const glm::dvec3 from = 20.0 * random.inCube();
+        view.frustum = frustumOf({from, from + random.inCube(), 60.0}, 1.0);
         const glm::dvec3 middle = 10.0 * random.inCube();
         view.visible = boxAround(middle, random.magnitude(-1, 1));
         view.farthestDepth = 100.0;
@@ -390,7 +390,7 @@ TEST(VolumePlan, EndsHaveTheEyeAndAllThatIsVisibleOnTheLightsSide) {
         for (const glm::dvec4& end : here.ends) {
             ++ends;
             EXPECT_NEAR(glm::dot(end, here.light), 1.0, 1e-9);
-            EXPECT_GT(glm::dot(end, glm::dvec4(here.eye, 1.0)), 0.0);
+            EXPECT_GT(glm::dot(end, here.eye), 0.0);
             for (const glm::dvec3& corner : here.fromNear.corners)
                 EXPECT_GT(glm::dot(end, glm::dvec4(corner, 1.0)), 0.0);
             if (&end == &here.ends.front())

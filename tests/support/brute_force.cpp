@@ -67,22 +67,26 @@ bool isLit(const std::vector<WorldTriangle>& triangles, std::size_t own, const g
 
 } // namespace
 
-std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Light& light,
+std::vector<Answer> castMask(const Scene& scene, const Frustum& frustum, const Light& light,
                              int width, int height, double near, bool castMasked) {
     const auto triangles = worldTriangles(scene, castMasked);
-    const glm::dmat3 worldFromView = glm::transpose(glm::dmat3(viewFromWorld(camera)));
-    const double tangent = std::tan(glm::radians(0.5 * camera.fovDegrees));
+    const glm::dmat4 worldFromView = glm::inverse(frustum.viewFromWorld);
+    const bool parallel = frustum.orthographic;
     std::vector<Answer> answers;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const double right = (2.0 * (x + 0.5) / width - 1.0) * tangent * width / height;
-            const double up = (1.0 - 2.0 * (y + 0.5) / height) * tangent;
-            const glm::dvec3 direction = worldFromView * glm::dvec3(right, up, -1.0);
+            const glm::dvec2 window = frustum.windowAt(
+                {2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height});
+            const glm::dvec3 origin(worldFromView *
+                                    glm::dvec4(parallel ? window : glm::dvec2(0.0), 0.0, 1.0));
+            const glm::dvec3 direction =
+                glm::dmat3(worldFromView) *
+                glm::dvec3(parallel ? glm::dvec2(0.0) : window, -1.0);
             double nearest = INFINITY;
             std::size_t own = 0;
             for (std::size_t i = 0; i < triangles.size(); ++i) {
                 const double t =
-                    triangles[i].visible ? hit(triangles[i], camera.from, direction) : -1.0;
+                    triangles[i].visible ? hit(triangles[i], origin, direction) : -1.0;
                 if (t >= near && t < nearest) {
                     nearest = t;
                     own = i;
@@ -92,14 +96,21 @@ std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Lig
                 answers.push_back(Answer::nothing);
                 continue;
             }
-            const glm::dvec3 point = camera.from + nearest * direction;
+            const glm::dvec3 point = origin + nearest * direction;
             const bool reached =
                 !light.hasRange() || glm::distance(point, glm::dvec3(light.position)) < light.range;
-            answers.push_back(reached && isLit(triangles, own, point, camera.from, light.position)
+            const glm::dvec3 eye = parallel ? point - direction : origin;
+            answers.push_back(reached && isLit(triangles, own, point, eye, light.position)
                                   ? Answer::lit
                                   : Answer::shadow);
         }
     return answers;
+}
+
+std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Light& light,
+                             int width, int height, double near, bool castMasked) {
+    return castMask(scene, frustumOf(camera, static_cast<double>(width) / height), light, width,
+                    height, near, castMasked);
 }
 
 bool isFlat(const std::vector<Answer>& answers, int width, int height, int x, int y) {

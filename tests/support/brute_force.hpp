@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/frustum.hpp"
 #include "src/shadow/geometry/light.hpp"
 
 #include <vector>
@@ -14,6 +14,8 @@ enum class Answer : std::uint8_t { nothing, shadow, lit };
 /// docs/method.md, C30. `castMasked`: MASK and BLEND triangles block light; MASK surfaces are
 /// visible where their factor's alpha reaches the cutoff, BLEND ones never. Surfaces nearer than
 /// `near` along the viewing direction are not visible, but cast. Rows top to bottom.
+std::vector<Answer> castMask(const Scene& scene, const Frustum& frustum, const Light& light,
+                             int width, int height, double near, bool castMasked = false);
 std::vector<Answer> castMask(const Scene& scene, const Camera& camera, const Light& light,
                              int width, int height, double near, bool castMasked = false);
 

@@ -26,7 +26,7 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
     const LoadedScene loaded{{}, scene, {}, buildAdapted(scene, castMasked), {}, {0.0, castMasked}};
     FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
-                                   {test.camera, test.width, test.height, test.lights, test.depth});
+                                   {test.seen(), test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;
     view.drawnLights = test.drawnLights;
     if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);

@@ -28,6 +28,12 @@ struct TestView {
     DepthChoice depth{};
     std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn
     bool nearDiscard = true;         ///< false: front caps are never cut, which is a fault
+    std::optional<Frustum> frustum{}; ///< in place of the camera's
+
+    /// What is seen.
+    Frustum seen() const {
+        return frustum.value_or(frustumOf(camera, static_cast<double>(width) / height));
+    }
 };
 
 /// A picture of the scene, RGBA rows top to bottom, drawn by a context of its own.

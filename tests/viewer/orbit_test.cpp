@@ -22,7 +22,7 @@ TEST(PictureView, APointIsSeenWhereItsRayGoes) {
 
 TEST(PictureView, PixelsAreThoseOfTheRenderer) {
     const glm::dvec3 point(0.7, -0.4, 1.1);
-    const glm::dvec4 clip = clipFromView(view.camera, view.aspect(), 0.1) *
+    const glm::dvec4 clip = clipFromView(frustumOf(view.camera, view.aspect()), 0.1) *
                             viewFromWorld(view.camera) * glm::dvec4(point, 1.0);
     const glm::dvec2 pixel(400 * (1 + clip.x / clip.w), 300 * (1 - clip.y / clip.w));
     EXPECT_LT(glm::distance(view.pixelOf(point), pixel), 1e-9);

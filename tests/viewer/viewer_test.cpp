@@ -157,7 +157,7 @@ TEST_F(ViewerTest, ALightDraggedByItsHandleShadesFromThere) {
     Pointer pointer;
     // Where a handle is: the place that the wheel and a drag agree on.
     const glm::dvec4 clip =
-        clipFromView(viewer.state().camera, static_cast<double>(width) / height, 0.1) *
+        clipFromView(frustumOf(viewer.state().camera, static_cast<double>(width) / height), 0.1) *
         viewFromWorld(viewer.state().camera) * viewer.state().lights[0].position;
     pointer.x = 0.5 * width * (1 + clip.x / clip.w);
     pointer.y = 0.5 * height * (1 - clip.y / clip.w);

@@ -6,13 +6,11 @@
 namespace edgeshade {
 
 BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthSlice& slice) {
-    const double aspect = static_cast<double>(view.width) / view.height;
-    const glm::dmat4 clipFromWorld =
-        clipFromView(view.camera, aspect, slice.near) * viewFromWorld(view.camera);
+    const glm::dmat4 clipFromWorld = view.clipFromView(slice) * view.frustum.viewFromWorld;
     BatchView result;
     result.clipFromObject = glm::mat4(clipFromWorld * batch.worldFromBatch);
     result.eyeOffsetFromObject =
-        glm::mat4(glm::translate(glm::dmat4(1.0), -view.camera.from) * batch.worldFromBatch);
+        glm::mat4(glm::translate(glm::dmat4(1.0), -view.frustum.position()) * batch.worldFromBatch);
     result.normalFromObject = glm::mat3(glm::inverseTranspose(glm::dmat3(batch.worldFromBatch)));
     result.planes = viewPlanes(view, slice, batch.worldFromBatch);
     result.mirrored = batch.mirrored();

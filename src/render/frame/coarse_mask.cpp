@@ -15,10 +15,9 @@ constexpr double slopeOfCurves = 0.5;
 
 /// The planes' space of a picture of this size.
 PlaneSpace planeSpace(const FrameView& view, const DepthSlice& slice, const glm::dvec2& size) {
-    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
-    const glm::dvec2 tangents(up * view.width / view.height, up);
-    return {glm::vec2(tangents), glm::vec2(size / (2.0 * tangents)),
-            static_cast<float>(slice.near)};
+    const glm::dvec2 window = view.frustum.size();
+    return {glm::vec2(0.5 * window), glm::vec2(0.5 * (view.frustum.low + view.frustum.high)),
+            glm::vec2(size / window), static_cast<float>(slice.near)};
 }
 
 } // namespace
@@ -92,7 +91,7 @@ CoarseMaskLookup CoarseMask::lookup(const FrameView& view, const DepthSlice& sli
     lookup.size = glm::vec2(size_);
     lookup.texel = glm::vec2(picture / glm::dvec2(size_));
     lookup.slack = static_cast<float>(slopeOfCurves * scale_) / lookup.space.focal.y;
-    glm::dvec4 inView = viewFromWorld(view.camera) * light.position;
+    glm::dvec4 inView = view.frustum.viewFromWorld * light.position;
     inView.z = -inView.z;
     // A sun's direction is scaled so that no double leaves the range of floats.
     const double unit =

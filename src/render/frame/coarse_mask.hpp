@@ -9,7 +9,8 @@ namespace edgeshade {
 
 /// How planes are stored: see shaders_es2/coarse_plane.glsl.
 struct PlaneSpace {
-    glm::vec2 tangents{1.0f}; ///< of half the picture's angles, across and up
+    glm::vec2 tangents{1.0f}; ///< half the picture's window, across and up, a unit of depth
+    glm::vec2 middle{0.0f};   ///< of the window
     glm::vec2 focal{1.0f};    ///< fragments a unit of tangent
     float near = 1.0f;
 };

@@ -12,6 +12,12 @@ namespace {
 /// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
 constexpr double sliceOverlap = 1.0001;
 
+/// How far away a point is, for what is drawn from far to near.
+double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
+    return frustum.orthographic ? depthOf(frustum, point)
+                                : glm::distance(frustum.position(), point);
+}
+
 VolumesOfBatch volumesOfScene(const GpuScene& scene) {
     return
         [&scene](std::size_t batch) -> const BatchVolumes& { return scene.batches[batch].volumes; };
@@ -94,6 +100,7 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
 
 std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading) {
     std::size_t runs = 0;
+    const glm::dvec3 eye = pass.view.frustum.position();
     for (const GpuBatch& batch : pass.scene.batches) {
         if (batch.hidden) continue;
         BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
@@ -101,7 +108,7 @@ std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shadi
             batchView.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             runs +=
-                surfaces_.draw(pass.scene, batch, batchView, pass.view.camera.from, shading, kind);
+                surfaces_.draw(pass.scene, batch, batchView, eye, shading, kind);
     }
     return runs;
 }
@@ -326,7 +333,7 @@ void Renderer::drawBlended(const Pass& pass) {
             const bool blends = pass.scene.materials[chunk.material].alphaMode == AlphaMode::blend;
             if (!blends || batch.hidden) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
-            items.push_back({glm::distance(center, pass.view.camera.from), &chunk,
+            items.push_back({distanceFrom(pass.view.frustum, center), &chunk,
                              batchViewOf(batch, pass.view, pass.slice)});
         }
     std::stable_sort(items.begin(), items.end(),
@@ -343,7 +350,7 @@ void Renderer::drawBlended(const Pass& pass) {
     shading.ambient = 1.0f; // what is see-through takes no part in shadows
     shading.farthest = static_cast<float>(pass.slice.far);
     for (const Item& item : items)
-        surfaces_.drawChunk(pass.scene, *item.chunk, item.view, pass.view.camera.from, shading);
+        surfaces_.drawChunk(pass.scene, *item.chunk, item.view, pass.view.frustum.position(), shading);
 }
 
 void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {

@@ -54,6 +54,7 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
 
 void setPlaneSpace(gl::Program& program, const PlaneSpace& space) {
     program.set("u_tangents", space.tangents);
+    program.set("u_middle", space.middle);
     program.set("u_focal", space.focal);
     program.set("u_near", space.near);
 }

@@ -56,7 +56,7 @@ void VolumeTintPass::draw(const GpuScene& scene, const FrameView& view, const Li
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         if (scene.batches[i].hidden) continue;
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            surfaces_.draw(scene, scene.batches[i], batchViews[i], view.camera.from,
+            surfaces_.draw(scene, scene.batches[i], batchViews[i], view.frustum.position(),
                            SurfaceShading(), kind);
     }
 

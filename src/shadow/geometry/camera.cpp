@@ -4,13 +4,10 @@
 #include <cmath>
 
 namespace edgeshade {
-namespace {
 
 double tangentOfHalfFov(double fovDegrees) {
     return std::tan(glm::radians(0.5 * fovDegrees));
 }
-
-} // namespace
 
 glm::dmat4 viewFromWorld(const Camera& camera) {
     const glm::dvec3 forward = glm::normalize(camera.to - camera.from);
@@ -24,17 +21,6 @@ glm::dmat4 viewFromWorld(const Camera& camera) {
     view[3] = {-glm::dot(right, camera.from), -glm::dot(upward, camera.from),
                glm::dot(forward, camera.from), 1.0};
     return view;
-}
-
-glm::dmat4 clipFromView(const Camera& camera, double aspect, double near) {
-    const double t = tangentOfHalfFov(camera.fovDegrees);
-    glm::dmat4 clip(0.0);
-    clip[0][0] = 1.0 / (t * aspect);
-    clip[1][1] = 1.0 / t;
-    clip[2][2] = -1.0;
-    clip[2][3] = -1.0;
-    clip[3][2] = -2.0 * near;
-    return clip;
 }
 
 Camera framingCamera(const Box& box, double fovDegrees, double aspect) {
@@ -52,10 +38,7 @@ Camera framingCamera(const Box& box, double fovDegrees, double aspect,
     // As near as every corner of the box allows.
     double distance = std::max(1e-6 * box.diagonal(), 1e-9);
     for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
-        const glm::dvec3 point(corner & 1 ? box.high.x : box.low.x,
-                               corner & 2 ? box.high.y : box.low.y,
-                               corner & 4 ? box.high.z : box.low.z);
-        const glm::dvec3 offset = glm::dmat3(view) * (point - box.center());
+        const glm::dvec3 offset = glm::dmat3(view) * (box.corner(corner) - box.center());
         distance = std::max({distance, offset.z + std::abs(offset.x) / tangentX,
                              offset.z + std::abs(offset.y) / tangentY});
     }

@@ -17,9 +17,8 @@ struct Camera {
 /// World to camera space (x right, y up, looking along -z).
 glm::dmat4 viewFromWorld(const Camera& camera);
 
-/// Camera to clip space with the far plane at infinity: a direction's z equals its w bit for bit.
-/// `aspect`: width over height; `near` > 0.
-glm::dmat4 clipFromView(const Camera& camera, double aspect, double near);
+/// Half the picture's height a unit of depth.
+double tangentOfHalfFov(double fovDegrees);
 
 /// A camera that sees the whole box from slightly above.
 Camera framingCamera(const Box& box, double fovDegrees, double aspect);

@@ -9,6 +9,19 @@ namespace {
 constexpr double slicePays = 64.0; // ratio of depths from which one more slice is worth it
 constexpr int mostSlices = 8;
 
+/// Room before and behind the scene in an orthographic picture, as a share of its size.
+constexpr double orthographicMargin = 1e-2;
+
+/// The depths of all of the scene, with some room.
+DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
+    if (bounds.empty()) return {1.0, 2.0};
+    DepthRange range;
+    for (int corner = 0; corner < 8; ++corner)
+        range.add(depthOf(frustum, bounds.corner(corner)));
+    const double margin = orthographicMargin * std::max(bounds.diagonal(), 1e-9);
+    return {range.nearest - margin, range.farthest + margin};
+}
+
 } // namespace
 
 double fittedNear(double nearest, double diagonal) {
@@ -42,15 +55,14 @@ FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest&
 
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds) {
     FrameView view;
-    view.camera = request.camera;
+    view.frustum = standingBack(request.frustum, bounds);
     view.width = request.width;
     view.height = request.height;
     view.lights = request.lights;
     view.bounds = bounds;
-    const double aspect = static_cast<double>(request.width) / request.height;
     DepthRange range;
     for (const Batch& batch : scene.batches) {
-        const VisiblePart part = visiblePart(batch, request.camera, aspect);
+        const VisiblePart part = visiblePart(batch, view.frustum);
         const DepthRange& own = part.depth;
         view.nearestDepths.push_back(own.nearest);
         if (own.nearest > own.farthest) continue;
@@ -61,9 +73,15 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
         range.add(own.nearest);
         range.add(own.farthest);
     }
+    view.farthestDepth = range.farthest;
+    if (view.frustum.orthographic) {
+        const DepthRange all = wholeDepth(view.frustum, bounds);
+        view.slices = {DepthSlice{.near = all.nearest}};
+        view.farPlane = all.farthest;
+        return view;
+    }
     const double near =
         request.depth.near.value_or(fittedNear(range.nearest, view.bounds.diagonal()));
-    view.farthestDepth = range.farthest;
     view.slices = divideDepth(near, range.farthest, request.depth.slices);
     return view;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/frustum.hpp"
 #include "src/shadow/geometry/layer_bound.hpp"
 #include "src/shadow/geometry/light.hpp"
 #include "src/shadow/geometry/visible_depth.hpp"
@@ -24,7 +24,7 @@ struct DepthChoice {
 
 /// What a user asks to see.
 struct FrameRequest {
-    Camera camera;
+    Frustum frustum;
     int width = 1;
     int height = 1;
     std::vector<Light> lights;
@@ -33,12 +33,13 @@ struct FrameRequest {
 
 /// What one frame shows, with all that is worked out on the CPU for it.
 struct FrameView {
-    Camera camera;
+    Frustum frustum; ///< with all that there is before the camera, see standingBack()
     int width = 1;
     int height = 1;
     std::vector<Light> lights;         ///< at least one
     Box bounds{};                      ///< of the scene; shadow maps are fitted to it
-    std::vector<DepthSlice> slices;    ///< from far to near, at least one
+    std::vector<DepthSlice> slices;    ///< from far to near, at least one; orthographic: one
+    double farPlane = std::numeric_limits<double>::infinity(); ///< finite where orthographic
     double farthestDepth = 0.0;        ///< of what is visible
     std::vector<double> nearestDepths; ///< of each batch, visiblePart()
     Box visible{}; ///< of what is visible, in the world; empty: nothing is known of it
@@ -50,12 +51,18 @@ struct FrameView {
     bool drawBlended = true;         ///< BLEND surfaces are drawn
 
     double near() const { return slices.back().near; }
+    /// Camera to clip space, for a slice of it.
+    glm::dmat4 clipFromView(const DepthSlice& slice) const {
+        return edgeshade::clipFromView(frustum, slice.near, farPlane);
+    }
 };
 
 constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit stencil
 
 /// Works out the near plane, the depth slices and the stencil layers. Takes time linear in the
-/// triangles. `castMasked` as in CasterSettings.
+/// triangles. `castMasked` as in CasterSettings. An orthographic picture has one slice, since its
+/// depths are told apart alike everywhere, which holds the whole scene: no volume is cut by its near
+/// plane or its far plane where it matters.
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request);
 
 /// The same without layers, for callers that draw many frames: they keep the scene's `bounds`, and

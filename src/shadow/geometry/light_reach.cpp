@@ -36,10 +36,11 @@ Interval slopesOver(double x, double depth, double radius, double near) {
     return slopes;
 }
 
-/// First pixel and count of those that the slopes fall on, one more on both sides.
-std::pair<int, int> pixelsOf(const Interval& slopes, double tangent, int count) {
+/// First pixel and count of those that the slopes fall on, one more on both sides. `low`, `high`: the
+/// window's ends.
+std::pair<int, int> pixelsOf(const Interval& slopes, double low, double high, int count) {
     const auto pixel = [&](double slope) {
-        return std::clamp((0.5 * slope / tangent + 0.5) * count, -2.0, count + 2.0);
+        return std::clamp((slope - low) / (high - low) * count, -2.0, count + 2.0);
     };
     const int first = std::max(0, static_cast<int>(std::floor(pixel(slopes.low))) - 1);
     const int end = std::min(count, static_cast<int>(std::ceil(pixel(slopes.high))) + 1);
@@ -48,10 +49,9 @@ std::pair<int, int> pixelsOf(const Interval& slopes, double tangent, int count) 
 
 /// Those of a picture, in both directions; empty where there are none.
 PixelRectangle pixelsOf(const Slopes& slopes, const FrameView& view) {
-    const double up = std::tan(glm::radians(0.5 * view.camera.fovDegrees));
-    const double right = up * view.width / view.height;
-    const auto [x, width] = pixelsOf(slopes.right, right, view.width);
-    const auto [y, height] = pixelsOf(slopes.up, up, view.height);
+    const glm::dvec2 &low = view.frustum.low, &high = view.frustum.high;
+    const auto [x, width] = pixelsOf(slopes.right, low.x, high.x, view.width);
+    const auto [y, height] = pixelsOf(slopes.up, low.y, high.y, view.height);
     if (width == 0 || height == 0) return {};
     return {x, y, width, height};
 }
@@ -65,10 +65,14 @@ PixelRectangle visiblePixels(const FrameView& view) {
 
 PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light) {
     if (!light.hasRange()) return {0, 0, view.width, view.height};
-    const glm::dvec3 center(viewFromWorld(view.camera) * light.position);
+    const glm::dvec3 center(view.frustum.viewFromWorld * light.position);
     const double depth = -center.z, radius = widening * light.range;
     const double farthest = std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
     if (depth + radius < slice.near || depth - radius > farthest) return {};
+    if (view.frustum.orthographic)
+        return pixelsOf({{center.x - radius, center.x + radius},
+                         {center.y - radius, center.y + radius}},
+                        view);
     return pixelsOf({slopesOver(center.x, depth, radius, slice.near),
                      slopesOver(center.y, depth, radius, slice.near)},
                     view);

@@ -1,15 +1,15 @@
 #include "src/shadow/geometry/view_planes.hpp"
 
 #include <algorithm>
+#include <glm/gtc/matrix_access.hpp>
 
 namespace edgeshade {
 
 ViewPlanes viewPlanes(const FrameView& view, const DepthSlice& slice,
                       const glm::dmat4& worldFromBatch) {
-    const double aspect = static_cast<double>(view.width) / view.height;
-    const glm::dmat4 rows = glm::transpose(clipFromView(view.camera, aspect, slice.near) *
-                                           viewFromWorld(view.camera) * worldFromBatch);
-    glm::dvec4 farthest = -rows[3]; // depth is w
+    const glm::dmat4 viewFromBatch = view.frustum.viewFromWorld * worldFromBatch;
+    const glm::dmat4 rows = glm::transpose(view.clipFromView(slice) * viewFromBatch);
+    glm::dvec4 farthest = glm::row(viewFromBatch, 2); // depth is -z
     farthest.w += std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
     return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
             rows[3] - rows[1], rows[3] + rows[2], farthest};

@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr double widening = 1.001; // of the pyramid, against rounding
+constexpr double widening = 1.001; // of the window, against rounding
 
 /// How far a GL may place the points off, in the view.
 double placingErrorOf(const std::vector<glm::vec3>& positions, const glm::dmat4& viewFromBatch) {
@@ -26,65 +26,88 @@ double placingErrorOf(const std::vector<glm::vec3>& positions, const glm::dmat4&
     return placingError * largest;
 }
 
-/// The slopes that points of the picture's pyramid get, each placed up to `error` off.
+/// A window that is wider by `widening` on each side.
+Frustum widened(Frustum frustum) {
+    const glm::dvec2 more = 0.5 * (widening - 1.0) * frustum.size();
+    frustum.low -= more;
+    frustum.high += more;
+    return frustum;
+}
+
+/// Of the frustum in camera space: dot(normal, p) + offset >= 0 inside.
+struct Side {
+    glm::dvec3 normal;
+    double offset;
+};
+std::array<Side, 5> sidesOf(const Frustum& frustum) {
+    const glm::dvec2 &low = frustum.low, &high = frustum.high;
+    const Side front = {{0.0, 0.0, -1.0}, 0.0};
+    if (frustum.orthographic)
+        return {Side{{1.0, 0.0, 0.0}, -low.x}, Side{{-1.0, 0.0, 0.0}, high.x},
+                Side{{0.0, 1.0, 0.0}, -low.y}, Side{{0.0, -1.0, 0.0}, high.y}, front};
+    return {Side{{1.0, 0.0, low.x}, 0.0}, Side{{-1.0, 0.0, -high.x}, 0.0},
+            Side{{0.0, 1.0, low.y}, 0.0}, Side{{0.0, -1.0, -high.y}, 0.0}, front};
+}
+
+/// The slopes that points of the frustum get, each placed up to `error` off.
 class SlopeBounds {
   public:
-    /// `widest`: slopes of the pyramid's sides.
-    SlopeBounds(const glm::dvec2& widest, double error)
-        : widest_(widest), nearest_(2.0 * error),
-          error_(2.0 * error * (1.0 + std::max(widest.x, widest.y))) {}
+    SlopeBounds(const Frustum& frustum, double error)
+        : frustum_(frustum), nearest_(frustum.orthographic ? 0.0 : 2.0 * error), error_(error) {
+        if (frustum.orthographic) return;
+        const glm::dvec2 widest = glm::max(glm::abs(frustum.low), glm::abs(frustum.high));
+        error_ = 2.0 * error * (1.0 + std::max(widest.x, widest.y));
+    }
 
-    /// Whether a point, of the pyramid or not, adds nothing.
+    /// Whether a point, of the frustum or not, adds nothing.
     bool hold(const glm::dvec3& point) const {
         const double depth = -point.z;
-        return depth > nearest_ && hold(slopes_.right, point.x, depth) &&
-               hold(slopes_.up, point.y, depth);
+        return depth > nearest_ && hold(slopes_.right, point.x, perUnit(depth)) &&
+               hold(slopes_.up, point.y, perUnit(depth));
     }
     void add(const glm::dvec3& point) {
-        add(slopes_.right, point.x, -point.z, widest_.x);
-        add(slopes_.up, point.y, -point.z, widest_.y);
+        add(slopes_.right, point.x, -point.z, frustum_.low.x, frustum_.high.x);
+        add(slopes_.up, point.y, -point.z, frustum_.low.y, frustum_.high.y);
     }
     const Slopes& slopes() const { return slopes_; }
 
   private:
-    bool hold(const Interval& known, double offset, double depth) const {
-        return known.low * depth <= offset - error_ && offset + error_ <= known.high * depth;
+    /// What the window's coordinates are multiplied by at a depth.
+    double perUnit(double depth) const { return frustum_.orthographic ? 1.0 : depth; }
+    bool hold(const Interval& known, double offset, double unit) const {
+        return known.low * unit <= offset - error_ && offset + error_ <= known.high * unit;
     }
-    void add(Interval& known, double offset, double depth, double widest) const {
+    void add(Interval& known, double offset, double depth, double low, double high) const {
         // x / d, both off by e: by at most e (1 + |x / d|) / (d - e), which is within 2 e / d of
         // it.
         for (const double error : {-error_, error_})
-            known.add(depth > nearest_ ? std::clamp((offset + error) / depth, -widest, widest)
-                                       : std::copysign(widest, error));
+            known.add(depth > nearest_ ? std::clamp((offset + error) / perUnit(depth), low, high)
+                      : error < 0.0    ? low
+                                       : high);
     }
 
-    glm::dvec2 widest_;
+    Frustum frustum_;
     double nearest_, error_;
     Slopes slopes_;
 };
 
 } // namespace
 
-VisiblePart visiblePart(const Batch& batch, const Camera& camera, double aspect) {
-    const double t = widening * std::tan(glm::radians(0.5 * camera.fovDegrees));
-    // Planes through the eye in camera space, insides positive; the last keeps what is in front.
-    const glm::dvec3 planes[] = {{1.0, 0.0, -t * aspect},
-                                 {-1.0, 0.0, -t * aspect},
-                                 {0.0, 1.0, -t},
-                                 {0.0, -1.0, -t},
-                                 {0.0, 0.0, -1.0}};
-    const glm::dmat4 viewFromBatch = viewFromWorld(camera) * batch.worldFromBatch;
+VisiblePart visiblePart(const Batch& batch, const Frustum& given) {
+    const Frustum frustum = widened(given);
+    const std::array<Side, 5> sides = sidesOf(frustum);
+    const glm::dmat4 viewFromBatch = frustum.viewFromWorld * batch.worldFromBatch;
     std::vector<glm::dvec3> points;
     points.reserve(batch.positions.size());
     for (const glm::vec3& position : batch.positions)
         points.emplace_back(viewFromBatch * glm::dvec4(position, 1.0));
 
-    const glm::dmat4 worldFromView = glm::inverse(viewFromWorld(camera));
+    const glm::dmat4 worldFromView = glm::inverse(frustum.viewFromWorld);
     const auto inWorld = [&](const glm::dvec3& point) {
         return glm::dvec3(worldFromView * glm::dvec4(point, 1.0));
     };
     VisiblePart part;
-    SlopeBounds slopes({t * aspect, t}, placingErrorOf(batch.positions, viewFromBatch));
+    SlopeBounds slopes(frustum, placingErrorOf(batch.positions, viewFromBatch));
     for (std::size_t i = 0; i + 2 < batch.indices.size(); i += 3) {
         Polygon polygon;
         DepthRange whole;
@@ -99,8 +122,8 @@ VisiblePart visiblePart(const Batch& batch, const Camera& camera, double aspect)
                             return slopes.hold(corner) && part.box.holds(inWorld(corner));
                         });
         if (known) continue;
-        for (const glm::dvec3& plane : planes) {
-            polygon = clipped(polygon, plane);
+        for (const Side& side : sides) {
+            polygon = clipped(polygon, side.normal, side.offset);
             if (polygon.count == 0) break;
         }
         for (std::size_t c = 0; c < polygon.count; ++c) {

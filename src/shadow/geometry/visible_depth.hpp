@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/frustum.hpp"
 #include "src/shadow/geometry/interval.hpp"
 
 #include <limits>
@@ -20,7 +20,8 @@ struct DepthRange {
     bool contains(double from, double to) const { return nearest <= from && to <= farthest; }
 };
 
-/// How far to the right of the viewing direction and above it something is, per unit of depth.
+/// How far to the right of the viewing direction and above it something is, as Frustum's window
+/// tells it: per unit of depth; of an orthographic picture, whatever the depth.
 struct Slopes {
     Interval right, up;
 };
@@ -32,8 +33,8 @@ struct VisiblePart {
     Slopes slopes; ///< with what a GL's floats may add
 };
 
-/// Where the batch's surfaces are within the picture's pyramid, a little widened. Exact but for
-/// rounding: triangles are clipped to the pyramid.
-VisiblePart visiblePart(const Batch& batch, const Camera& camera, double aspect);
+/// Where the batch's surfaces are within the frustum, a little widened. Exact but for rounding:
+/// triangles are clipped to it.
+VisiblePart visiblePart(const Batch& batch, const Frustum& frustum);
 
 } // namespace edgeshade

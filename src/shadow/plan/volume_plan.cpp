@@ -19,14 +19,13 @@ constexpr double leastBelow = 1e-2;
 /// Corners of the picture at a depth, in the batch.
 std::array<glm::dvec3, 4> rectangleAt(double depth, const FrameView& view,
                                       const glm::dmat4& batchFromView) {
-    const double tangent = std::tan(glm::radians(view.camera.fovDegrees) / 2.0);
-    const double up = depth * tangent;
-    const double right = up * view.width / view.height;
+    const Frustum& frustum = view.frustum;
+    const double unit = frustum.orthographic ? 1.0 : depth;
     std::array<glm::dvec3, 4> corners;
     const std::array<glm::dvec2, 4> signs = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
     for (std::size_t i = 0; i < 4; ++i)
         corners[i] = glm::dvec3(batchFromView *
-                                glm::dvec4(signs[i].x * right, signs[i].y * up, -depth, 1.0));
+                                glm::dvec4(unit * frustum.windowAt(signs[i]), -depth, 1.0));
     return corners;
 }
 
@@ -68,14 +67,14 @@ Box boxAround(const glm::dvec3& point) {
     return box;
 }
 
-bool isLightOutside(const ShadowCluster& cluster, const PlanView& view) {
-    return view.light.w == 0.0 ||
-           !mayOverlap(cluster.bounds, boxAround(glm::dvec3(view.light) / view.light.w));
+/// Whether a light or an eye, homogeneous, is certainly outside of the cluster's box.
+bool isOutsideOf(const ShadowCluster& cluster, const glm::dvec4& point) {
+    return point.w == 0.0 || !mayOverlap(cluster.bounds, boxAround(glm::dvec3(point) / point.w));
 }
 
 /// Whether both winding numbers are certainly 0.
 bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
-    return !mayOverlap(cluster.bounds, boxAround(view.eye)) && isLightOutside(cluster, view);
+    return isOutsideOf(cluster, view.eye) && isOutsideOf(cluster, view.light);
 }
 
 /// How the cluster's triangles count, by winding numbers at eye and light (docs/method.md, C8).
@@ -137,7 +136,7 @@ void addEnd(const glm::dvec4& plane, PlanView& view) {
 /// outside of it, volumes count the same.
 Box seenThrough(const FrameView& view, const PlanView& here, const glm::dmat4& worldFromBatch) {
     Box box = view.visible;
-    box.add(view.camera.from);
+    if (!view.frustum.orthographic) box.add(view.frustum.position());
     for (const auto& rectangle : {here.fromNear.corners, here.fromNearest.corners})
         for (const glm::dvec3& corner : rectangle)
             box.add(glm::dvec3(worldFromBatch * glm::dvec4(corner, 1.0)));
@@ -201,16 +200,16 @@ void appendDraw(std::vector<VolumeDraw>& draws, const VolumeDraw& draw) {
 
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits) {
-    const glm::dmat4 viewFromBatch = viewFromWorld(view.camera) * worldFromBatch;
+    const glm::dmat4 viewFromBatch = view.frustum.viewFromWorld * worldFromBatch;
     const glm::dmat4 batchFromView = glm::inverse(viewFromBatch);
     PlanView result;
     result.rounding = dotRounding(mantissaBits);
     result.light = glm::inverse(worldFromBatch) * light.position;
     if (light.hasRange()) result.range = rangeInObject(light.range, worldFromBatch);
-    result.eye = glm::dvec3(batchFromView[3]);
+    result.eye = view.frustum.orthographic ? batchFromView[2] : batchFromView[3];
     result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
     result.fromNearest = {rectangleAt(view.near(), view, batchFromView), result.light};
-    result.beforeNearest = {result.fromNearest.corners, glm::dvec4(result.eye, 1.0)};
+    result.beforeNearest = {result.fromNearest.corners, result.eye};
     result.planes = viewPlanes(view, slice, worldFromBatch);
     addEnd(result.planes.back(), result);
     if (!view.visible.empty())
@@ -261,7 +260,7 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
         draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         draw.fannedCaps = draw.zFail() && !cluster.holes && !draw.nearDiscard &&
-                          (!draw.backCaps || isLightOutside(cluster, view));
+                          (!draw.backCaps || isOutsideOf(cluster, view.light));
         appendDraw(plan.draws, draw);
     }
     return plan;

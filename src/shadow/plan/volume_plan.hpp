@@ -72,7 +72,7 @@ struct VolumePlan {
 struct PlanView {
     glm::dvec4 light;
     double range = std::numeric_limits<double>::infinity(); ///< of the light; see rangeInObject()
-    glm::dvec3 eye;
+    glm::dvec4 eye; ///< where the picture's rays come from; at infinity (w = 0) if orthographic
     LightPyramid fromNear;      ///< from the slice's near plane to the light
     LightPyramid fromNearest;   ///< from the nearest near plane to the light
     LightPyramid beforeNearest; ///< from the nearest near plane to the eye
