@@ -67,7 +67,7 @@ void main() {
     bool pushed = corner > 1.5;
 #endif
     vec4 p = pushed ? pushedTo(u_end, end, u_light) : vec4(end, 1.0);
-    vec4 clip = rasterizable(clipPosition(u_clipFromObject, p));
+    vec4 clip = rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, p));
 #ifdef CAP
     if (!back) clip.z = clip.w; // at infinity, as cap_corner.glsl has it
 #endif

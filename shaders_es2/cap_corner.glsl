@@ -35,7 +35,7 @@ void emitCap(float v, float facing, vec3 a, vec3 b, vec3 c, vec4 light) {
     bool isC = vertex == 2.0;
     vec3 p = isA ? a : (isC ? c : b);
     vec4 corner = front ? vec4(p, 1.0) : toInfinity(p, light);
-    vec4 clip = rasterizable(clipPosition(u_clipFromObject, corner));
+    vec4 clip = rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, corner));
 #ifdef NEAR_DISCARD
     v_clipZW = clip.zw;
 #endif

@@ -66,7 +66,7 @@ void main() {
 #ifdef MAP
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
 #endif
-    gl_Position = rasterizable(clipPosition(u_clipFromObject, vec4(a_position, 1.0)));
+    gl_Position = rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, vec4(a_position, 1.0)));
 #ifdef SLICED
     v_depth = gl_Position.w;
 #endif

@@ -82,7 +82,7 @@ void main() {
     vec3 end = id == 0.0 || id == 2.0 ? a_edgeA.xyz : a_edgeB.xyz;
     vec4 corner = id > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
     // A useless vertex makes its triangle a point, which covers no pixel.
-    gl_Position = side < abs(multiplicity) ? rasterizable(clipPosition(u_clipFromObject, corner))
+    gl_Position = side < abs(multiplicity) ? rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, corner))
                                            : vec4(0.0);
 #ifdef DEGENERATE
     gl_Position *= u_degenerate;

@@ -1,4 +1,4 @@
-#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/frustum.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

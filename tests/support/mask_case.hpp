@@ -15,6 +15,12 @@ struct Case {
     double near = 0.0; ///< 0: fitted
     bool castMasked = false;
     std::optional<int> slices{}; ///< nothing: as many as pay
+    std::optional<Frustum> frustum{}; ///< in place of the camera's
+
+    Frustum seen() const {
+        return frustum.value_or(
+            frustumOf(camera, static_cast<double>(maskWidth) / maskHeight));
+    }
 };
 
 /// Pixels by what the mask shows, and by what rays say.
@@ -30,5 +36,8 @@ Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = t
 
 /// Expects every pixel away from a boundary to be right, by every robust method and layout.
 void expectRight(const Case& test);
+
+/// The same by one method and every layout.
+void expectRight(const Case& test, MultiplicityMethod method);
 
 } // namespace edgeshade::test

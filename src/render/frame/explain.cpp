@@ -35,6 +35,8 @@ const char* wordsFor(CapsNeeded caps) {
     switch (caps) {
     case CapsNeeded::no:
         return "z-pass without caps";
+    case CapsNeeded::holesAlone:
+        return "z-pass with front caps in the holes of casters";
     case CapsNeeded::seenThrough:
         return "z-fail with caps: casters have holes";
     case CapsNeeded::nearPlaneMet:

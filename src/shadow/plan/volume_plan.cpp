@@ -1,5 +1,6 @@
 #include "src/shadow/plan/volume_plan.hpp"
 
+#include "preprocess/base/error.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 
@@ -179,6 +180,34 @@ std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanV
     return std::nullopt;
 }
 
+/// Where a cluster's volumes lead, along the viewing direction.
+enum class Leading { deeper, nearer, both };
+
+Leading leadingOf(const ShadowCluster& cluster, const PlanView& view) {
+    const glm::dvec4& depthLeft = view.planes.back(); // to the farthest that is visible
+    const double ofLight = glm::dot(depthLeft, view.light);
+    if (view.light.w == 0.0) return ofLight >= 0.0 ? Leading::deeper : Leading::nearer;
+    const double margin = roundingOf(cluster.bounds, depthLeft);
+    if (largestOver(cluster.bounds, depthLeft) <= ofLight + margin) return Leading::deeper;
+    if (-largestOver(cluster.bounds, -depthLeft) >= ofLight - margin) return Leading::nearer;
+    return Leading::both;
+}
+
+/// What an orthographic picture makes of a cluster that would be counted behind surfaces.
+void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanView& view, VolumeDraw& draw) {
+    switch (leadingOf(cluster, view)) {
+    case Leading::nearer:
+        return;
+    case Leading::deeper:
+        draw.caps = cluster.holes ? CapsNeeded::holesAlone : CapsNeeded::no;
+        return;
+    case Leading::both:
+        throw Error(ExitStatus::unavailable,
+                    "A point light stands among the scene's depths, before some casters and behind "
+                    "others, where an orthographic picture can't count its shadows.");
+    }
+}
+
 void appendLeftOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
     if (!all.empty() && all.back().clusters.end() == cluster && all.back().why == why)
         ++all.back().clusters.count;
@@ -251,14 +280,16 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         }
         draw.counted = *counted;
         decideCaps(cluster, shadow, view, touched, draw);
+        if (draw.zFail() && view.eye.w == 0.0) keepBeforeFarPlane(cluster, view, draw);
         if (!draw.zFail()) draw.end = endFor(cluster.bounds, view);
         const bool inView =
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
                          [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });
-        draw.frontCaps = draw.zFail() && inView;
+        draw.frontCaps = (draw.zFail() || draw.caps == CapsNeeded::holesAlone) && inView;
         draw.backCaps = draw.zFail() && mayBackCapsBeSeen(cluster.bounds, view);
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
-        draw.nearDiscard = draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
+        draw.nearDiscard =
+            draw.zFail() && draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         draw.fannedCaps = draw.zFail() && !cluster.holes && !draw.nearDiscard &&
                           (!draw.backCaps || isOutsideOf(cluster, view.light));
         appendDraw(plan.draws, draw);

@@ -19,6 +19,7 @@ enum class Counted {
 /// Why volumes are drawn with caps and counted behind surfaces (z-fail).
 enum class CapsNeeded {
     no,           ///< sides alone, counted before surfaces (z-pass)
+    holesAlone,   ///< z-pass, and front caps in the holes of casters; of orthographic pictures
     seenThrough,  ///< casters have holes
     nearPlaneMet, ///< a triangle may cross the near plane
     outlineMet,   ///< a shadow's outline may run through the near rectangle
@@ -32,7 +33,7 @@ struct VolumeDraw {
     CapsNeeded caps = CapsNeeded::uncertain;
     int start = 0; ///< without caps: volumes that the whole near rectangle is in
     int end = -1;  ///< without caps: which of PlanView::ends volumes end at; -1: at infinity
-    bool frontCaps = true;   ///< with z-fail: some casters may be in the view
+    bool frontCaps = true;   ///< with z-fail or holes: some casters may be in the view
     bool backCaps = true;    ///< with z-fail: at infinity, some of its shadow may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
     bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
@@ -42,7 +43,7 @@ struct VolumeDraw {
                frontCaps == other.frontCaps && backCaps == other.backCaps &&
                nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps;
     }
-    bool zFail() const { return caps != CapsNeeded::no; }
+    bool zFail() const { return caps != CapsNeeded::no && caps != CapsNeeded::holesAlone; }
 };
 
 /// Neighbouring clusters that are not drawn.
@@ -108,6 +109,12 @@ glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
 /// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
 ///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
 ///   C8). Where these certainly differ, the cluster seals the eye off from the light.
+///
+/// The far plane of an orthographic picture is no infinity: what of a volume is behind it is lost,
+/// and may not be counted behind surfaces. But none of its casters is before the near plane. So
+/// volumes that lead away from the viewer are counted before surfaces, with front caps in the holes
+/// of casters, and those that lead towards the viewer behind them, if need be (docs/method.md, C33).
+/// Throws Error(unavailable) where the light stands among a cluster's depths and it is in need.
 VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade
