@@ -27,8 +27,8 @@ struct Task {
     int height = 1080;
     int samples = 0;
     gl::Limits limits = gl::Limits::device;
-    int frames = 120;                       ///< measured, at least 1
-    int warmUp = 3;                         ///< frames before, not measured
+    int frames = 120;                         ///< measured, at least 1
+    int warmUp = 3;                           ///< frames before, not measured
     std::function<Frustum(double)> frustumAt; ///< after a share 0..1 of the flight
     std::vector<Light> lights;
     bool lightMoves = false;          ///< by movedLights(); else shadow maps are drawn once

@@ -27,7 +27,8 @@ void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene,
         throw Error(ExitStatus::usage,
                     "The oracle takes at most " + std::to_string(lab::mostLights) + " lights.");
     if (view.cameraMatrix && viewsTyped)
-        throw Error(ExitStatus::usage, "--camera-matrix is one view, so --views does not go with it.");
+        throw Error(ExitStatus::usage,
+                    "--camera-matrix is one view, so --views does not go with it.");
     if (view.hasCamera() && !viewsTyped) {
         const FrameRequest request = requestFor(view, scene);
         task.views = {{"as asked", request.frustum, request.lights.front()}};

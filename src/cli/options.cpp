@@ -229,8 +229,7 @@ void addReportOption(CLI::App& verb, std::string& path) {
 }
 
 Camera cameraFor(const ViewOptions& options, const Scene& scene) {
-    const Camera framing =
-        framingCamera(worldBounds(scene), options.fovDegrees, options.aspect());
+    const Camera framing = framingCamera(worldBounds(scene), options.fovDegrees, options.aspect());
     const Camera camera{options.from.value_or(framing.from), options.to.value_or(framing.to),
                         options.fovDegrees};
     if (camera.from == camera.to)
@@ -246,8 +245,7 @@ FrameRequest requestFor(const ViewOptions& options, const Scene& scene) {
                     "--near does not go with --ortho, whose picture shows all that there is before "
                     "and behind the camera.");
     FrameRequest request;
-    request.frustum =
-        frustumOf(cameraFor(options, scene), options.aspect(), options.orthoHeight);
+    request.frustum = frustumOf(cameraFor(options, scene), options.aspect(), options.orthoHeight);
     if (options.cameraMatrix) request.frustum.viewFromWorld = *options.cameraMatrix;
     request.width = options.width;
     request.height = options.height;

@@ -181,8 +181,7 @@ PixelRay pixelRay(const Question& question, double x, double y) {
 
 Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
     : question_(question), alpha_(alpha),
-      triangles_(
-          eyeTriangles(*question.scene, question.frustum.position(), question.castMasked)),
+      triangles_(eyeTriangles(*question.scene, question.frustum.position(), question.castMasked)),
       tree_(std::make_unique<Tree>(triangles_)) {}
 
 Oracle::~Oracle() = default;

@@ -35,7 +35,7 @@ struct Question {
 
 /// A line of sight, with world axes and the camera's position as origin.
 struct PixelRay {
-    glm::dvec3 origin; ///< at depth 0: of a perspective the camera itself
+    glm::dvec3 origin;    ///< at depth 0: of a perspective the camera itself
     glm::dvec3 direction; ///< as long as makes the depth of at(t) t
 
     glm::dvec3 at(double depth) const { return origin + depth * direction; }

@@ -88,7 +88,8 @@ bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm:
     if (std::abs(here.depth - there.depth) > reach) return true;
     for (std::size_t i = 0; i < oracle.question().lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);
-        if ((lightSide(oracle, first, light) > 0.0) != (lightSide(oracle, second, light) > 0.0)) return true;
+        if ((lightSide(oracle, first, light) > 0.0) != (lightSide(oracle, second, light) > 0.0))
+            return true;
     }
     return false;
 }

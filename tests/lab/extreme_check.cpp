@@ -30,7 +30,8 @@ ExtremeOutcome check(const Extreme& extreme) {
     const lab::Pictures adapted = drawPictures(extreme, scene, MultiplicityMethod::plane, near);
     const lab::Pictures published =
         drawPictures(extreme, scene, MultiplicityMethod::referenceEdge, near);
-    const lab::Oracle oracle({&scene.scene, scene.settings.castMasked, standingBack(extreme.seen(), worldBounds(scene.scene)), near,
+    const lab::Oracle oracle({&scene.scene, scene.settings.castMasked,
+                              standingBack(extreme.seen(), worldBounds(scene.scene)), near,
                               extreme.lights, extreme.width, extreme.height},
                              lab::textureAlpha(scene));
     auto answers = lab::traceAll(oracle, {});

@@ -8,8 +8,8 @@ namespace {
 
 /// Normalised device x and y of a world point.
 glm::dvec2 project(const Camera& camera, double aspect, const glm::dvec3& point) {
-    const glm::dvec4 clip =
-        clipFromView(frustumOf(camera, aspect), 0.1) * viewFromWorld(camera) * glm::dvec4(point, 1.0);
+    const glm::dvec4 clip = clipFromView(frustumOf(camera, aspect), 0.1) * viewFromWorld(camera) *
+                            glm::dvec4(point, 1.0);
     return glm::dvec2(clip) / clip.w;
 }
 

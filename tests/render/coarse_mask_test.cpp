@@ -212,7 +212,11 @@ struct Yard {
         const Scene scene = test::yard().scene();
         loaded = {{}, scene, {}, buildAdapted(scene, false), {}, {}};
         view = makeFrameView(loaded.scene, loaded.settings.castMasked,
-                             {frustumOf(corner, static_cast<double>(width) / height), width, height, {lights[1]}, {}});
+                             {frustumOf(corner, static_cast<double>(width) / height),
+                              width,
+                              height,
+                              {lights[1]},
+                              {}});
         RenderSettings settings = coarse(scale);
         settings.layout = bestLayout(capabilities);
         renderer.emplace(settings, capabilities);

@@ -125,7 +125,11 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
         DepthChoice depth;
         depth.near = 0.25;
         FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
-                                       {frustumOf(camera, static_cast<double>(width) / height), width, height, {light}, depth});
+                                       {frustumOf(camera, static_cast<double>(width) / height),
+                                        width,
+                                        height,
+                                        {light},
+                                        depth});
         view.mask = true;
 
         const PlanView planned = planView(view, view.slices.back(), light, placing);

@@ -28,7 +28,8 @@ void expectSamePicture(const glm::dmat4& view, const glm::dmat4& projection) {
         if ((view * glm::dvec4(point, 1.0)).z > -0.1) continue;
         ++seen;
         const glm::dvec2 wanted = projected(projection * view, point);
-        EXPECT_LT(glm::distance(projected(ours, point), wanted), 1e-9 * (1.0 + glm::length(wanted)));
+        EXPECT_LT(glm::distance(projected(ours, point), wanted),
+                  1e-9 * (1.0 + glm::length(wanted)));
     }
     EXPECT_GT(seen, 100);
 }
@@ -79,9 +80,9 @@ TEST(Frustum, RefusesMatricesThatAreNoneWithASentence) {
     EXPECT_NE(refusalOf(rolled, glm::dmat4(0.0)).find("projection"), std::string::npos);
     EXPECT_NE(refusalOf(rolled, glm::rotate(lens, 0.3, {0, 0, 1})).find("turns"),
               std::string::npos);
-    EXPECT_NE(refusalOf(rolled, glm::scale(glm::dmat4(1.0), glm::dvec3(-1, 1, 1)) * lens)
-                  .find("mirrors"),
-              std::string::npos);
+    EXPECT_NE(
+        refusalOf(rolled, glm::scale(glm::dmat4(1.0), glm::dvec3(-1, 1, 1)) * lens).find("mirrors"),
+        std::string::npos);
     EXPECT_NE(refusalOf(rolled, glm::rotate(lens, 0.3, {1, 0, 0})).find("last row"),
               std::string::npos);
 }
@@ -95,11 +96,11 @@ TEST(Frustum, StandsBackFarEnoughAndShowsTheSame) {
     EXPECT_LT(depthOf(frustum, box.corner(5)), 0.0);
     for (int i = 0; i < 8; ++i) {
         EXPECT_GT(depthOf(back, box.corner(i)), 0.0);
-        EXPECT_LT(glm::distance(
-                      projected(clipFromView(frustum, 0.1, 50.0) * frustum.viewFromWorld,
-                                box.corner(i)),
-                      projected(clipFromView(back, 0.1, 50.0) * back.viewFromWorld, box.corner(i))),
-                  1e-12);
+        EXPECT_LT(
+            glm::distance(
+                projected(clipFromView(frustum, 0.1, 50.0) * frustum.viewFromWorld, box.corner(i)),
+                projected(clipFromView(back, 0.1, 50.0) * back.viewFromWorld, box.corner(i))),
+            1e-12);
     }
     const Frustum eye = frustumOf(rolled, glm::perspective(0.8, 1.6, 0.1, 50.0));
     EXPECT_EQ(standingBack(eye, box).viewFromWorld, eye.viewFromWorld);

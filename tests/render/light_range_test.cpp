@@ -228,9 +228,13 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
     settings.multiplicity = method;
     settings.layout = bestLayout(context.capabilities());
     const LoadedScene loaded{{}, builder.scene(), {}, buildAdapted(builder.scene(), false), {}, {}};
-    const FrameView view =
-        makeFrameView(loaded.scene, loaded.settings.castMasked,
-                      {frustumOf({{0, 6, 14}, {0, 0, 0}, 60.0}, static_cast<double>(width) / height), width, height, {light}, {}});
+    const FrameView view = makeFrameView(
+        loaded.scene, loaded.settings.castMasked,
+        {frustumOf({{0, 6, 14}, {0, 0, 0}, 60.0}, static_cast<double>(width) / height),
+         width,
+         height,
+         {light},
+         {}});
     const GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     glScissor(1, 2, 3, 4);

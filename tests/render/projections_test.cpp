@@ -17,8 +17,7 @@ using test::sun;
 using test::yard;
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
-const glm::dmat4 rolled =
-    glm::rotate(glm::dmat4(1.0), 0.5, {0, 0, 1}) * viewFromWorld(corner);
+const glm::dmat4 rolled = glm::rotate(glm::dmat4(1.0), 0.5, {0, 0, 1}) * viewFromWorld(corner);
 
 /// The window beside the viewing direction, turned by 29 degrees.
 const Frustum offAxis = frustumOf(rolled, glm::frustum(-0.06, 0.02, -0.04, 0.02, 0.1, 10.0));

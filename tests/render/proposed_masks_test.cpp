@@ -40,8 +40,9 @@ class Pair {
     }
 
     void expectSame(const Camera& camera, const std::vector<Light>& lights) {
-        const FrameView view = makeFrameView(loaded_.scene, loaded_.settings.castMasked,
-                                             {frustumOf(camera, static_cast<double>(width) / height), width, height, lights, {}});
+        const FrameView view = makeFrameView(
+            loaded_.scene, loaded_.settings.castMasked,
+            {frustumOf(camera, static_cast<double>(width) / height), width, height, lights, {}});
         EXPECT_EQ(draw(proposed_, view), draw(all_, view));
         EXPECT_LE(proposed_.vertexRuns(), all_.vertexRuns());
         FrameView mask = view;

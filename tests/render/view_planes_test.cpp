@@ -39,8 +39,7 @@ glm::dmat4 randomPlace(Random& random) {
 /// Whether the slice shows the point, by GL's own rules.
 bool isShown(const glm::dvec4& inWorld, const FrameView& view) {
     const DepthSlice& slice = view.slices[0];
-    const glm::dvec4 clip =
-        view.clipFromView(slice) * view.frustum.viewFromWorld * inWorld;
+    const glm::dvec4 clip = view.clipFromView(slice) * view.frustum.viewFromWorld * inWorld;
     return std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && -clip.w <= clip.z &&
            clip.w <= std::min(slice.far, view.farthestDepth);
 }

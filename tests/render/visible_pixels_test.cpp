@@ -34,7 +34,11 @@ PixelRectangle drawnPixels(const Scene& scene, const Camera& camera) {
 PixelRectangle visiblePixelsOf(const Scene& scene, const Camera& camera) {
     LoadedScene loaded;
     loaded.scene = scene;
-    const FrameRequest request{frustumOf(camera, static_cast<double>(width) / height), width, height, {test::sun({0, 1, 0})}, {}};
+    const FrameRequest request{frustumOf(camera, static_cast<double>(width) / height),
+                               width,
+                               height,
+                               {test::sun({0, 1, 0})},
+                               {}};
     return visiblePixels(makeFrameView(loaded.scene, request, worldBounds(scene)));
 }
 

@@ -62,7 +62,11 @@ TEST(Soak, TwentyThousandFrames) {
 
     expectFlat("frames", 20'000, [&](int frame) {
         const double share = frame / 1000.0;
-        FrameRequest request{frustumOf(flight.cameraAt(share), static_cast<double>(width) / height), width, height, {}, {}};
+        FrameRequest request{frustumOf(flight.cameraAt(share), static_cast<double>(width) / height),
+                             width,
+                             height,
+                             {},
+                             {}};
         request.lights = bench::movedLights(lights, bounds, share);
         const FrameView view = makeFrameView(loaded.scene, request, bounds);
         const auto way = static_cast<std::size_t>(frame % 8 < 6 ? 0 : frame % 8 - 5);

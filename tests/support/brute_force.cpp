@@ -75,18 +75,16 @@ std::vector<Answer> castMask(const Scene& scene, const Frustum& frustum, const L
     std::vector<Answer> answers;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const glm::dvec2 window = frustum.windowAt(
-                {2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height});
+            const glm::dvec2 window =
+                frustum.windowAt({2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height});
             const glm::dvec3 origin(worldFromView *
                                     glm::dvec4(parallel ? window : glm::dvec2(0.0), 0.0, 1.0));
             const glm::dvec3 direction =
-                glm::dmat3(worldFromView) *
-                glm::dvec3(parallel ? glm::dvec2(0.0) : window, -1.0);
+                glm::dmat3(worldFromView) * glm::dvec3(parallel ? glm::dvec2(0.0) : window, -1.0);
             double nearest = INFINITY;
             std::size_t own = 0;
             for (std::size_t i = 0; i < triangles.size(); ++i) {
-                const double t =
-                    triangles[i].visible ? hit(triangles[i], origin, direction) : -1.0;
+                const double t = triangles[i].visible ? hit(triangles[i], origin, direction) : -1.0;
                 if (t >= near && t < nearest) {
                     nearest = t;
                     own = i;

@@ -26,8 +26,8 @@ struct TestView {
     int height = 64;
     bool mask = false;
     DepthChoice depth{};
-    std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn
-    bool nearDiscard = true;         ///< false: front caps are never cut, which is a fault
+    std::uint32_t drawnLights = ~0u;  ///< bit i: light i is drawn
+    bool nearDiscard = true;          ///< false: front caps are never cut, which is a fault
     std::optional<Frustum> frustum{}; ///< in place of the camera's
 
     /// What is seen.

@@ -31,8 +31,8 @@ Outcome run(const Case& test, RenderSettings settings, bool nearDiscard) {
     view.nearDiscard = nearDiscard;
     view.frustum = test.seen();
     return compare(drawScene(test.scene, view, settings, test.castMasked),
-                   castMask(test.scene, standingBack(test.seen(), worldBounds(test.scene)), test.light, maskWidth, maskHeight, test.near,
-                            test.castMasked));
+                   castMask(test.scene, standingBack(test.seen(), worldBounds(test.scene)),
+                            test.light, maskWidth, maskHeight, test.near, test.castMasked));
 }
 
 void expectRight(const Case& test) {

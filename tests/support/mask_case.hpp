@@ -14,12 +14,11 @@ struct Case {
     Light light;
     double near = 0.0; ///< 0: fitted
     bool castMasked = false;
-    std::optional<int> slices{}; ///< nothing: as many as pay
+    std::optional<int> slices{};      ///< nothing: as many as pay
     std::optional<Frustum> frustum{}; ///< in place of the camera's
 
     Frustum seen() const {
-        return frustum.value_or(
-            frustumOf(camera, static_cast<double>(maskWidth) / maskHeight));
+        return frustum.value_or(frustumOf(camera, static_cast<double>(maskWidth) / maskHeight));
     }
 };
 

@@ -107,8 +107,7 @@ std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shadi
         if (shading.map)
             batchView.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            runs +=
-                surfaces_.draw(pass.scene, batch, batchView, eye, shading, kind);
+            runs += surfaces_.draw(pass.scene, batch, batchView, eye, shading, kind);
     }
     return runs;
 }
@@ -350,7 +349,8 @@ void Renderer::drawBlended(const Pass& pass) {
     shading.ambient = 1.0f; // what is see-through takes no part in shadows
     shading.farthest = static_cast<float>(pass.slice.far);
     for (const Item& item : items)
-        surfaces_.drawChunk(pass.scene, *item.chunk, item.view, pass.view.frustum.position(), shading);
+        surfaces_.drawChunk(pass.scene, *item.chunk, item.view, pass.view.frustum.position(),
+                            shading);
 }
 
 void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {

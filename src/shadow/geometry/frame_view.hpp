@@ -36,12 +36,12 @@ struct FrameView {
     Frustum frustum; ///< with all that there is before the camera, see standingBack()
     int width = 1;
     int height = 1;
-    std::vector<Light> lights;         ///< at least one
-    Box bounds{};                      ///< of the scene; shadow maps are fitted to it
-    std::vector<DepthSlice> slices;    ///< from far to near, at least one; orthographic: one
+    std::vector<Light> lights;      ///< at least one
+    Box bounds{};                   ///< of the scene; shadow maps are fitted to it
+    std::vector<DepthSlice> slices; ///< from far to near, at least one; orthographic: one
     double farPlane = std::numeric_limits<double>::infinity(); ///< finite where orthographic
-    double farthestDepth = 0.0;        ///< of what is visible
-    std::vector<double> nearestDepths; ///< of each batch, visiblePart()
+    double farthestDepth = 0.0;                                ///< of what is visible
+    std::vector<double> nearestDepths;                         ///< of each batch, visiblePart()
     Box visible{}; ///< of what is visible, in the world; empty: nothing is known of it
     Slopes slopes; ///< of what is visible
     std::vector<LayerBound> layers; ///< of each light; empty: no stencil can overflow
@@ -61,8 +61,8 @@ constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit ste
 
 /// Works out the near plane, the depth slices and the stencil layers. Takes time linear in the
 /// triangles. `castMasked` as in CasterSettings. An orthographic picture has one slice, since its
-/// depths are told apart alike everywhere, which holds the whole scene: no volume is cut by its near
-/// plane or its far plane where it matters.
+/// depths are told apart alike everywhere, which holds the whole scene: no volume is cut by its
+/// near plane or its far plane where it matters.
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request);
 
 /// The same without layers, for callers that draw many frames: they keep the scene's `bounds`, and

@@ -23,8 +23,8 @@ struct Frustum {
     }
     glm::dvec3 position() const; ///< in the world
     glm::dvec3 forward() const;  ///< the viewing direction in the world, of length 1
-    /// Where all rays of the picture come from, in the world: the position, or, at infinity (w = 0),
-    /// the direction against the viewing direction.
+    /// Where all rays of the picture come from, in the world: the position, or, at infinity (w =
+    /// 0), the direction against the viewing direction.
     glm::dvec4 eye() const;
 };
 

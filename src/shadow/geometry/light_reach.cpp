@@ -36,8 +36,8 @@ Interval slopesOver(double x, double depth, double radius, double near) {
     return slopes;
 }
 
-/// First pixel and count of those that the slopes fall on, one more on both sides. `low`, `high`: the
-/// window's ends.
+/// First pixel and count of those that the slopes fall on, one more on both sides. `low`, `high`:
+/// the window's ends.
 std::pair<int, int> pixelsOf(const Interval& slopes, double low, double high, int count) {
     const auto pixel = [&](double slope) {
         return std::clamp((slope - low) / (high - low) * count, -2.0, count + 2.0);
@@ -70,9 +70,8 @@ PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const 
     const double farthest = std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
     if (depth + radius < slice.near || depth - radius > farthest) return {};
     if (view.frustum.orthographic)
-        return pixelsOf({{center.x - radius, center.x + radius},
-                         {center.y - radius, center.y + radius}},
-                        view);
+        return pixelsOf(
+            {{center.x - radius, center.x + radius}, {center.y - radius, center.y + radius}}, view);
     return pixelsOf({slopesOver(center.x, depth, radius, slice.near),
                      slopesOver(center.y, depth, radius, slice.near)},
                     view);

@@ -25,8 +25,8 @@ std::array<glm::dvec3, 4> rectangleAt(double depth, const FrameView& view,
     std::array<glm::dvec3, 4> corners;
     const std::array<glm::dvec2, 4> signs = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
     for (std::size_t i = 0; i < 4; ++i)
-        corners[i] = glm::dvec3(batchFromView *
-                                glm::dvec4(unit * frustum.windowAt(signs[i]), -depth, 1.0));
+        corners[i] =
+            glm::dvec3(batchFromView * glm::dvec4(unit * frustum.windowAt(signs[i]), -depth, 1.0));
     return corners;
 }
 
@@ -288,8 +288,7 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         draw.frontCaps = (draw.zFail() || draw.caps == CapsNeeded::holesAlone) && inView;
         draw.backCaps = draw.zFail() && mayBackCapsBeSeen(cluster.bounds, view);
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
-        draw.nearDiscard =
-            draw.zFail() && draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
+        draw.nearDiscard = draw.zFail() && draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         draw.fannedCaps = draw.zFail() && !cluster.holes && !draw.nearDiscard &&
                           (!draw.backCaps || isOutsideOf(cluster, view.light));
         appendDraw(plan.draws, draw);

@@ -113,8 +113,9 @@ glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
 /// The far plane of an orthographic picture is no infinity: what of a volume is behind it is lost,
 /// and may not be counted behind surfaces. But none of its casters is before the near plane. So
 /// volumes that lead away from the viewer are counted before surfaces, with front caps in the holes
-/// of casters, and those that lead towards the viewer behind them, if need be (docs/method.md, C33).
-/// Throws Error(unavailable) where the light stands among a cluster's depths and it is in need.
+/// of casters, and those that lead towards the viewer behind them, if need be (docs/method.md,
+/// C33). Throws Error(unavailable) where the light stands among a cluster's depths and it is in
+/// need.
 VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade
