@@ -26,8 +26,8 @@ struct TestView {
     int height = 64;
     bool mask = false;
     DepthChoice depth{};
-    std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn
-    bool nearDiscard = true;         ///< false: front caps are never cut, which is a fault
+    std::optional<std::vector<std::size_t>> drawnLights = {}; ///< by index; nothing: all of them
+    bool nearDiscard = true; ///< false: front caps are never cut, which is a fault
 };
 
 /// A picture of the scene, RGBA rows top to bottom, drawn by a context of its own.

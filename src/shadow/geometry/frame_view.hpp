@@ -31,23 +31,28 @@ struct FrameRequest {
     DepthChoice depth;
 };
 
+/// One light of a frame.
+struct FrameLight {
+    Light light;
+    LayerBound layers; ///< one group of casters where no stencil can overflow, or nobody has asked
+    bool drawn = true;
+};
+
 /// What one frame shows, with all that is worked out on the CPU for it.
 struct FrameView {
     Camera camera;
     int width = 1;
     int height = 1;
-    std::vector<Light> lights;         ///< at least one
+    std::vector<FrameLight> lights;    ///< at least one, at most mostLights
     Box bounds{};                      ///< of the scene; shadow maps are fitted to it
     std::vector<DepthSlice> slices;    ///< from far to near, at least one
     double farthestDepth = 0.0;        ///< of what is visible
     std::vector<double> nearestDepths; ///< of each batch, visiblePart()
     Box visible{}; ///< of what is visible, in the world; empty: nothing is known of it
     Slopes slopes; ///< of what is visible
-    std::vector<LayerBound> layers; ///< of each light; empty: no stencil can overflow
 
-    bool mask = false;               ///< the lit mask of the first light, not a picture
-    std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn
-    bool drawBlended = true;         ///< BLEND surfaces are drawn
+    bool mask = false;       ///< the lit mask of the first light, not a picture
+    bool drawBlended = true; ///< BLEND surfaces are drawn
 
     double near() const { return slices.back().near; }
 };
@@ -55,11 +60,11 @@ struct FrameView {
 constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit stencil
 
 /// Works out the near plane, the depth slices and the stencil layers. Takes time linear in the
-/// triangles. `castMasked` as in CasterSettings.
+/// triangles. `castMasked` as in CasterSettings. Throws Error(usage) for too many lights.
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request);
 
 /// The same without layers, for callers that draw many frames: they keep the scene's `bounds`, and
-/// groups of casters (boundLayers(), uploadGroups()) for as long as neither scene nor lights move.
+/// layers (KeptLayers), for as long as neither scene nor lights move.
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds);
 
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: nothing for as
