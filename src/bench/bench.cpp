@@ -4,6 +4,7 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
+#include "src/shadow/geometry/kept_layers.hpp"
 
 #include <algorithm>
 #include <map>
@@ -36,61 +37,39 @@ class Stage {
 
     bool isOf(const LoadedScene& loaded) const { return &loaded == &loaded_; }
 
-    /// Works out what the frame shows. Groups of casters are kept while the lights rest;
+    /// Works out what the frame shows. Layers are kept while the lights rest;
     /// `volumes`: somebody draws them.
     void look(const FrameRequest& request, bool volumes) {
         Stopwatch watch;
         view_ = makeFrameView(loaded_.scene, request, bounds_);
         planMs_ = 1e3 * watch.lap();
         layersMs_ = 0.0;
-        if (layersAreOf(request.lights) || !volumes) return;
-        lights_ = request.lights;
-        layers_.clear();
-        groups_.clear();
-        for (const Light& light : lights_)
-            layers_.push_back(
-                boundLayers(loaded_.scene, loaded_.settings.castMasked, light, stencilLimit));
-        layersMs_ = 1e3 * watch.lap();
+        if (!volumes) return;
+        const bool anyNew = layers_.fill(loaded_.scene, loaded_.settings.castMasked, view_.lights);
+        if (anyNew) layersMs_ = 1e3 * watch.lap();
     }
 
     const FrameView& view() const { return view_; }
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
-    const GpuScene& sceneFor(const Needs& needs) {
+    /// With the groups of casters that the view's lights need.
+    GpuScene& sceneFor(const Needs& needs) {
         auto found = scenes_.find(needs);
         if (found == scenes_.end())
             found =
                 scenes_.emplace(needs, uploadScene(loaded_, needs.volumes, capabilities_)).first;
-        return found->second;
-    }
-
-    const std::vector<GroupedShadow>& groupsFor(const Needs& needs) {
-        if (!needs.volumes) return noGroups_;
-        auto found = groups_.find(needs);
-        if (found == groups_.end()) {
-            FrameView withLayers = view_;
-            withLayers.layers = layers_;
-            found = groups_.emplace(needs, uploadNeededGroups(loaded_, withLayers, needs.volumes))
-                        .first;
-        }
-        return found->second;
+        GpuScene& scene = found->second;
+        if (needs.volumes) scene.groups.upload(loaded_, view_.lights, *needs.volumes);
+        return scene;
     }
 
   private:
-    bool layersAreOf(const std::vector<Light>& lights) const {
-        return std::equal(lights.begin(), lights.end(), lights_.begin(), lights_.end(),
-                          [](const Light& a, const Light& b) { return a.position == b.position; });
-    }
-
     const LoadedScene& loaded_;
     const gl::Capabilities& capabilities_;
     Box bounds_;
     std::map<Needs, GpuScene> scenes_;
     FrameView view_;
-    std::vector<Light> lights_; ///< whose layers_ these are
-    std::vector<LayerBound> layers_;
-    std::map<Needs, std::vector<GroupedShadow>> groups_; ///< for lights_
-    const std::vector<GroupedShadow> noGroups_;
+    KeptLayers layers_;
     double planMs_ = 0.0;
     double layersMs_ = 0.0;
 };
@@ -203,8 +182,7 @@ class Course {
         Stage& stage = contender.stage;
         FrameView view = stage.view();
         view.slices = divideDepth(view.near(), view.farthestDepth, contender.setting.depthSlices);
-        contender.renderer.draw(stage.sceneFor(contender.needs), view,
-                                stage.groupsFor(contender.needs), clock);
+        contender.renderer.draw(stage.sceneFor(contender.needs), view, clock);
         gl::requireNoError("drawing for measuring");
     }
 
@@ -225,7 +203,6 @@ class Course {
     double frameMs(Contender& contender) {
         // What is made on first use is no part of a frame.
         contender.stage.sceneFor(contender.needs);
-        contender.stage.groupsFor(contender.needs);
         return timed([&] {
                    timer_.begin(0);
                    draw(contender, nullptr);
@@ -251,15 +228,13 @@ class Course {
                           stage(&StageMs::lit)};
         result.planMs = median(contender.planMs);
         result.vertexRuns = static_cast<std::size_t>(median(contender.vertexRuns));
-        const auto count = [&](const BatchVolumes& shadow) {
-            result.sideBytes += shadow.sideBytes();
-            result.capBytes += shadow.capBytes();
-        };
-        for (const GpuBatch& batch : contender.stage.sceneFor(contender.needs).batches)
-            count(batch.volumes);
-        for (const GroupedShadow& light : contender.stage.groupsFor(contender.needs))
-            for (const auto& group : light)
-                std::for_each(group.begin(), group.end(), count);
+        const GpuScene& scene = contender.stage.sceneFor(contender.needs);
+        result.sideBytes = scene.groups.sideBytes();
+        result.capBytes = scene.groups.capBytes();
+        for (const GpuBatch& batch : scene.batches) {
+            result.sideBytes += batch.volumes.sideBytes();
+            result.capBytes += batch.volumes.capBytes();
+        }
         if (const Proposals* proposals = contender.renderer.proposals()) {
             result.sideBytes += proposals->sideBytes();
             result.capBytes += proposals->capBytes();

@@ -1,7 +1,5 @@
 #include "src/cli/contender.hpp"
 
-#include "preprocess/base/error.hpp"
-
 namespace edgeshade::cli {
 
 lab::Contender contenderOf(const std::string& name, const DrawSettings& settings,
@@ -23,9 +21,6 @@ void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene,
     task.height = view.height;
     task.near = view.depth.near;
     task.lights = view.lights;
-    if (task.lights.size() > lab::mostLights)
-        throw Error(ExitStatus::usage,
-                    "The oracle takes at most " + std::to_string(lab::mostLights) + " lights.");
     if (view.cameraMatrix && viewsTyped)
         throw Error(ExitStatus::usage,
                     "--camera-matrix is one view, so --views does not go with it.");

@@ -57,7 +57,7 @@ std::string offered(const std::vector<PlacedShadow>& casters, const Light& light
 } // namespace
 
 std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
-                          const RenderSettings& settings, const std::vector<GroupedShadow>& groups,
+                          const RenderSettings& settings, const OverflowGroups& groups,
                           const gl::Capabilities& capabilities) {
     if (settings.shadows == ShadowMethod::none) return "no shadows are drawn";
     if (settings.shadows == ShadowMethod::map)
@@ -67,16 +67,16 @@ std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
     const int bits = capabilities.vertexHighpMantissaBits;
     std::ostringstream text;
     for (std::size_t i = 0; i < (view.mask ? 1 : view.lights.size()); ++i) {
-        const Light& light = view.lights[i];
+        const Light& light = view.lights[i].light;
         text << "light " << i << ", " << placeOf(light) << ": ";
-        const bool grouped = i < groups.size() && !groups[i].empty();
-        const std::size_t count = grouped ? groups[i].size() : 1;
+        const GroupedShadow* grouped = groups.of(light, VolumeLayout::adapted);
+        const std::size_t count = grouped ? grouped->size() : 1;
         if (grouped)
             text << "casters in " << count
                  << " groups, since more volumes may overlap than a stencil counts\n";
         for (std::size_t g = 0; g < count; ++g) {
             const auto casters =
-                grouped ? placedShadows(loaded, groups[i][g]) : placedShadows(loaded);
+                grouped ? placedShadows(loaded, (*grouped)[g]) : placedShadows(loaded);
             if (grouped) text << "group " << g << ": ";
             text << offered(casters, light, settings.silhouette, bits) << "\n";
             for (const DepthSlice& slice : view.slices) {

@@ -10,7 +10,7 @@ namespace edgeshade::cli {
 /// its end. `groups`: as the renderer
 /// gets them.
 std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
-                          const RenderSettings& settings, const std::vector<GroupedShadow>& groups,
+                          const RenderSettings& settings, const OverflowGroups& groups,
                           const gl::Capabilities& capabilities);
 
 } // namespace edgeshade::cli

@@ -110,6 +110,7 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
                         if (w == 0.0 && position == glm::dvec3(0.0))
                             throw CLI::ValidationError(name, "'" + text + "' is no direction");
                         options.lights.push_back({glm::dvec4(position, w)});
+                        requireFewLights(options.lights.size());
                     }
                 },
                 help)

@@ -65,18 +65,18 @@ nlohmann::ordered_json planJson(const FrameView& view) {
     for (auto slice = view.slices.rbegin(); slice != view.slices.rend(); ++slice)
         slices.push_back(slice->near);
     nlohmann::ordered_json groups = nlohmann::ordered_json::array();
-    for (const LayerBound& bound : view.layers)
-        groups.push_back(bound.groupCount);
+    for (const FrameLight& of : view.lights)
+        groups.push_back(of.layers.groupCount);
     return {{"slice_near_planes", slices}, {"caster_groups", groups}};
 }
 
 /// What the picture may lack.
 std::vector<std::string> warningsOf(const FrameView& view) {
     std::vector<std::string> warnings;
-    for (std::size_t i = 0; i < view.layers.size(); ++i)
-        if (view.layers[i].mayOverflow)
+    for (std::size_t i = 0; i < view.lights.size(); ++i)
+        if (view.lights[i].layers.mayOverflow)
             warnings.push_back("Light " + std::to_string(i) + ": up to " +
-                               std::to_string(view.layers[i].most) +
+                               std::to_string(view.lights[i].layers.most) +
                                " triangles may lie behind each other, too many to count in groups; "
                                "what exactly 256 of them shade, or 512, would come out lit.");
     return warnings;
@@ -86,8 +86,8 @@ std::vector<std::string> warningsOf(const FrameView& view) {
 void tintVolumes(const GpuScene& scene, const FrameView& view, const RenderSettings& settings,
                  const gl::Capabilities& capabilities) {
     VolumeTintPass tint(settings.multiplicity, settings.layout, capabilities.instancing);
-    for (const Light& light : view.lights)
-        tint.draw(scene, view, light);
+    for (const FrameLight& of : view.lights)
+        tint.draw(scene, view, of.light);
 }
 
 void render(const RenderOptions& options) {
@@ -108,18 +108,19 @@ void render(const RenderOptions& options) {
     RenderSettings settings = options.settings.render;
     settings.layout = layoutFor(options.settings.instancing, capabilities);
     Renderer renderer(settings, capabilities);
-    const GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
-    const std::vector<GroupedShadow> groups = uploadNeededGroups(loaded, view, settings.records());
+    GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
+    if (settings.records()) scene.groups.upload(loaded, view.lights, *settings.records());
     const double loadSeconds = watch.lap();
 
-    renderer.draw(scene, view, groups);
+    renderer.draw(scene, view);
     if (options.debugVolumes) tintVolumes(scene, view, settings, capabilities);
     gl::requireNoError("drawing");
     const std::vector<std::uint8_t> pixels = context.readPixels();
     const double drawSeconds = watch.lap();
     writeFile(options.output, encodePng(pixels, view.width, view.height));
     if (options.explain || options.debugVolumes)
-        printResult(explanationOf(loaded, view, settings, groups, capabilities), options.report);
+        printResult(explanationOf(loaded, view, settings, scene.groups, capabilities),
+                    options.report);
     printResult(options.output + ": " + std::to_string(view.width) + "x" +
                     std::to_string(view.height) + ", " +
                     std::to_string(loaded.scene.triangleCount()) + " triangles, drawn by " +
@@ -127,7 +128,7 @@ void render(const RenderOptions& options) {
                 options.report);
 
     nlohmann::ordered_json lights = nlohmann::ordered_json::array();
-    for (const Light& light : view.lights) {
+    for (const auto& [light, layers, drawn] : view.lights) {
         lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
         if (light.hasRange()) lights.back().push_back(light.range);
     }

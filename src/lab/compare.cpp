@@ -25,9 +25,11 @@ class Studio {
     }
 
     std::vector<std::uint8_t> draw(Renderer& renderer, const LoadedScene& loaded,
-                                   const FrameView& view,
-                                   const std::vector<GroupedShadow>& groups) {
-        renderer.draw(sceneFor(loaded, renderer.settings().records()), view, groups);
+                                   const FrameView& view) {
+        const auto records = renderer.settings().records();
+        GpuScene& scene = sceneFor(loaded, records);
+        if (records) scene.groups.upload(loaded, view.lights, *records);
+        renderer.draw(scene, view);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();
     }
@@ -36,7 +38,7 @@ class Studio {
     int subpixelBits() const { return context_.capabilities().subpixelBits; }
 
   private:
-    const GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
+    GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
         const auto key = std::pair(&loaded, records);
         auto found = scenes_.find(key);
         if (found == scenes_.end())
@@ -76,7 +78,7 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
     judged.frame = frameOf(loaded, request);
     judged.oracle = std::make_unique<Oracle>(Question{&loaded.scene, loaded.settings.castMasked,
                                                       judged.frame.frustum, judged.frame.near(),
-                                                      judged.frame.lights, task.width, task.height},
+                                                      request.lights, task.width, task.height},
                                              alpha);
     judged.answers = traceAll(*judged.oracle, {});
     return judged;
@@ -100,10 +102,9 @@ class Jury {
         drawUnshadowed(renderer.settings(), frameWith(loaded_, contender.depthSlices));
         const LoadedScene& drawn = contender.scene ? *contender.scene : loaded_;
         FrameView frame = frameWith(drawn, contender.depthSlices);
-        const auto groups = uploadNeededGroups(drawn, frame, renderer.settings().records());
-        pictures_.image = studio_.draw(renderer, drawn, frame, groups);
+        pictures_.image = studio_.draw(renderer, drawn, frame);
         frame.mask = true;
-        pictures_.mask = studio_.draw(renderer, drawn, frame, groups);
+        pictures_.mask = studio_.draw(renderer, drawn, frame);
         return compareWithOracle(*judged_.oracle, judged_.answers, pictures_,
                                  studio_.subpixelBits());
     }
@@ -130,7 +131,7 @@ class Jury {
         plain.shadows = ShadowMethod::none;
         Renderer renderer = studio_.rendererFor(plain);
         pictures_.drawUnshadowed(std::move(frame), [&](const FrameView& view) {
-            return studio_.draw(renderer, loaded_, view, {});
+            return studio_.draw(renderer, loaded_, view);
         });
     }
 

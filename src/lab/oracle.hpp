@@ -19,8 +19,6 @@ struct Answer {
     bool operator==(const Answer&) const = default;
 };
 
-inline constexpr std::size_t mostLights = 32;
-
 /// What is judged: a scene, a view of it, lights, a picture size. `near`: surfaces nearer along the
 /// viewing direction can't be seen, but cast.
 struct Question {

@@ -1,7 +1,5 @@
 #include "src/scene/gpu_scene.hpp"
 
-#include <algorithm>
-
 namespace edgeshade {
 namespace {
 
@@ -16,38 +14,6 @@ std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& bat
     HoleSource source{castersOf(batch, loaded.scene.materials, true), {}};
     source.mesh = weldCasters(batch, source.casters);
     return source;
-}
-
-/// Shadow data of every batch in its group, by the layout.
-std::vector<BatchVolumes> uploadGroup(const LoadedScene& loaded,
-                                      const std::vector<GroupTopology>& topology,
-                                      VolumeRecords records) {
-    const Scene& scene = loaded.scene;
-    std::uint32_t largest = 0;
-    for (const GroupTopology& of : topology)
-        largest = std::max(largest, of.edges.largestOppositeCount());
-    std::vector<BatchVolumes> group;
-    for (std::size_t i = 0; i < topology.size(); ++i) {
-        const auto& [casters, mesh, edges] = topology[i];
-        const Batch& batch = scene.batches[i];
-        const bool holes = loaded.settings.castMasked;
-        BatchVolumes& volumes = group.emplace_back();
-        if (records.volumes == VolumeLayout::adapted) {
-            auto shadow = std::make_shared<const AdaptedShadow>(
-                buildAdapted(mesh, edges, scene.materials, loaded.settings.flatTolerance));
-            volumes.adapted.emplace(
-                shadow, holes ? capHoles(batch, casters, mesh, *shadow) : std::vector<glm::vec4>(),
-                records.layout);
-        } else {
-            const BatchShadow shadow{
-                buildSides(mesh.welded.positions, edges, recordMultiplicityFor(largest)),
-                buildCaps(mesh.welded), mesh.groups};
-            volumes.published = uploadShadow(
-                shadow, holes ? capHoles(batch, casters, mesh) : std::vector<glm::vec4>(),
-                records.layout);
-        }
-    }
-    return group;
 }
 
 void addAdapted(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
@@ -83,13 +49,14 @@ std::size_t GpuScene::shadowBytes() const {
     std::size_t total = 0;
     for (const GpuBatch& batch : batches)
         total += batch.volumes.bytes();
-    return total;
+    return total + groups.sideBytes() + groups.capBytes();
 }
 
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities) {
     const Scene& scene = loaded.scene;
-    GpuScene gpu{{}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
+    GpuScene gpu{
+        {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
         gpu.batches.push_back({batch.worldFromBatch, false, uploadSurfaces(batch), {}});
     if (records) addVolumes(gpu, loaded, *records);
@@ -103,15 +70,6 @@ void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records)
         addAdapted(gpu, loaded, records.layout);
     if (records.volumes == VolumeLayout::published && !there.published)
         addPublished(gpu, loaded, records.layout);
-}
-
-GroupedShadow uploadGroups(const LoadedScene& loaded, std::span<const std::uint32_t> groupOf,
-                           std::size_t groupCount, VolumeRecords records) {
-    GroupedShadow groups;
-    for (std::uint32_t g = 0; g < groupCount; ++g)
-        groups.push_back(uploadGroup(
-            loaded, groupTopology(loaded.scene, loaded.settings.castMasked, groupOf, g), records));
-    return groups;
 }
 
 } // namespace edgeshade

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "src/scene/batch_volumes.hpp"
-#include "src/scene/layered_shadow.hpp"
-#include "src/scene/load.hpp"
+#include "src/scene/overflow_groups.hpp"
 #include "src/scene/surface_buffers.hpp"
 #include "src/scene/textures.hpp"
 
@@ -23,6 +22,7 @@ struct GpuBatch {
 /// A scene on the GPU.
 struct GpuScene {
     std::vector<GpuBatch> batches;
+    OverflowGroups groups; ///< of its casters, for lights that need them
     std::vector<Material> materials;
     Textures textures;
     bool castMasked = false; ///< MASK and BLEND surfaces cast too
@@ -32,9 +32,6 @@ struct GpuScene {
     std::size_t shadowBytes() const;
 };
 
-/// Shadow data in groups, each of which a stencil can count: by group, then by batch.
-using GroupedShadow = std::vector<std::vector<BatchVolumes>>;
-
 /// Uploads the surfaces, and the records that shadow volumes are drawn from, none where none will
 /// be drawn. Throws Error(unavailable) if the GL can't.
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
@@ -43,9 +40,5 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
 /// Uploads shadow data in a further layout, if they are not there yet. Those of one VolumeLayout
 /// are there in one SidesLayout alone.
 void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records);
-
-/// Builds and uploads `groupCount` groups of casters; see groupShadow().
-GroupedShadow uploadGroups(const LoadedScene& loaded, std::span<const std::uint32_t> groupOf,
-                           std::size_t groupCount, VolumeRecords records);
 
 } // namespace edgeshade

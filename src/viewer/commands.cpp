@@ -15,7 +15,7 @@ constexpr double lightShare = 0.02; // of the picture's height
 constexpr double lightStep = 0.94;  // of its distance from the eye
 constexpr double splitStep = 0.02;
 constexpr double speedStep = 1.25;
-constexpr std::size_t mostLights = 8; // that the keyboard adds
+constexpr std::size_t lightsInARow = 8; // places that added lights come to in turn
 
 Camera pannedBy(const ViewState& state, const Stage& stage, double x, double y) {
     const PictureView view = stage.viewOf(state.camera);
@@ -54,7 +54,7 @@ Light lightAlongView(const Light& light, const ViewState& state, double factor) 
 
 void addLight(ViewState& state, const Stage& stage) {
     if (state.lights.size() >= mostLights) return;
-    const double side = 0.12 * static_cast<double>(state.lights.size());
+    const double side = 0.12 * static_cast<double>(state.lights.size() % lightsInARow);
     const glm::dvec3 place =
         stage.bounds.center() + stage.size() * glm::dvec3(side, 0.3, 0.1 - 0.5 * side);
     state.lights.push_back({glm::dvec4(place, 1.0)});

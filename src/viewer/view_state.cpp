@@ -11,7 +11,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double farthestPlace = 1e12; // of a coordinate; beyond it floats lose the scene
-constexpr std::size_t mostLights = 32; // that a frame can draw
 constexpr int smallestMap = 16;
 constexpr int largestMap = 16384;
 

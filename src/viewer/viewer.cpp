@@ -1,7 +1,7 @@
 #include "src/viewer/viewer.hpp"
 
 #include "src/render/frame/volume_tint_pass.hpp"
-#include "src/viewer/caster_groups.hpp"
+#include "src/shadow/geometry/kept_layers.hpp"
 #include "src/viewer/commands.hpp"
 #include "src/viewer/frame_clock.hpp"
 #include "src/viewer/handle_drawing.hpp"
@@ -17,7 +17,6 @@
 
 #include <cmath>
 #include <GLES2/gl2.h>
-#include <map>
 
 namespace edgeshade::viewer {
 namespace {
@@ -51,7 +50,6 @@ struct Viewer::Parts {
         OverlayPass overlay;
         std::unique_ptr<VolumeTintPass> tint; ///< made when it is first asked for
         MultiplicityMethod tintMethod = MultiplicityMethod::plane;
-        std::map<VolumeRecords, CasterGroups> groups;
         std::optional<GpuScene> scene;
     };
 
@@ -62,7 +60,8 @@ struct Viewer::Parts {
     FrameClock clock;
     std::optional<LoadedScene> loaded;
     std::optional<Animation> animation; ///< of the loaded scene
-    std::unique_ptr<Gpu> gpu;           ///< null: the context is lost
+    KeptLayers layers;
+    std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
     bool timed = false;    ///< somebody asked for statistics
     bool unchecked = true; ///< something new is drawn, which the GL may refuse
@@ -78,7 +77,7 @@ struct Viewer::Parts {
     void sceneMoved();
     void draw();
     void drawSide(const SideSettings& side, const FrameView& view, StageClock* stageClock);
-    const std::vector<GroupedShadow>& groupsFor(const SideSettings& side);
+    void groupCasters(const SideSettings& side, FrameView& view);
     const EdgeCounts& edgesNow();
 };
 
@@ -139,7 +138,8 @@ void Viewer::Parts::applyPose() {
 void Viewer::Parts::sceneMoved() {
     stage.bounds = worldBounds(loaded->scene);
     edgeCounts.reset();
-    if (gpu) gpu->groups.clear();
+    layers.clear();
+    if (gpu && gpu->scene) gpu->scene->groups.clear();
     dirty = true;
 }
 
@@ -150,17 +150,16 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
     return edgeCounts->second;
 }
 
-/// The casters in groups that a stencil can count, kept from frame to frame.
-const std::vector<GroupedShadow>& Viewer::Parts::groupsFor(const SideSettings& side) {
-    static const std::vector<GroupedShadow> none;
-    if (side.shadows != ShadowMethod::volumes) return none;
-    const VolumeRecords records = gpu->recordsOf(side);
-    return gpu->groups[records].of(state.lights, *loaded, records);
+/// Puts the casters in groups that a stencil can count.
+void Viewer::Parts::groupCasters(const SideSettings& side, FrameView& view) {
+    if (side.shadows != ShadowMethod::volumes) return;
+    layers.fill(loaded->scene, loaded->settings.castMasked, view.lights);
+    gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(side));
 }
 
 void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
                              StageClock* stageClock) {
-    gpu->renderers.of(side, state).draw(*gpu->scene, view, groupsFor(side), stageClock);
+    gpu->renderers.of(side, state).draw(*gpu->scene, view, stageClock);
     if (state.debug == DebugView::volumes && side.shadows == ShadowMethod::volumes)
         gpu->tintOf(side.multiplicity).draw(*gpu->scene, view, state.lights[state.chosenLight]);
 }
@@ -173,9 +172,9 @@ void Viewer::Parts::draw() {
     request.height = stage.height;
     request.lights = state.lights;
     request.depth = settings.depth;
-    const FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
-    groupsFor(state.left);
-    if (state.split) groupsFor(state.right);
+    FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
+    groupCasters(state.left, view);
+    if (state.split) groupCasters(state.right, view);
     const double planSeconds = watch.lap();
 
     StageWatch stages; // waits, so such a frame says nothing of what one takes

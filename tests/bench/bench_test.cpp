@@ -147,8 +147,7 @@ std::vector<std::uint8_t> pictureOf(ShadowMethod shadows, StageClock* clock) {
     request.width = request.height = 64;
     request.lights = {pointLight({2.0, 6.0, 3.0})};
     request.depth.slices = 1;
-    renderer.draw(scene, makeFrameView(loaded.scene, loaded.settings.castMasked, request), {},
-                  clock);
+    renderer.draw(scene, makeFrameView(loaded.scene, loaded.settings.castMasked, request), clock);
     return context.readPixels();
 }
 

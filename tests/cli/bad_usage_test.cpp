@@ -25,6 +25,14 @@ BadUsage badRender(const std::string& name, const std::vector<std::string>& more
     return row;
 }
 
+/// A verb with more lights than a picture has; the last one is a sun.
+BadUsage tooManyLights(const std::string& name, std::vector<std::string> verb) {
+    for (int i = 0; i < 32; ++i)
+        verb.insert(verb.end(), {"--light", "1,2,3"});
+    verb.insert(verb.end(), {"--sun", "0,1,0"});
+    return {name, verb, {"More than 32 lights were asked for"}};
+}
+
 const BadUsage usages[] = {
     {"NoVerb", {}, {}},
     {"UnknownVerb", {"shade", "IN", "OUT"}, {"shade"}},
@@ -139,6 +147,10 @@ const BadUsage usages[] = {
     {"MaskScaleOfAMap",
      {"render", "IN", "OUT", "--shadows", "map", "--mask-scale", "1/2"},
      {"--mask-scale", "--shadows volumes"}},
+    tooManyLights("LightsOfARenderTooMany", {"render", "IN", "OUT"}),
+    tooManyLights("LightsOfACompareTooMany", {"compare", "IN"}),
+    tooManyLights("LightsOfABenchTooMany", {"bench", "IN"}),
+    tooManyLights("LightsOfATradeoffTooMany", {"tradeoff", "IN"}),
     {"LightRangeOfASun",
      {"render", "IN", "OUT", "--sun", "0,1,0", "--light-range", "3"},
      {"--light-range", "--light"}},

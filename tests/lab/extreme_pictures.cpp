@@ -34,20 +34,19 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
         scene.scene, scene.settings.castMasked,
         {extreme.seen(), extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
-    const GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
-    const auto draw = [&](const RenderSettings& settings, const FrameView& view,
-                          const std::vector<GroupedShadow>& groups) {
-        Renderer(settings, capabilities).draw(gpu, view, groups);
+    GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
+    gpu.groups.upload(scene, frame.lights, *shadows.records());
+    const auto draw = [&](const RenderSettings& settings, const FrameView& view) {
+        Renderer(settings, capabilities).draw(gpu, view);
         gl::requireNoError("drawing an extreme");
         return context.readPixels();
     };
 
     lab::Pictures pictures;
-    pictures.drawUnshadowed(frame, [&](const FrameView& view) { return draw(plain, view, {}); });
-    const auto groups = uploadNeededGroups(scene, frame, shadows.records());
-    pictures.image = draw(shadows, frame, groups);
+    pictures.drawUnshadowed(frame, [&](const FrameView& view) { return draw(plain, view); });
+    pictures.image = draw(shadows, frame);
     frame.mask = true;
-    pictures.mask = draw(shadows, frame, groups);
+    pictures.mask = draw(shadows, frame);
     return pictures;
 }
 

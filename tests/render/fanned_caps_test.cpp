@@ -89,7 +89,7 @@ Drawn drawnWith(SilhouetteChoice choice, SidesLayout layout, const LoadedScene& 
     settings.layout = layout;
     const GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
-    renderer.draw(scene, view, {});
+    renderer.draw(scene, view);
     gl::requireNoError("drawing a test scene");
     return {context.readPixels(), renderer.vertexRuns()};
 }

@@ -33,11 +33,11 @@ void expectSum(const std::vector<Light>& lights, float ambient, std::optional<in
     view.depth.slices = slices;
     const Picture drawn = draw(view, ShadowMethod::volumes, ambient, scene);
     TestView part = view;
-    part.drawnLights = 0;
+    part.drawnLights.emplace();
     const Picture ambientAlone = draw(part, ShadowMethod::none, ambient, scene);
     std::vector<Picture> alone, masks;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        part.drawnLights = 1u << i;
+        part.drawnLights = {i};
         alone.push_back(draw(part, ShadowMethod::none, ambient, scene));
         TestView mask = view;
         mask.mask = true;
@@ -99,7 +99,7 @@ TEST(LightWithAmbient, LeavesAmbientLightWhereAllIsInShadow) {
     RenderSettings settings;
     settings.ambient = 0.3f;
     const Picture drawn = test::drawScene(scene, view, settings);
-    view.drawnLights = 0;
+    view.drawnLights.emplace();
     const Picture ambientAlone = test::drawScene(scene, view, settings);
     for (std::size_t i = 0; i < drawn.size(); ++i)
         ASSERT_NEAR(drawn[i], ambientAlone[i], 1);

@@ -61,7 +61,7 @@ class Pair {
     }
 
     std::vector<std::uint8_t> draw(Renderer& renderer, const FrameView& view) {
-        renderer.draw(*scene_, view, {});
+        renderer.draw(*scene_, view);
         gl::requireNoError("drawing a test scene");
         return context_.readPixels();
     }

@@ -1,5 +1,6 @@
 #include "tests/support/headless.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string_view>
@@ -28,11 +29,15 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
     FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
                                    {test.seen(), test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;
-    view.drawnLights = test.drawnLights;
+    if (test.drawnLights)
+        for (std::size_t i = 0; i < view.lights.size(); ++i)
+            view.lights[i].drawn =
+                std::count(test.drawnLights->begin(), test.drawnLights->end(), i);
     if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);
-    const GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
+    GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
-    renderer.draw(gpu, view, uploadNeededGroups(loaded, view, settings.records()));
+    if (settings.records()) gpu.groups.upload(loaded, view.lights, *settings.records());
+    renderer.draw(gpu, view);
     gl::requireNoError("drawing a test scene");
     return context.readPixels();
 }

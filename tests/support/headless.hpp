@@ -26,7 +26,7 @@ struct TestView {
     int height = 64;
     bool mask = false;
     DepthChoice depth{};
-    std::uint32_t drawnLights = ~0u;  ///< bit i: light i is drawn
+    std::optional<std::vector<std::size_t>> drawnLights = {}; ///< by index; nothing: all of them
     bool nearDiscard = true;          ///< false: front caps are never cut, which is a fault
     std::optional<Frustum> frustum{}; ///< in place of the camera's
 

@@ -72,12 +72,12 @@ TEST(Commands, ResetGivesTheFirstViewBack) {
 
 TEST(Commands, LightsComeAndGoButOneStays) {
     ViewState state = start();
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 50; ++i)
         state = after(Command::addLight, state, stage);
-    EXPECT_EQ(state.lights.size(), 8u);
-    EXPECT_EQ(state.chosenLight, 7u);
+    EXPECT_EQ(state.lights.size(), mostLights);
+    EXPECT_EQ(state.chosenLight, mostLights - 1);
     EXPECT_EQ(after(Command::nextLight, state, stage).chosenLight, 0u);
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 50; ++i)
         state = after(Command::removeLight, state, stage);
     EXPECT_EQ(state.lights.size(), 1u);
     EXPECT_EQ(state.chosenLight, 0u);

@@ -29,20 +29,6 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
     return capabilities.instancing ? SidesLayout::instanced : SidesLayout::notInstanced;
 }
 
-std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              std::optional<VolumeRecords> records) {
-    if (!records) return {};
-    std::vector<GroupedShadow> groups(view.layers.size());
-    bool needed = false;
-    for (std::size_t i = 0; i < view.layers.size(); ++i) {
-        const LayerBound& bound = view.layers[i];
-        if (bound.groupCount <= 1) continue;
-        groups[i] = uploadGroups(loaded, bound.groupOf, bound.groupCount, *records);
-        needed = true;
-    }
-    return needed ? std::move(groups) : std::vector<GroupedShadow>();
-}
-
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), counter_(settings, capabilities), surfaces_(settings.map.pcf) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
@@ -50,8 +36,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         coarse_.emplace(settings.maskScale, capabilities);
 }
 
-void Renderer::draw(const GpuScene& scene, const FrameView& view,
-                    const std::vector<GroupedShadow>& groups, StageClock* clock) {
+void Renderer::draw(const GpuScene& scene, const FrameView& view, StageClock* clock) {
     vertexRuns_ = 0;
     counter_.beginFrame(scene);
     glm::ivec2 counted(view.width, view.height);
@@ -72,23 +57,23 @@ void Renderer::draw(const GpuScene& scene, const FrameView& view,
         std::vector<PixelRectangle> reaches(lights); // empty: nothing to draw
         PixelRectangle reach;
         for (std::size_t i = 0; i < lights; ++i) {
-            if ((view.drawnLights >> i & 1u) == 0) continue;
-            reaches[i] = intersection(open, lightReach(view, pass.slice, view.lights[i]));
+            if (!view.lights[i].drawn) continue;
+            reaches[i] = intersection(open, lightReach(view, pass.slice, view.lights[i].light));
             reach = united(reach, reaches[i]);
         }
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
-        const auto first = firstByItself(groups, reaches);
+        const auto first = firstByItself(pass, reaches);
         std::optional<PreparedCount> prepared;
         if (first && settings_.shadows == ShadowMethod::volumes)
             prepared = prepareCount(pass, *first, volumesOfScene(scene));
         const bool withAmbient = first && !view.mask;
-        drawDepthAndAmbient(pass, withAmbient ? &view.lights[*first] : nullptr,
+        drawDepthAndAmbient(pass, withAmbient ? &view.lights[*first].light : nullptr,
                             prepared ? prepared->cleared() : 0);
         if (coarse_ && !reach.empty()) drawCoarseSurfaces(pass, reach);
         if (withAmbient && prepared) drawShadow(pass, reaches[*first], *prepared);
         for (std::size_t i = 0; i < lights; ++i) {
             if (reaches[i].empty() || (withAmbient && i == *first)) continue;
-            const GroupedShadow* grouped = groupsOf(groups, i);
+            const GroupedShadow* grouped = groupsOf(pass, i);
             drawShadowedLight(pass, i, grouped, reaches[i],
                               i == first && prepared ? &*prepared : nullptr);
             marked = marked || (grouped && !coarse_);
@@ -117,19 +102,17 @@ bool Renderer::cutsToVisible() const {
     return !records || records->volumes != VolumeLayout::published;
 }
 
-const GroupedShadow* Renderer::groupsOf(const std::vector<GroupedShadow>& groups,
-                                        std::size_t light) const {
-    const bool grouped = settings_.shadows == ShadowMethod::volumes && light < groups.size() &&
-                         !groups[light].empty();
-    return grouped ? &groups[light] : nullptr;
+const GroupedShadow* Renderer::groupsOf(const Pass& pass, std::size_t light) const {
+    const auto records = settings_.records();
+    return records ? pass.scene.groups.of(pass.view.lights[light].light, records->volumes)
+                   : nullptr;
 }
 
 std::optional<std::size_t>
-Renderer::firstByItself(const std::vector<GroupedShadow>& groups,
-                        const std::vector<PixelRectangle>& reaches) const {
+Renderer::firstByItself(const Pass& pass, const std::vector<PixelRectangle>& reaches) const {
     if (coarse_) return std::nullopt;
     for (std::size_t i = 0; i < reaches.size(); ++i)
-        if (!reaches[i].empty() && !groupsOf(groups, i)) return i;
+        if (!reaches[i].empty() && !groupsOf(pass, i)) return i;
     return std::nullopt;
 }
 
@@ -194,7 +177,7 @@ void Renderer::drawCoarseSurfaces(const Pass& pass, const PixelRectangle& reach)
 void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
                                  const GroupedShadow* groups, const PixelRectangle& reach,
                                  const PreparedCount* prepared) {
-    const Light& light = pass.view.lights[lightIndex];
+    const Light& light = pass.view.lights[lightIndex].light;
     const gl::ScissorScope cut(reach);
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);

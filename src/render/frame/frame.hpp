@@ -46,12 +46,10 @@ class Renderer {
     /// are none.
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
-    /// `groups`: for each light of the view its casters in groups, where view.layers asks for
-    /// them, else empty; an empty vector where no light needs any. `clock`, which may be null, is
-    /// told of the stages. Throws Error(unavailable) if the GL can't draw masks of lower
-    /// resolution.
-    void draw(const GpuScene& scene, const FrameView& view,
-              const std::vector<GroupedShadow>& groups = {}, StageClock* clock = nullptr);
+    /// The scene must have the groups of casters that the lights' layers ask for, see
+    /// OverflowGroups. `clock`, which may be null, is told of the stages. Throws
+    /// Error(unavailable) if the GL can't draw masks of lower resolution.
+    void draw(const GpuScene& scene, const FrameView& view, StageClock* clock = nullptr);
 
     const RenderSettings& settings() const { return settings_; }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
@@ -93,10 +91,9 @@ class Renderer {
     /// Whether nothing is counted where no surface is; the published method counts everywhere.
     bool cutsToVisible() const;
     /// Its casters in groups, or null.
-    const GroupedShadow* groupsOf(const std::vector<GroupedShadow>& groups,
-                                  std::size_t light) const;
+    const GroupedShadow* groupsOf(const Pass& pass, std::size_t light) const;
     /// The first light that reaches something and whose shadows need no alpha of their own.
-    std::optional<std::size_t> firstByItself(const std::vector<GroupedShadow>& groups,
+    std::optional<std::size_t> firstByItself(const Pass& pass,
                                              const std::vector<PixelRectangle>& reaches) const;
     /// `light`: drawn with ambient light, may be null. `stencil`: what it is cleared to.
     void drawDepthAndAmbient(const Pass& pass, const Light* light, int stencil);
@@ -130,10 +127,6 @@ class Renderer {
     std::optional<CoarseMask> coarse_;  ///< where volumes are counted at a lower resolution
     std::size_t vertexRuns_ = 0;        ///< of the last frame
 };
-
-/// Builds and uploads the groups of casters that view.layers asks for; empty where none are needed.
-std::vector<GroupedShadow> uploadNeededGroups(const LoadedScene& loaded, const FrameView& view,
-                                              std::optional<VolumeRecords> records);
 
 /// The layout that suits the context: instanced where it can, else not.
 SidesLayout bestLayout(const gl::Capabilities& capabilities);

@@ -48,7 +48,7 @@ void VolumeCounter::count(const PreparedCount& prepared, const GpuScene& scene) 
 }
 
 PreparedCount VolumeCounter::prepareAdapted(const CountTask& task) {
-    const Light& light = task.view.lights[task.light];
+    const Light& light = task.view.lights[task.light].light;
     std::vector<PlacedShadow> casters;
     for (std::size_t i = 0; i < task.scene.batches.size(); ++i) {
         const GpuBatch& batch = task.scene.batches[i];
@@ -121,7 +121,7 @@ PreparedCount VolumeCounter::preparePublished(const CountTask& task) const {
         prepared.batches.push_back(
             {.volumes = volumes,
              .view = batchViewOf(batch, task.view, task.slice),
-             .light = lightInObject(task.view.lights[task.light], batch.worldFromBatch),
+             .light = lightInObject(task.view.lights[task.light].light, batch.worldFromBatch),
              .nearDiscard = task.view.nearestDepths[i] <= task.slice.near});
         prepared.vertexRuns += volumes.published->vertexRuns(task.scene.materials);
     }

@@ -48,17 +48,19 @@ std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<
 
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
     FrameView view = makeFrameView(scene, request, worldBounds(scene));
-    for (const Light& light : request.lights)
-        view.layers.push_back(boundLayers(scene, castMasked, light, stencilLimit));
+    for (FrameLight& of : view.lights)
+        of.layers = boundLayers(scene, castMasked, of.light, stencilLimit);
     return view;
 }
 
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds) {
+    requireFewLights(request.lights.size());
     FrameView view;
     view.frustum = standingBack(request.frustum, bounds);
     view.width = request.width;
     view.height = request.height;
-    view.lights = request.lights;
+    for (const Light& light : request.lights)
+        view.lights.push_back({light, {}, true});
     view.bounds = bounds;
     DepthRange range;
     for (const Batch& batch : scene.batches) {

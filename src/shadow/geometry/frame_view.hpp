@@ -31,12 +31,19 @@ struct FrameRequest {
     DepthChoice depth;
 };
 
+/// One light of a frame.
+struct FrameLight {
+    Light light;
+    LayerBound layers; ///< one group of casters where no stencil can overflow, or nobody has asked
+    bool drawn = true;
+};
+
 /// What one frame shows, with all that is worked out on the CPU for it.
 struct FrameView {
     Frustum frustum; ///< with all that there is before the camera, see standingBack()
     int width = 1;
     int height = 1;
-    std::vector<Light> lights;      ///< at least one
+    std::vector<FrameLight> lights; ///< at least one, at most mostLights
     Box bounds{};                   ///< of the scene; shadow maps are fitted to it
     std::vector<DepthSlice> slices; ///< from far to near, at least one; orthographic: one
     double farPlane = std::numeric_limits<double>::infinity(); ///< finite where orthographic
@@ -44,11 +51,9 @@ struct FrameView {
     std::vector<double> nearestDepths;                         ///< of each batch, visiblePart()
     Box visible{}; ///< of what is visible, in the world; empty: nothing is known of it
     Slopes slopes; ///< of what is visible
-    std::vector<LayerBound> layers; ///< of each light; empty: no stencil can overflow
 
-    bool mask = false;               ///< the lit mask of the first light, not a picture
-    std::uint32_t drawnLights = ~0u; ///< bit i: light i is drawn
-    bool drawBlended = true;         ///< BLEND surfaces are drawn
+    bool mask = false;       ///< the lit mask of the first light, not a picture
+    bool drawBlended = true; ///< BLEND surfaces are drawn
 
     double near() const { return slices.back().near; }
     /// Camera to clip space, for a slice of it.
@@ -62,11 +67,11 @@ constexpr std::size_t stencilLimit = 255; ///< the largest count of an 8-bit ste
 /// Works out the near plane, the depth slices and the stencil layers. Takes time linear in the
 /// triangles. `castMasked` as in CasterSettings. An orthographic picture has one slice, since its
 /// depths are told apart alike everywhere, which holds the whole scene: no volume is cut by its
-/// near plane or its far plane where it matters.
+/// near plane or its far plane where it matters. Throws Error(usage) for too many lights.
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request);
 
 /// The same without layers, for callers that draw many frames: they keep the scene's `bounds`, and
-/// groups of casters (boundLayers(), uploadGroups()) for as long as neither scene nor lights move.
+/// layers (KeptLayers), for as long as neither scene nor lights move.
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds);
 
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: nothing for as

@@ -1,9 +1,18 @@
 #include "src/shadow/geometry/light.hpp"
 
+#include "preprocess/base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace edgeshade {
+
+void requireFewLights(std::size_t lights) {
+    if (lights > mostLights)
+        throw Error(ExitStatus::usage, "More than " + std::to_string(mostLights) +
+                                           " lights were asked for, but a picture has " +
+                                           std::to_string(mostLights) + " at most.");
+}
 
 Light defaultLight() {
     return {glm::dvec4(0.6, 1.0, 0.35, 0.0)};

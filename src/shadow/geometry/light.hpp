@@ -8,6 +8,12 @@
 
 namespace edgeshade {
 
+/// Lights that one frame can have.
+inline constexpr std::size_t mostLights = 32;
+
+/// Throws Error(usage) for more than those.
+void requireFewLights(std::size_t lights);
+
 /// A light in the world (docs/method.md, Terms): w = 1, a point light at xyz; w = 0, a sun, xyz
 /// pointing towards it.
 struct Light {

@@ -1,0 +1,23 @@
+#include "src/shadow/geometry/kept_layers.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+
+bool KeptLayers::fill(const Scene& scene, bool castMasked, std::vector<FrameLight>& lights) {
+    std::vector<Kept> kept;
+    bool anyNew = false;
+    for (FrameLight& of : lights) {
+        const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& known) {
+            return known.light == of.light.position;
+        });
+        anyNew = anyNew || found == kept_.end();
+        of.layers = found != kept_.end() ? found->layers
+                                         : boundLayers(scene, castMasked, of.light, stencilLimit);
+        kept.push_back({of.light.position, of.layers});
+    }
+    kept_ = std::move(kept);
+    return anyNew;
+}
+
+} // namespace edgeshade
