@@ -8,7 +8,8 @@ uniform mediump sampler2D u_coarseSurface; // see packPlane()
 uniform mediump sampler2D u_coarseLit;     // alpha 1: lit
 uniform vec2 u_coarseSize;                 // texels
 uniform vec2 u_coarseTexel;                // a texel's size in fragments
-uniform float u_coarseSlack;               // how far a curved surface may leave its plane, relative
+uniform float u_coarseSlack; // how far a curved surface may leave its plane, of nearness; relative
+                             // to it but for ORTHOGRAPHIC
 uniform vec4 u_coarseLight;                // in the space of planes
 
 // Of the difference of two directions: 30 degrees or so, which their four bits can tell.
@@ -18,14 +19,17 @@ float litByCoarseMask(bool casts) {
     Plane own = planeHere();
     // Casters that are seen from the side turned away from the light are dark, and known to be so
     // without any mask.
-    if (casts && dot(own.normal, u_coarseLight.xyz) > u_coarseLight.w) return 0.0;
+    if (casts && dot(own.normal, u_coarseLight.xyz) > own.offset * u_coarseLight.w) return 0.0;
     vec2 ownDirection = direction(own.normal);
-    vec2 at = (v_clip.xy / v_clip.z * 0.5 + 0.5) * u_coarseSize - 0.5;
+    vec2 at = (placeHere() * 0.5 + 0.5) * u_coarseSize - 0.5;
     vec2 first = floor(at);
     vec2 part = at - first;
     vec2 change = own.change * u_coarseTexel;
-    float tolerance = 0.1 * (abs(change.x) + abs(change.y)) + u_coarseSlack * own.inverseDepth +
-                      1.5 / largestInverse;
+    float slack = u_coarseSlack;
+#ifndef ORTHOGRAPHIC
+    slack *= own.nearness;
+#endif
+    float tolerance = 0.1 * (abs(change.x) + abs(change.y)) + slack + 1.5 / largestInverse;
     float votes = 0.0;
     float lit = 0.0;
     for (int j = 0; j < 2; ++j)
@@ -34,7 +38,7 @@ float litByCoarseMask(bool casts) {
             vec2 place = (first + corner + 0.5) / u_coarseSize;
             vec3 there = unpackPlane(texture2D(u_coarseSurface, place));
             float apart =
-                abs(there.x - own.inverseDepth - dot(change, corner - part)) / tolerance;
+                abs(there.x - own.nearness - dot(change, corner - part)) / tolerance;
             float turn = distance(there.yz, ownDirection) / largestTurn;
             float away = max(apart, turn);
             // Where no texel is of the same surface the one that is least off decides.

@@ -1,29 +1,58 @@
 // The plane of the triangle at a fragment, and how coarse_surface.frag stores it for each texel of a
-// coarse mask: three bytes of inverse depth, one of the direction. Along a plane the inverse of the
-// depth changes linearly over the picture, so two derivatives tell all of it.
+// coarse mask: three bytes of nearness, one of the direction. Along a plane nearness changes linearly
+// over the picture, so two derivatives tell all of it. It is 1 at the near plane: the inverse of the
+// depth in units of the near plane's distance; ORTHOGRAPHIC, what is left to the far plane, as a share
+// of the depth range.
 //
 // Space: the camera's, x right, y up, z the depth along the viewing direction, in units of the near
-// plane's distance.
-uniform vec2 u_tangents; // half the picture's window, across and up, a unit of depth
+// plane's distance; ORTHOGRAPHIC, in scene units, z from the near plane on.
+uniform vec2 u_tangents; // half the picture's window, across and up
 uniform vec2 u_middle;   // of the window
-uniform vec2 u_focal;    // fragments a unit of tangent
-uniform float u_near;    // scene units
+uniform vec2 u_focal;    // fragments a unit of the window
+#ifdef ORTHOGRAPHIC
+uniform float u_depthRange; // from the near plane to the far plane, scene units
+
+varying vec3 v_clip; // w is 1
+#else
+uniform float u_near; // scene units
 
 varying vec3 v_clip; // x, y and w
+#endif
 
 struct Plane {
-    float inverseDepth; // 0..1
-    vec2 change;        // of it, from a fragment to the next
-    vec3 normal;        // points p of the plane: dot(normal, p) = 1
+    float nearness; // 0..1
+    vec2 change;    // of it, from a fragment to the next
+    vec3 normal;    // points p of the plane: dot(normal, p) = offset
+    float offset;
 };
+
+// Normalised device coordinates.
+vec2 placeHere() {
+#ifdef ORTHOGRAPHIC
+    return v_clip.xy;
+#else
+    return v_clip.xy / v_clip.z;
+#endif
+}
 
 Plane planeHere() {
     Plane plane;
-    plane.inverseDepth = u_near / v_clip.z;
-    plane.change = vec2(dFdx(plane.inverseDepth), dFdy(plane.inverseDepth));
+#ifdef ORTHOGRAPHIC
+    plane.nearness = 0.5 - 0.5 * v_clip.z;
+#else
+    plane.nearness = u_near / v_clip.z;
+#endif
+    plane.change = vec2(dFdx(plane.nearness), dFdy(plane.nearness));
     vec2 slope = plane.change * u_focal;
-    vec2 tangent = v_clip.xy / v_clip.z * u_tangents + u_middle;
-    plane.normal = vec3(slope, plane.inverseDepth - dot(slope, tangent));
+    vec2 window = placeHere() * u_tangents + u_middle;
+    float rest = plane.nearness - dot(slope, window);
+#ifdef ORTHOGRAPHIC
+    plane.normal = vec3(slope * u_depthRange, 1.0);
+    plane.offset = (1.0 - rest) * u_depthRange;
+#else
+    plane.normal = vec3(slope, rest);
+    plane.offset = 1.0;
+#endif
     return plane;
 }
 
@@ -35,7 +64,7 @@ vec2 direction(vec3 normal) {
 const float largestInverse = 16777215.0; // of three bytes
 
 vec4 packPlane(Plane plane) {
-    float rest = floor(clamp(plane.inverseDepth, 0.0, 1.0) * largestInverse + 0.5);
+    float rest = floor(clamp(plane.nearness, 0.0, 1.0) * largestInverse + 0.5);
     vec4 bytes;
     bytes.r = floor(rest / 65536.0);
     rest -= bytes.r * 65536.0;
@@ -46,7 +75,7 @@ vec4 packPlane(Plane plane) {
     return bytes / 255.0;
 }
 
-// Inverse depth, direction. Where nothing is the texel is 0.
+// Nearness, direction. Where nothing is the texel is 0.
 vec3 unpackPlane(vec4 texel) {
     vec4 bytes = floor(texel * 255.0 + 0.5);
     float upper = floor(bytes.a / 16.0);

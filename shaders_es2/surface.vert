@@ -71,6 +71,10 @@ void main() {
     v_depth = gl_Position.w;
 #endif
 #ifdef PLANE
+#ifdef ORTHOGRAPHIC
+    v_clip = gl_Position.xyz;
+#else
     v_clip = gl_Position.xyw;
+#endif
 #endif
 }

@@ -181,7 +181,7 @@ class Course {
     void draw(Contender& contender, StageClock* clock) {
         Stage& stage = contender.stage;
         FrameView view = stage.view();
-        view.slices = divideDepth(view.near(), view.farthestDepth, contender.setting.depthSlices);
+        view.divide(contender.setting.depthSlices);
         contender.renderer.draw(stage.sceneFor(contender.needs), view, clock);
         gl::requireNoError("drawing for measuring");
     }

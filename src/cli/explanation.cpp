@@ -69,7 +69,7 @@ std::string explanationOf(const LoadedScene& loaded, const FrameView& view,
     for (std::size_t i = 0; i < (view.mask ? 1 : view.lights.size()); ++i) {
         const Light& light = view.lights[i].light;
         text << "light " << i << ", " << placeOf(light) << ": ";
-        const GroupedShadow* grouped = groups.of(light, VolumeLayout::adapted);
+        const GroupedShadow* grouped = groups.of(view.lights[i], VolumeLayout::adapted);
         const std::size_t count = grouped ? grouped->size() : 1;
         if (grouped)
             text << "casters in " << count

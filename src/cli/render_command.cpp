@@ -66,7 +66,7 @@ nlohmann::ordered_json planJson(const FrameView& view) {
         slices.push_back(slice->near);
     nlohmann::ordered_json groups = nlohmann::ordered_json::array();
     for (const FrameLight& of : view.lights)
-        groups.push_back(of.layers.groupCount);
+        groups.push_back(of.groupCount());
     return {{"slice_near_planes", slices}, {"caster_groups", groups}};
 }
 
@@ -128,7 +128,8 @@ void render(const RenderOptions& options) {
                 options.report);
 
     nlohmann::ordered_json lights = nlohmann::ordered_json::array();
-    for (const auto& [light, layers, drawn] : view.lights) {
+    for (const FrameLight& of : view.lights) {
+        const Light& light = of.light;
         lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
         if (light.hasRange()) lights.back().push_back(light.range);
     }

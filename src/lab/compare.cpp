@@ -118,7 +118,7 @@ class Jury {
         if (found == frames_.end())
             found = frames_.emplace(&drawn, frameOf(drawn, judged_.request)).first;
         FrameView frame = found->second;
-        frame.slices = divideDepth(frame.near(), frame.farthestDepth, depthSlices);
+        frame.divide(depthSlices);
         return frame;
     }
 

@@ -1,6 +1,7 @@
 #include "src/scene/overflow_groups.hpp"
 
 #include "src/scene/layered_shadow.hpp"
+#include "src/shadow/geometry/cut_casters.hpp"
 
 #include <algorithm>
 
@@ -8,10 +9,9 @@ namespace edgeshade {
 namespace {
 
 /// Shadow data of every batch in its group, by the layout.
-std::vector<BatchVolumes> uploadGroup(const LoadedScene& loaded,
+std::vector<BatchVolumes> uploadGroup(const Scene& scene, const CasterSettings& settings,
                                       const std::vector<GroupTopology>& topology,
                                       VolumeRecords records) {
-    const Scene& scene = loaded.scene;
     std::uint32_t largest = 0;
     for (const GroupTopology& of : topology)
         largest = std::max(largest, of.edges.largestOppositeCount());
@@ -19,11 +19,11 @@ std::vector<BatchVolumes> uploadGroup(const LoadedScene& loaded,
     for (std::size_t i = 0; i < topology.size(); ++i) {
         const auto& [casters, mesh, edges] = topology[i];
         const Batch& batch = scene.batches[i];
-        const bool holes = loaded.settings.castMasked;
+        const bool holes = settings.castMasked;
         BatchVolumes& volumes = group.emplace_back();
         if (records.volumes == VolumeLayout::adapted) {
             auto shadow = std::make_shared<const AdaptedShadow>(
-                buildAdapted(mesh, edges, scene.materials, loaded.settings.flatTolerance));
+                buildAdapted(mesh, edges, scene.materials, settings.flatTolerance));
             volumes.adapted.emplace(
                 shadow, holes ? capHoles(batch, casters, mesh, *shadow) : std::vector<glm::vec4>(),
                 records.layout);
@@ -39,14 +39,30 @@ std::vector<BatchVolumes> uploadGroup(const LoadedScene& loaded,
     return group;
 }
 
-GroupedShadow uploadGroups(const LoadedScene& loaded, const LayerBound& layers,
+/// `groupOf`: of each caster of `scene`.
+GroupedShadow uploadGroups(const Scene& scene, const CasterSettings& settings,
+                           std::span<const std::uint32_t> groupOf, std::size_t groupCount,
                            VolumeRecords records) {
     GroupedShadow groups;
-    for (std::uint32_t g = 0; g < layers.groupCount; ++g)
+    for (std::uint32_t g = 0; g < groupCount; ++g)
         groups.push_back(uploadGroup(
-            loaded, groupTopology(loaded.scene, loaded.settings.castMasked, layers.groupOf, g),
-            records));
+            scene, settings, groupTopology(scene, settings.castMasked, groupOf, g), records));
     return groups;
+}
+
+GroupedShadow uploadGroups(const LoadedScene& loaded, const FrameLight& light,
+                           VolumeRecords records) {
+    const LayerBound& layers = light.layers;
+    if (!light.cut)
+        return uploadGroups(loaded.scene, loaded.settings, layers.groupOf, layers.groupCount,
+                            records);
+    const CutCasters cut = cutCasters(loaded.scene, loaded.settings.castMasked, *light.cut);
+    std::vector<std::uint32_t> groupOf;
+    for (std::size_t i = 0; i < cut.from.size(); ++i) {
+        const std::uint32_t group = layers.groupCount > 1 ? layers.groupOf[cut.from[i]] : 0;
+        groupOf.push_back(2 * group + (cut.inside[i] ? 1 : 0));
+    }
+    return uploadGroups(cut.scene, loaded.settings, groupOf, light.groupCount(), records);
 }
 
 /// The sum of `bytesOf` over all batches of all groups.
@@ -67,20 +83,20 @@ void OverflowGroups::upload(const LoadedScene& loaded, const std::vector<FrameLi
                             VolumeRecords records) {
     std::vector<Kept> kept;
     for (const FrameLight& of : lights) {
-        const auto isThere = [&](const Kept& entry) { return entry.light == of.light.position; };
-        if (of.layers.groupCount <= 1 || std::any_of(kept.begin(), kept.end(), isThere)) continue;
+        const auto isThere = [&](const Kept& entry) { return entry.light == of.light.position && entry.cut == of.cut; };
+        if (of.groupCount() <= 1 || std::any_of(kept.begin(), kept.end(), isThere)) continue;
         const auto found = std::find_if(kept_.begin(), kept_.end(), isThere);
         Kept& entry = kept.emplace_back(found != kept_.end() ? std::move(*found)
-                                                             : Kept{of.light.position, {}});
+                                                             : Kept{of.light.position, of.cut, {}});
         if (!entry.groups.contains(records.volumes))
-            entry.groups.emplace(records.volumes, uploadGroups(loaded, of.layers, records));
+            entry.groups.emplace(records.volumes, uploadGroups(loaded, of, records));
     }
     kept_ = std::move(kept);
 }
 
-const GroupedShadow* OverflowGroups::of(const Light& light, VolumeLayout layout) const {
+const GroupedShadow* OverflowGroups::of(const FrameLight& light, VolumeLayout layout) const {
     for (const Kept& entry : kept_) {
-        if (entry.light != light.position) continue;
+        if (entry.light != light.light.position || entry.cut != light.cut) continue;
         const auto found = entry.groups.find(layout);
         return found != entry.groups.end() ? &found->second : nullptr;
     }

@@ -13,7 +13,8 @@ namespace edgeshade {
 using GroupedShadow = std::vector<std::vector<BatchVolumes>>;
 
 /// A scene's casters in groups on the GPU, for the lights around which more shadow volumes may
-/// overlap than a stencil counts (LayerBound), kept while the lights rest.
+/// overlap than a stencil counts (LayerBound), and for those whose casters are cut
+/// (FrameLight::cut), kept while the lights rest.
 class OverflowGroups {
   public:
     /// Builds and uploads the groups that the lights' layers ask for and that are not there yet,
@@ -22,7 +23,7 @@ class OverflowGroups {
                 VolumeRecords records);
 
     /// The light's groups of one layout; null where it needs none, or nobody has uploaded them.
-    const GroupedShadow* of(const Light& light, VolumeLayout layout) const;
+    const GroupedShadow* of(const FrameLight& light, VolumeLayout layout) const;
 
     void clear() { kept_.clear(); }
     std::size_t sideBytes() const;
@@ -31,6 +32,7 @@ class OverflowGroups {
   private:
     struct Kept {
         glm::dvec4 light; ///< its position
+        std::optional<glm::dvec4> cut;
         std::map<VolumeLayout, GroupedShadow> groups;
     };
     std::vector<Kept> kept_;

@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <GLES2/gl2.h>
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 namespace edgeshade {
@@ -47,9 +48,12 @@ struct Wrong {
     int lit = 0, shadow = 0;
 };
 
-Wrong wrongIn(const Scene& scene, const Camera& camera, const Light& light, int scale) {
-    const auto mask = test::drawScene(scene, {camera, {light}, width, height, true}, coarse(scale));
-    const auto answers = test::castMask(scene, camera, light, width, height, 0.0);
+Wrong wrongIn(const Scene& scene, const Frustum& frustum, const Light& light, int scale) {
+    TestView view{{}, {light}, width, height, true};
+    view.frustum = frustum;
+    const auto mask = test::drawScene(scene, view, coarse(scale));
+    const auto answers = test::castMask(scene, standingBack(frustum, worldBounds(scene)), light,
+                                        width, height, 0.0);
     Wrong wrong;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -67,6 +71,10 @@ Wrong wrongIn(const Scene& scene, const Camera& camera, const Light& light, int 
     return wrong;
 }
 
+Wrong wrongIn(const Scene& scene, const Camera& camera, const Light& light, int scale) {
+    return wrongIn(scene, frustumOf(camera, static_cast<double>(width) / height), light, scale);
+}
+
 const Light lights[] = {pointLight({1.7, 4, 0.7}), pointLight({-6, 3.5, 4}), sun({0.5, 1, -0.3})};
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
@@ -80,6 +88,21 @@ TEST(CoarseMask, IsRightAwayFromBoundaries) {
             EXPECT_GT(wrong.lit, 1000);
             EXPECT_GT(wrong.shadow, 1000);
         }
+}
+
+TEST(CoarseMask, IsRightInAnyProjection) {
+    const glm::dmat4 view = viewFromWorld(corner);
+    const double aspect = static_cast<double>(width) / height;
+    const Frustum offAxis =
+        frustumOf(view, glm::frustum(-0.02 * aspect, 0.06 * aspect, -0.05, 0.03, 0.1, 10.0));
+    for (const Frustum& frustum : {offAxis, frustumOf(corner, aspect, 7.0)})
+        for (const Light& light : lights)
+            for (const int scale : {2, 4}) {
+                const Wrong wrong = wrongIn(test::yard().scene(), frustum, light, scale);
+                EXPECT_EQ(wrong.awayFromBoundaries, 0) << "scale " << scale;
+                EXPECT_LE(wrong.all, scale * width * height / 200) << "scale " << scale;
+                EXPECT_GT(wrong.shadow, 1000);
+            }
 }
 
 // A card over a floor, seen from above; a wall beside the view takes the low sun from one of them.

@@ -98,6 +98,26 @@ TEST(Projections, ParallelLightWithARange) {
     expectRight(seenBy(fromAbove, Light{{0.3, 3.0, 0.7, 1.0}, 3.4}), MultiplicityMethod::plane);
 }
 
+// Lamps among the casters' depths, which are cut there: above, between and below them as seen.
+TEST(Projections, ParallelLightAmongTheCasters) {
+    for (const Light& light : {pointLight({-0.4, 1.1, 0.9}), pointLight({0.9, 1.7, -0.8}),
+                               pointLight({0.2, 0.4, 1.3})})
+        for (const Frustum& frustum : {fromAbove, aslant, fromTheSide})
+            expectRight(seenBy(frustum, light), MultiplicityMethod::plane);
+}
+
+TEST(Projections, ParallelLightWithinABox) {
+    Case test = seenBy(aslant, pointLight({0.1, 1.1, -0.1}));
+    test.scene = SceneBuilder()
+                     .floor(5)
+                     .quad({-1, 0.2f, -1}, {-1, 2, -1}, {1, 2, -1}, {1, 0.2f, -1})
+                     .quad({-1, 0.2f, 1}, {-0.2f, 0.2f, 1}, {-0.2f, 2, 1}, {-1, 2, 1})
+                     .quad({1, 0.2f, -1}, {1, 2, -1}, {1, 2, 0.6f}, {1, 0.2f, 0.6f})
+                     .box({-2, 0.5f, -1}, {-1.5f, 2, 0})
+                     .scene();
+    expectRight(test, MultiplicityMethod::plane);
+}
+
 TEST(Projections, ParallelFarFromTheOrigin) {
     const glm::dvec3 away(1e6, 3e5, -2e6);
     Case test = seenBy(parallel({corner.from + away, corner.to + away}, 7.0), sun({0.5, 1, -0.3}));

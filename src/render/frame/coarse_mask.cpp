@@ -16,8 +16,12 @@ constexpr double slopeOfCurves = 0.5;
 /// The planes' space of a picture of this size.
 PlaneSpace planeSpace(const FrameView& view, const DepthSlice& slice, const glm::dvec2& size) {
     const glm::dvec2 window = view.frustum.size();
-    return {glm::vec2(0.5 * window), glm::vec2(0.5 * (view.frustum.low + view.frustum.high)),
-            glm::vec2(size / window), static_cast<float>(slice.near)};
+    PlaneSpace space{glm::vec2(0.5 * window),
+                     glm::vec2(0.5 * (view.frustum.low + view.frustum.high)),
+                     glm::vec2(size / window), static_cast<float>(slice.near)};
+    if (view.frustum.orthographic)
+        space.depthRange = static_cast<float>(view.farPlane - slice.near);
+    return space;
 }
 
 } // namespace
@@ -93,6 +97,12 @@ CoarseMaskLookup CoarseMask::lookup(const FrameView& view, const DepthSlice& sli
     lookup.slack = static_cast<float>(slopeOfCurves * scale_) / lookup.space.focal.y;
     glm::dvec4 inView = view.frustum.viewFromWorld * light.position;
     inView.z = -inView.z;
+    if (view.frustum.orthographic) {
+        lookup.slack /= *lookup.space.depthRange;
+        inView.z -= slice.near * inView.w;
+        lookup.light = glm::vec4(inView);
+        return lookup;
+    }
     // A sun's direction is scaled so that no double leaves the range of floats.
     const double unit =
         light.position.w != 0.0

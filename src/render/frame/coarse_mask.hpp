@@ -9,10 +9,11 @@ namespace edgeshade {
 
 /// How planes are stored: see shaders_es2/coarse_plane.glsl.
 struct PlaneSpace {
-    glm::vec2 tangents{1.0f}; ///< half the picture's window, across and up, a unit of depth
+    glm::vec2 tangents{1.0f}; ///< half the picture's window, across and up, see Frustum
     glm::vec2 middle{0.0f};   ///< of the window
-    glm::vec2 focal{1.0f};    ///< fragments a unit of tangent
+    glm::vec2 focal{1.0f};    ///< fragments a unit of the window
     float near = 1.0f;
+    std::optional<float> depthRange{}; ///< of orthographic pictures, from near to far plane
 };
 
 /// A light's finished mask of lower resolution, with what a fragment needs to look itself up in it.
@@ -22,7 +23,7 @@ struct CoarseMaskLookup {
     PlaneSpace space;
     glm::vec2 size{1.0f};  ///< texels
     glm::vec2 texel{1.0f}; ///< a texel's size in fragments
-    float slack = 0.0f;    ///< share of its inverse depth by which a surface may leave its plane
+    float slack = 0.0f;    ///< by which a surface may leave its plane; see the shader
     glm::vec4 light{0.0f}; ///< in the space of planes
 };
 

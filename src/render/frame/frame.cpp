@@ -104,7 +104,7 @@ bool Renderer::cutsToVisible() const {
 
 const GroupedShadow* Renderer::groupsOf(const Pass& pass, std::size_t light) const {
     const auto records = settings_.records();
-    return records ? pass.scene.groups.of(pass.view.lights[light].light, records->volumes)
+    return records ? pass.scene.groups.of(pass.view.lights[light], records->volumes)
                    : nullptr;
 }
 

@@ -56,7 +56,10 @@ void setPlaneSpace(gl::Program& program, const PlaneSpace& space) {
     program.set("u_tangents", space.tangents);
     program.set("u_middle", space.middle);
     program.set("u_focal", space.focal);
-    program.set("u_near", space.near);
+    if (space.depthRange)
+        program.set("u_depthRange", *space.depthRange);
+    else
+        program.set("u_near", space.near);
 }
 
 void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool casts) {
@@ -116,6 +119,10 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.sliced = std::isfinite(shading.farthest);
     variant.coarse = shading.coarse != nullptr;
     variant.planes = shading.planes != nullptr;
+    const PlaneSpace* space = shading.planes   ? shading.planes
+                              : shading.coarse ? &shading.coarse->space
+                                               : nullptr;
+    variant.orthographic = space && space->depthRange;
     return variant;
 }
 
@@ -141,6 +148,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     }
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.coarse || variant.planes) defines.push_back("PLANE");
+    if (variant.orthographic) defines.push_back("ORTHOGRAPHIC");
     std::vector<std::string> names;
     for (const Attribute& attribute : attributes_)
         if (attribute.isOf(variant)) names.push_back(attribute.name);

@@ -62,10 +62,11 @@ class SurfacePass {
         bool sliced;      ///< has a farthest depth
         bool coarse;      ///< looks up a mask of lower resolution
         bool planes;      ///< draws what such a mask stores of surfaces
+        bool orthographic; ///< looks it up or draws it for such a picture
 
         auto key() const {
             return std::tie(alphaMode, map, textured, colored, lit, withAmbient, sun, ranged, mask,
-                            sliced, coarse, planes);
+                            sliced, coarse, planes, orthographic);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

@@ -1,5 +1,7 @@
 #include "src/shadow/geometry/frame_view.hpp"
 
+#include "src/shadow/geometry/box_plane.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,6 +22,15 @@ DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
         range.add(depthOf(frustum, bounds.corner(corner)));
     const double margin = orthographicMargin * std::max(bounds.diagonal(), 1e-9);
     return {range.nearest - margin, range.farthest + margin};
+}
+
+/// Where a point light needs casters to be cut, see FrameLight::cut.
+std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, const Box& bounds) {
+    if (!frustum.orthographic || light.position.w == 0.0 || bounds.empty()) return std::nullopt;
+    const glm::dvec3 forward = frustum.forward();
+    const glm::dvec4 plane(forward, -glm::dot(forward, glm::dvec3(light.position)));
+    const bool among = largestOver(bounds, plane) > 0.0 && largestOver(bounds, -plane) > 0.0;
+    return among ? std::optional(plane) : std::nullopt;
 }
 
 } // namespace
@@ -46,6 +57,10 @@ std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<
     return result;
 }
 
+void FrameView::divide(std::optional<int> count) {
+    if (!frustum.orthographic) slices = divideDepth(near(), farthestDepth, count);
+}
+
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
     FrameView view = makeFrameView(scene, request, worldBounds(scene));
     for (FrameLight& of : view.lights)
@@ -60,7 +75,7 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
     view.width = request.width;
     view.height = request.height;
     for (const Light& light : request.lights)
-        view.lights.push_back({light, {}, true});
+        view.lights.push_back({light, {}, true, cutAt(light, view.frustum, bounds)});
     view.bounds = bounds;
     DepthRange range;
     for (const Batch& batch : scene.batches) {

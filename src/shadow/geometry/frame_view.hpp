@@ -36,6 +36,13 @@ struct FrameLight {
     Light light;
     LayerBound layers; ///< one group of casters where no stencil can overflow, or nobody has asked
     bool drawn = true;
+    /// In orthographic pictures, of a point light among the casters' depths: the plane across the
+    /// viewing direction through it, in the world, inside deeper. Casters come in two groups, cut by
+    /// it (docs/method.md, C33).
+    std::optional<glm::dvec4> cut{};
+
+    /// How many groups of casters it takes.
+    std::size_t groupCount() const { return (cut ? 2 : 1) * layers.groupCount; }
 };
 
 /// What one frame shows, with all that is worked out on the CPU for it.
@@ -56,6 +63,8 @@ struct FrameView {
     bool drawBlended = true; ///< BLEND surfaces are drawn
 
     double near() const { return slices.back().near; }
+    /// Divides the depth range anew, see divideDepth(). An orthographic picture stays whole.
+    void divide(std::optional<int> count);
     /// Camera to clip space, for a slice of it.
     glm::dmat4 clipFromView(const DepthSlice& slice) const {
         return edgeshade::clipFromView(frustum, slice.near, farPlane);

@@ -183,19 +183,26 @@ std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanV
 /// Where a cluster's volumes lead, along the viewing direction.
 enum class Leading { deeper, nearer, both };
 
-Leading leadingOf(const ShadowCluster& cluster, const PlanView& view) {
+Leading leadingOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view) {
     const glm::dvec4& depthLeft = view.planes.back(); // to the farthest that is visible
     const double ofLight = glm::dot(depthLeft, view.light);
     if (view.light.w == 0.0) return ofLight >= 0.0 ? Leading::deeper : Leading::nearer;
+    // By the corners themselves: a box is larger than what has been cut aslant.
     const double margin = roundingOf(cluster.bounds, depthLeft);
-    if (largestOver(cluster.bounds, depthLeft) <= ofLight + margin) return Leading::deeper;
-    if (-largestOver(cluster.bounds, -depthLeft) >= ofLight - margin) return Leading::nearer;
-    return Leading::both;
+    bool deeper = true, nearer = true;
+    for (std::uint32_t i = cluster.caps.first; i < cluster.caps.end(); ++i)
+        for (const glm::vec3& corner : {shadow.caps[i].a, shadow.caps[i].b, shadow.caps[i].c}) {
+            const double left = glm::dot(depthLeft, glm::dvec4(corner, 1.0));
+            deeper = deeper && left <= ofLight + margin;
+            nearer = nearer && left >= ofLight - margin;
+        }
+    return deeper ? Leading::deeper : nearer ? Leading::nearer : Leading::both;
 }
 
 /// What an orthographic picture makes of a cluster that would be counted behind surfaces.
-void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanView& view, VolumeDraw& draw) {
-    switch (leadingOf(cluster, view)) {
+void keepBeforeFarPlane(const ShadowCluster& cluster, const AdaptedShadow& shadow,
+                        const PlanView& view, VolumeDraw& draw) {
+    switch (leadingOf(cluster, shadow, view)) {
     case Leading::nearer:
         return;
     case Leading::deeper:
@@ -280,7 +287,7 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         }
         draw.counted = *counted;
         decideCaps(cluster, shadow, view, touched, draw);
-        if (draw.zFail() && view.eye.w == 0.0) keepBeforeFarPlane(cluster, view, draw);
+        if (draw.zFail() && view.eye.w == 0.0) keepBeforeFarPlane(cluster, shadow, view, draw);
         if (!draw.zFail()) draw.end = endFor(cluster.bounds, view);
         const bool inView =
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
