@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <set>
+#include <sstream>
 
 namespace edgeshade::test {
 namespace {
@@ -43,6 +46,47 @@ TEST(Rendering, APictureHasTheSizeThatWasAskedFor) {
         EXPECT_EQ(image.width, width);
         EXPECT_EQ(image.height, height);
     }
+}
+
+/// A camera at (5, 4, 6) that looks at (0, 0.5, 0), as a view matrix.
+std::string viewMatrix() {
+    std::ostringstream text;
+    text.precision(17);
+    const glm::dmat4 view = glm::lookAt(glm::dvec3(5, 4, 6), glm::dvec3(0, 0.5, 0), {0, 1, 0});
+    for (int i = 0; i < 16; ++i)
+        text << (i == 0 ? "" : ",") << view[i / 4][i % 4];
+    return text.str();
+}
+
+TEST(Rendering, AViewMatrixIsACamera) {
+    EXPECT_EQ(pictureOf(pavilion, {"--camera-from", "5,4,6", "--camera-to", "0,0.5,0"}),
+              pictureOf(pavilion, {"--camera-matrix", viewMatrix()}));
+}
+
+TEST(Rendering, AnOrthographicPictureIsAsHighAsWasAskedFor) {
+    // A cube of 1 from the front, in a picture of 4: a quarter of its height.
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addShapeNode(box(glm::vec3(0.5f)));
+    const std::string file = folder.write("box.glb", gltf.glb());
+    const Image image =
+        decodeImage(pictureOf(file, {"--ortho", "4", "--camera-from", "0,0,9", "--camera-to",
+                                     "0,0,0", "--size", "320x160", "--mask"}),
+                    "box.png");
+    int surface = 0;
+    for (int y = 0; y < image.height; ++y)
+        surface += image.rgba[4 * static_cast<std::size_t>(y * image.width + 160) + 3] != 0;
+    EXPECT_NEAR(surface, 40, 1);
+}
+
+TEST(Rendering, PublishedRecordsAreRefusedInAnOrthographicPicture) {
+    const TempFolder folder;
+    const ProcessResult result =
+        runEdgeshade({"render", pavilion, folder / "picture.png", "--ortho", "9", "--size", "64x48",
+                      "--multiplicity", "reference-edge"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.err.find("--multiplicity plane"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "picture.png"));
 }
 
 TEST(Rendering, TexelsAreLookedUpAsTheSamplerSays) {

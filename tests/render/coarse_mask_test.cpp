@@ -52,8 +52,8 @@ Wrong wrongIn(const Scene& scene, const Frustum& frustum, const Light& light, in
     TestView view{{}, {light}, width, height, true};
     view.frustum = frustum;
     const auto mask = test::drawScene(scene, view, coarse(scale));
-    const auto answers = test::castMask(scene, standingBack(frustum, worldBounds(scene)), light,
-                                        width, height, 0.0);
+    const auto answers =
+        test::castMask(scene, standingBack(frustum, worldBounds(scene)), light, width, height, 0.0);
     Wrong wrong;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

@@ -22,8 +22,7 @@ double areaOf(const Batch& batch, std::size_t triangle) {
                                         cornerOf(batch, 3 * triangle + 2) - a));
 }
 
-const glm::dmat4 placed =
-    glm::rotate(glm::translate(glm::dmat4(1.0), {3, -1, 2}), 0.7, {1, 2, -1});
+const glm::dmat4 placed = glm::rotate(glm::translate(glm::dmat4(1.0), {3, -1, 2}), 0.7, {1, 2, -1});
 const glm::dvec4 plane(glm::normalize(glm::dvec3(0.3, 1, -0.2)), 0.05);
 
 TEST(CutCasters, AreOnOneSideEachAndKeepTheirArea) {
@@ -53,9 +52,8 @@ TEST(CutCasters, AreOnOneSideEachAndKeepTheirArea) {
 TEST(CutCasters, StayClosed) {
     const Scene scene =
         test::SceneBuilder().box({-1, -1, -1}, {1, 1.5f, 2}).placedBy(placed).scene();
-    const CutCasters cut =
-        cutCasters(scene, false, {0.3, 1, -0.2, -glm::dot(glm::dvec3(0.3, 1, -0.2),
-                                                          glm::dvec3(placed[3]))});
+    const CutCasters cut = cutCasters(
+        scene, false, {0.3, 1, -0.2, -glm::dot(glm::dvec3(0.3, 1, -0.2), glm::dvec3(placed[3]))});
     const Batch& batch = cut.scene.batches.front();
     EXPECT_GT(cut.from.size(), scene.triangleCount());
     const CasterMesh mesh = weldCasters(batch, castersOf(batch, cut.scene.materials, false));

@@ -100,8 +100,8 @@ TEST(Projections, ParallelLightWithARange) {
 
 // Lamps among the casters' depths, which are cut there: above, between and below them as seen.
 TEST(Projections, ParallelLightAmongTheCasters) {
-    for (const Light& light : {pointLight({-0.4, 1.1, 0.9}), pointLight({0.9, 1.7, -0.8}),
-                               pointLight({0.2, 0.4, 1.3})})
+    for (const Light& light :
+         {pointLight({-0.4, 1.1, 0.9}), pointLight({0.9, 1.7, -0.8}), pointLight({0.2, 0.4, 1.3})})
         for (const Frustum& frustum : {fromAbove, aslant, fromTheSide})
             expectRight(seenBy(frustum, light), MultiplicityMethod::plane);
 }
@@ -116,6 +116,17 @@ TEST(Projections, ParallelLightWithinABox) {
                      .box({-2, 0.5f, -1}, {-1.5f, 2, 0})
                      .scene();
     expectRight(test, MultiplicityMethod::plane);
+}
+
+TEST(Projections, ParallelAtAnyScale) {
+    for (const double scale : {1e-6, 1e6})
+        for (const Light& light :
+             {sun({0.5, 1, -0.3}), pointLight(scale * glm::dvec3(-0.4, 1.1, 0.9))}) {
+            Case test =
+                seenBy(parallel({scale * corner.from, scale * corner.to}, 7.0 * scale), light);
+            test.scene = yard().placedBy(glm::scale(glm::dmat4(1.0), glm::dvec3(scale))).scene();
+            expectRight(test, MultiplicityMethod::plane);
+        }
 }
 
 TEST(Projections, ParallelFarFromTheOrigin) {

@@ -1,5 +1,6 @@
 #include "src/render/frame/frame.hpp"
 
+#include "preprocess/base/error.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/volumes/stencil_count.hpp"
 
@@ -11,6 +12,16 @@ namespace {
 
 /// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
 constexpr double sliceOverlap = 1.0001;
+
+/// Published records are counted behind surfaces alone, where a far plane at a finite depth cuts
+/// volumes (docs/method.md, C33).
+void requireCountable(const RenderSettings& settings, const FrameView& view) {
+    const auto records = settings.records();
+    if (view.frustum.orthographic && records && records->volumes == VolumeLayout::published)
+        throw Error(ExitStatus::unavailable,
+                    "Published records can't be counted in an orthographic picture; "
+                    "'--multiplicity plane' can.");
+}
 
 /// How far away a point is, for what is drawn from far to near.
 double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
@@ -38,6 +49,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
 
 void Renderer::draw(const GpuScene& scene, const FrameView& view, StageClock* clock) {
     vertexRuns_ = 0;
+    requireCountable(settings_, view);
     counter_.beginFrame(scene);
     glm::ivec2 counted(view.width, view.height);
     if (coarse_) {
