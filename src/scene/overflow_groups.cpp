@@ -61,6 +61,18 @@ std::size_t sumOver(const std::vector<Kept>& kept, BytesOf bytesOf) {
     return total;
 }
 
+/// Works on what is const and what isn't.
+template <class Kept>
+auto groupsOf(Kept& kept, const Light& light, VolumeLayout layout)
+    -> decltype(&kept.front().groups.begin()->second) {
+    for (auto& entry : kept) {
+        if (entry.light != light.position) continue;
+        const auto found = entry.groups.find(layout);
+        return found != entry.groups.end() ? &found->second : nullptr;
+    }
+    return nullptr;
+}
+
 } // namespace
 
 void OverflowGroups::upload(const LoadedScene& loaded, const std::vector<FrameLight>& lights,
@@ -78,13 +90,12 @@ void OverflowGroups::upload(const LoadedScene& loaded, const std::vector<FrameLi
     kept_ = std::move(kept);
 }
 
+GroupedShadow* OverflowGroups::of(const Light& light, VolumeLayout layout) {
+    return groupsOf(kept_, light, layout);
+}
+
 const GroupedShadow* OverflowGroups::of(const Light& light, VolumeLayout layout) const {
-    for (const Kept& entry : kept_) {
-        if (entry.light != light.position) continue;
-        const auto found = entry.groups.find(layout);
-        return found != entry.groups.end() ? &found->second : nullptr;
-    }
-    return nullptr;
+    return groupsOf(kept_, light, layout);
 }
 
 std::size_t OverflowGroups::sideBytes() const {
