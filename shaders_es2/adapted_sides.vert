@@ -2,7 +2,7 @@
 //
 // Variants: PAIR, two planes, else one; SUN, volumes end at infinity, where all points coincide, so
 // that a side is the triangle of A, B and the first of them; CAP, the triangle between a side's edge
-// and u_apex, of the front cap or the back cap, in place of the side (render/side_records.hpp); PROBE
+// and u_apex, of the front cap or the back cap, in place of the side (shadow/plan/draw_list.hpp); PROBE
 // and DEGENERATE as in sides.vert.
 #include "plane_side.glsl"
 #include "extrusion.glsl"

@@ -18,18 +18,18 @@ DRAWING = ROOT / "docs/figures/rooms.svg"
 ROOMS = (
     "preprocess/base", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
     "preprocess/volumes",
-    "src/shadow/geometry", "src/shadow/silhouette", "src/shadow/plan",
+    "src/shadow/geometry", "src/shadow/silhouette", "src/shadow/plan", "src/shadow/plan/published",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
-    "src/render/timing", "src/render/volumes/published", "src/render/volumes", "src/render/frame",
+    "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/frame",
     "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 
 # Libraries' headers, by the start of the name that is included, and the rooms that may see them.
 GL = ("GLES2/", "EGL/", "GLFW/", "emscripten")
 JSON = ("nlohmann/", "tiny_gltf.h")
-PURE = ROOMS[:8]                      # neither GL nor JSON
-NO_GL = ROOMS[:12]
+PURE = ROOMS[:9]                      # neither GL nor JSON
+NO_GL = ROOMS[:13]
 # tinygltf's model is for who reads documents; others see JSON at most.
 TINYGLTF = ("preprocess/gltf", "preprocess/reading")
 

@@ -33,7 +33,7 @@ def flow():
          (("LoadedScene", "on the CPU"), ("GpuScene", "surfaces, records"))),
         (260, "src/render/: once a frame, no GL: what to draw, and why", CAP,
          (("FrameView", "near plane, slices"), ("LayerBound", "groups of casters"),
-          ("LightPlan", "z-pass, caps, ends"), ("Proposal", "can be silhouettes"))),
+          ("FramePlan", "every draw, in order"), ("Proposal", "can be silhouettes"))),
         (360, "src/render/ and shaders_es2/: once a slice, on the GPU", SIDE,
          (("depth, ambient", "and first light"), ("volumes", "into the stencil"),
           ("darken counted", "the first light"), ("lit", "further lights"))),

@@ -235,9 +235,9 @@ class Course {
             result.sideBytes += batch.volumes.sideBytes();
             result.capBytes += batch.volumes.capBytes();
         }
-        if (const Proposals* proposals = contender.renderer.proposals()) {
-            result.sideBytes += proposals->sideBytes();
-            result.capBytes += proposals->capBytes();
+        if (const VolumeRenderer* volumes = contender.renderer.volumes()) {
+            result.sideBytes += volumes->sideBytes();
+            result.capBytes += volumes->capBytes();
         }
         result.mapBytes = contender.renderer.mapBytes();
         result.maskBytes = contender.renderer.maskBytes();

@@ -20,6 +20,7 @@ class PublishedSubject : public SyntheticSubject {
         shadow.sides = buildSides(mesh.positions, mesh.edges, maxMultiplicity);
         recordsPerEdge_ = shadow.sides.recordCount() / mesh.edges.edges.size();
         buffers_ = uploadShadow(shadow, {}, layout);
+        pass_.prepare(buffers_.maxMultiplicity);
         for (const RecordChunk& chunk : buffers_.sides)
             wholeChunks_.push_back(chunk.recordCount);
     }
@@ -30,7 +31,10 @@ class PublishedSubject : public SyntheticSubject {
             buffers_.sides[i].recordCount = std::min(left, wholeChunks_[i]);
             left -= buffers_.sides[i].recordCount;
         }
-        pass_.draw(buffers_, syntheticLight, glm::mat4(1.0f));
+        const gl::Program& program = pass_.use(buffers_.maxMultiplicity);
+        program.set("u_light", syntheticLight);
+        program.set("u_clipFromObject", glm::mat4(1.0f));
+        pass_.draw(buffers_);
     }
 
   private:
@@ -52,32 +56,47 @@ class AdaptedSubject : public SyntheticSubject {
   public:
     AdaptedSubject(const SyntheticMesh& mesh, SidesLayout layout,
                    const gl::Capabilities& capabilities)
-        : volumes_(layout, capabilities.instancing, {"DEGENERATE"}),
-          shadow_(std::make_shared<AdaptedShadow>()) {
+        : volumes_(SilhouetteChoice::all, layout, capabilities.instancing,
+                   capabilities.vertexHighpMantissaBits, {}, {"DEGENERATE"}) {
+        AdaptedShadow shadow;
         for (const Edge& edge : mesh.edges.edges)
-            addRecords(mesh, edge);
+            addRecords(mesh, edge, shadow);
         const std::size_t edges = mesh.edges.edges.size();
-        pairsPerEdge_ = shadow_->pairs.size() / edges;
-        singlesPerEdge_ = shadow_->singles.size() / edges;
-        shadow_->clusters.emplace_back();
-        buffers_.emplace(shadow_, std::vector<glm::vec4>(), layout);
-        proposed_.certainPairs = uploadPairs(shadow_->pairs, layout);
-        proposed_.list.certain.ofCluster = proposed_.list.uncertain.ofCluster = {{}};
+        pairsPerEdge_ = shadow.pairs.size() / edges;
+        singlesPerEdge_ = shadow.singles.size() / edges;
+        buffers_.adapted.emplace(std::make_shared<AdaptedShadow>(std::move(shadow)),
+                                 std::vector<glm::vec4>(), layout);
+        buffers_.adapted->uploadAllPairs();
+        for (const VolumeDraw& draw : draws(1))
+            volumes_.makeProgram(draw);
     }
 
     void draw(std::size_t edgeCount) override {
-        proposed_.list.certain.ofCluster.front().count =
-            static_cast<std::uint32_t>(edgeCount * pairsPerEdge_);
-        shadow_->clusters.front().singles.count =
-            static_cast<std::uint32_t>(edgeCount * singlesPerEdge_);
-        for (const Times times : {Times::twice, Times::once})
-            volumes_.drawSides(*buffers_, &proposed_, VolumeDraw{.clusters = {0, 1}}, times,
-                               glm::vec4(0, 0, 0, 1), syntheticLight, glm::mat4(1.0f));
+        const BatchPlan plan{.light = syntheticLight};
+        const DrawnBatch batch{nullptr, buffers_, plan, glm::mat4(1.0f)};
+        for (const VolumeDraw& draw : draws(edgeCount))
+            volumes_.draw(draw, batch);
     }
 
   private:
+    /// All pairs as silhouettes that count twice, and the single records.
+    std::vector<VolumeDraw> draws(std::size_t edgeCount) const {
+        std::vector<VolumeDraw> draws;
+        const auto add = [&](VolumeDraw::Records records, std::size_t count, Times times) {
+            if (count == 0) return;
+            VolumeDraw& draw = draws.emplace_back();
+            draw.records = records;
+            draw.range.count = static_cast<std::uint32_t>(count);
+            draw.verticesPerRecord = verticesPerQuad;
+            draw.times = times;
+        };
+        add(VolumeDraw::Records::allPairs, edgeCount * pairsPerEdge_, Times::twice);
+        add(VolumeDraw::Records::singles, edgeCount * singlesPerEdge_, Times::once);
+        return draws;
+    }
+
     /// Triangles in the light's plane come last, so that those of a pair cancel where they should.
-    void addRecords(const SyntheticMesh& mesh, const Edge& edge) {
+    static void addRecords(const SyntheticMesh& mesh, const Edge& edge, AdaptedShadow& shadow) {
         const glm::vec3 &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
         std::vector<glm::vec4> planes;
         for (const Opposite& opposite : mesh.edges.oppositesOf(edge))
@@ -85,14 +104,12 @@ class AdaptedSubject : public SyntheticSubject {
         std::stable_partition(planes.begin(), planes.end(),
                               [](const glm::vec4& plane) { return plane.w != 0.0f; });
         for (std::size_t i = 0; i + 1 < planes.size(); i += 2)
-            shadow_->pairs.push_back({a, b, planes[i], -planes[i + 1]});
-        if (planes.size() % 2 == 1) shadow_->singles.push_back({a, b, planes.back()});
+            shadow.pairs.push_back({a, b, planes[i], -planes[i + 1]});
+        if (planes.size() % 2 == 1) shadow.singles.push_back({a, b, planes.back()});
     }
 
     AdaptedVolumes volumes_;
-    std::shared_ptr<AdaptedShadow> shadow_;
-    std::optional<AdaptedBuffers> buffers_;
-    ProposedRecords proposed_; ///< all pairs, as silhouettes
+    BatchVolumes buffers_;
     std::size_t pairsPerEdge_ = 0;
     std::size_t singlesPerEdge_ = 0;
 };

@@ -83,11 +83,11 @@ std::vector<std::string> warningsOf(const FrameView& view) {
 }
 
 /// Tints the picture by all lights' volumes.
-void tintVolumes(const GpuScene& scene, const FrameView& view, const RenderSettings& settings,
+void tintVolumes(GpuScene& scene, const FrameView& view, const Renderer& renderer,
                  const gl::Capabilities& capabilities) {
-    VolumeTintPass tint(settings.multiplicity, settings.layout, capabilities.instancing);
-    for (const FrameLight& of : view.lights)
-        tint.draw(scene, view, of.light);
+    VolumeTintPass tint(renderer.settings(), capabilities);
+    for (std::size_t light = 0; light < view.lights.size(); ++light)
+        tint.draw(scene, view, renderer.plan(), light);
 }
 
 void render(const RenderOptions& options) {
@@ -113,14 +113,13 @@ void render(const RenderOptions& options) {
     const double loadSeconds = watch.lap();
 
     renderer.draw(scene, view);
-    if (options.debugVolumes) tintVolumes(scene, view, settings, capabilities);
+    if (options.debugVolumes) tintVolumes(scene, view, renderer, capabilities);
     gl::requireNoError("drawing");
     const std::vector<std::uint8_t> pixels = context.readPixels();
     const double drawSeconds = watch.lap();
     writeFile(options.output, encodePng(pixels, view.width, view.height));
     if (options.explain || options.debugVolumes)
-        printResult(explanationOf(loaded, view, settings, scene.groups, capabilities),
-                    options.report);
+        printResult(explanationOf(renderer, view), options.report);
     printResult(options.output + ": " + std::to_string(view.width) + "x" +
                     std::to_string(view.height) + ", " +
                     std::to_string(loaded.scene.triangleCount()) + " triangles, drawn by " +

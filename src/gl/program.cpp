@@ -50,47 +50,57 @@ Program::Program(const char* vertexSource, const char* fragmentSource,
     glLinkProgram(object_.name());
     GLint linked = GL_FALSE;
     glGetProgramiv(object_.name(), GL_LINK_STATUS, &linked);
-    if (linked == GL_TRUE) return;
-    char log[4096] = "";
-    glGetProgramInfoLog(object_.name(), sizeof log, nullptr, log);
-    refuse("This GL can't link a program", log);
+    if (linked != GL_TRUE) {
+        char log[4096] = "";
+        glGetProgramInfoLog(object_.name(), sizeof log, nullptr, log);
+        refuse("This GL can't link a program", log);
+    }
+    GLint uniforms = 0;
+    glGetProgramiv(object_.name(), GL_ACTIVE_UNIFORMS, &uniforms);
+    for (GLint i = 0; i < uniforms; ++i) {
+        char name[256] = ""; // GLSL ES 1.00 has none longer
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(object_.name(), static_cast<GLuint>(i), sizeof name, nullptr, &size,
+                           &type, name);
+        locations_.emplace(name, glGetUniformLocation(object_.name(), name));
+    }
 }
 
 void Program::use() const {
     glUseProgram(object_.name());
 }
 
-int Program::location(const char* uniform) {
+int Program::location(const char* uniform) const {
     const auto found = locations_.find(uniform);
-    if (found != locations_.end()) return found->second;
-    return locations_[uniform] = glGetUniformLocation(object_.name(), uniform);
+    return found != locations_.end() ? found->second : -1;
 }
 
-void Program::set(const char* uniform, float value) {
+void Program::set(const char* uniform, float value) const {
     glUniform1f(location(uniform), value);
 }
 
-void Program::set(const char* uniform, const glm::vec2& value) {
+void Program::set(const char* uniform, const glm::vec2& value) const {
     glUniform2fv(location(uniform), 1, glm::value_ptr(value));
 }
 
-void Program::set(const char* uniform, const glm::vec3& value) {
+void Program::set(const char* uniform, const glm::vec3& value) const {
     glUniform3fv(location(uniform), 1, glm::value_ptr(value));
 }
 
-void Program::set(const char* uniform, const glm::vec4& value) {
+void Program::set(const char* uniform, const glm::vec4& value) const {
     glUniform4fv(location(uniform), 1, glm::value_ptr(value));
 }
 
-void Program::set(const char* uniform, const glm::mat3& value) {
+void Program::set(const char* uniform, const glm::mat3& value) const {
     glUniformMatrix3fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 
-void Program::set(const char* uniform, const glm::mat4& value) {
+void Program::set(const char* uniform, const glm::mat4& value) const {
     glUniformMatrix4fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }
 
-void Program::setSampler(const char* uniform, int unit) {
+void Program::setSampler(const char* uniform, int unit) const {
     glUniform1i(location(uniform), unit);
 }
 

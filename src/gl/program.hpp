@@ -21,19 +21,19 @@ class Program {
     void use() const;
 
     // Setting a uniform that the variant doesn't have does nothing. The program must be in use.
-    void set(const char* uniform, float value);
-    void set(const char* uniform, const glm::vec2& value);
-    void set(const char* uniform, const glm::vec3& value);
-    void set(const char* uniform, const glm::vec4& value);
-    void set(const char* uniform, const glm::mat3& value);
-    void set(const char* uniform, const glm::mat4& value);
-    void setSampler(const char* uniform, int unit);
+    void set(const char* uniform, float value) const;
+    void set(const char* uniform, const glm::vec2& value) const;
+    void set(const char* uniform, const glm::vec3& value) const;
+    void set(const char* uniform, const glm::vec4& value) const;
+    void set(const char* uniform, const glm::mat3& value) const;
+    void set(const char* uniform, const glm::mat4& value) const;
+    void setSampler(const char* uniform, int unit) const;
 
   private:
-    int location(const char* uniform);
+    int location(const char* uniform) const;
 
     ProgramObject object_;
-    std::map<std::string, int> locations_; ///< asked for once, then remembered
+    std::map<std::string, int, std::less<>> locations_; ///< of the uniforms that it has
 };
 
 } // namespace edgeshade::gl

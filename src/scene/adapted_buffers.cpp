@@ -65,20 +65,17 @@ AdaptedBuffers::AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow,
       singles_(uploadSides(std::span(shadow_->singles), copied())),
       caps_(shadow_->clusters.size()) {}
 
-const gl::Buffer& AdaptedBuffers::pairs() const {
+void AdaptedBuffers::uploadAllPairs() {
     if (!pairs_) pairs_ = uploadPairs(shadow_->pairs, layout_);
-    return *pairs_;
 }
 
-const CapBuffers& AdaptedBuffers::capsOf(std::size_t cluster) const {
-    if (!caps_[cluster]) {
-        const ShadowCluster& of = shadow_->clusters[cluster];
-        std::span<const glm::vec4> holes;
-        if (of.holes) holes = std::span(capHoles_).subspan(3 * of.caps.first, 3 * of.caps.count);
-        caps_[cluster] = uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count),
-                                    holes, layout_);
-    }
-    return *caps_[cluster];
+void AdaptedBuffers::uploadCapsOf(std::size_t cluster) {
+    if (caps_[cluster]) return;
+    const ShadowCluster& of = shadow_->clusters[cluster];
+    std::span<const glm::vec4> holes;
+    if (of.holes) holes = std::span(capHoles_).subspan(3 * of.caps.first, 3 * of.caps.count);
+    caps_[cluster] =
+        uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count), holes, layout_);
 }
 
 std::size_t AdaptedBuffers::capBytes() const {

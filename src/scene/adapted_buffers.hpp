@@ -3,7 +3,7 @@
 #include "preprocess/volumes/adapted_data.hpp"
 #include "src/gl/objects.hpp"
 #include "src/scene/shadow_buffers.hpp"
-#include "src/shadow/plan/side_records.hpp"
+#include "src/shadow/plan/volume_draw.hpp"
 
 #include <memory>
 #include <optional>
@@ -31,8 +31,8 @@ gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout);
 CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> holes,
                       SidesLayout layout);
 
-/// One batch's adapted shadow data on the GPU. Caps are uploaded cluster by cluster when they are
-/// first drawn: most never are.
+/// One batch's adapted shadow data on the GPU. Pairs, and caps cluster by cluster, are uploaded
+/// where a plan draws them: most never are.
 class AdaptedBuffers {
   public:
     /// `capHoles`: three vec4s a cap, in its order of corners; empty where none has holes.
@@ -40,11 +40,14 @@ class AdaptedBuffers {
                    SidesLayout layout);
 
     const std::shared_ptr<const AdaptedShadow>& shadow() const { return shadow_; }
-    /// All of them, uploaded when they are first asked for: where silhouettes are proposed, nobody
-    /// does.
-    const gl::Buffer& pairs() const;
+    /// Uploads all pairs, or a cluster's caps, if they are not there yet.
+    void uploadAllPairs();
+    void uploadCapsOf(std::size_t cluster);
+
+    // Of what was uploaded:
+    const gl::Buffer& pairs() const { return pairs_.value(); }
     const gl::Buffer& singles() const { return singles_; }
-    const CapBuffers& capsOf(std::size_t cluster) const;
+    const CapBuffers& capsOf(std::size_t cluster) const { return caps_[cluster].value(); }
     SidesLayout layout() const { return layout_; }
     /// Whether records are copied for every vertex.
     bool copied() const { return layout_ == SidesLayout::notInstanced; }
@@ -57,9 +60,9 @@ class AdaptedBuffers {
     std::shared_ptr<const AdaptedShadow> shadow_;
     std::vector<glm::vec4> capHoles_;
     SidesLayout layout_;
-    mutable std::optional<gl::Buffer> pairs_;
+    std::optional<gl::Buffer> pairs_;
     gl::Buffer singles_;
-    mutable std::vector<std::optional<CapBuffers>> caps_; ///< by cluster
+    std::vector<std::optional<CapBuffers>> caps_; ///< by cluster
 };
 
 } // namespace edgeshade

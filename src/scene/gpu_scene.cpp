@@ -45,6 +45,23 @@ void addPublished(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) 
 
 } // namespace
 
+std::size_t GpuScene::groupCount(const FrameLight& light, VolumeLayout layout) const {
+    const GroupedShadow* of = groups.of(light, layout);
+    return of ? of->size() : 1;
+}
+
+BatchVolumes& GpuScene::volumesOf(std::size_t batch, const FrameLight& light, VolumeLayout layout,
+                                  std::size_t group) {
+    GroupedShadow* of = groups.of(light, layout);
+    return of ? (*of)[group][batch] : batches[batch].volumes;
+}
+
+const BatchVolumes& GpuScene::volumesOf(std::size_t batch, const FrameLight& light,
+                                        VolumeLayout layout, std::size_t group) const {
+    const GroupedShadow* of = groups.of(light, layout);
+    return of ? (*of)[group][batch] : batches[batch].volumes;
+}
+
 std::size_t GpuScene::shadowBytes() const {
     std::size_t total = 0;
     for (const GpuBatch& batch : batches)

@@ -29,6 +29,14 @@ struct GpuScene {
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);
 
+    /// How many groups the casters of a light come in, as far as they were uploaded: 1 or more.
+    std::size_t groupCount(const FrameLight& light, VolumeLayout layout) const;
+    /// A batch's shadow data of one of them.
+    BatchVolumes& volumesOf(std::size_t batch, const FrameLight& light, VolumeLayout layout,
+                            std::size_t group);
+    const BatchVolumes& volumesOf(std::size_t batch, const FrameLight& light, VolumeLayout layout,
+                                  std::size_t group) const;
+
     std::size_t shadowBytes() const;
 };
 

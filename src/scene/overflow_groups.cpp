@@ -77,13 +77,27 @@ std::size_t sumOver(const std::vector<Kept>& kept, BytesOf bytesOf) {
     return total;
 }
 
+/// Works on what is const and what isn't.
+template <class Kept>
+auto groupsOf(Kept& kept, const FrameLight& light, VolumeLayout layout)
+    -> decltype(&kept.front().groups.begin()->second) {
+    for (auto& entry : kept) {
+        if (entry.light != light.light.position || entry.cut != light.cut) continue;
+        const auto found = entry.groups.find(layout);
+        return found != entry.groups.end() ? &found->second : nullptr;
+    }
+    return nullptr;
+}
+
 } // namespace
 
 void OverflowGroups::upload(const LoadedScene& loaded, const std::vector<FrameLight>& lights,
                             VolumeRecords records) {
     std::vector<Kept> kept;
     for (const FrameLight& of : lights) {
-        const auto isThere = [&](const Kept& entry) { return entry.light == of.light.position && entry.cut == of.cut; };
+        const auto isThere = [&](const Kept& entry) {
+            return entry.light == of.light.position && entry.cut == of.cut;
+        };
         if (of.groupCount() <= 1 || std::any_of(kept.begin(), kept.end(), isThere)) continue;
         const auto found = std::find_if(kept_.begin(), kept_.end(), isThere);
         Kept& entry = kept.emplace_back(found != kept_.end() ? std::move(*found)
@@ -94,13 +108,12 @@ void OverflowGroups::upload(const LoadedScene& loaded, const std::vector<FrameLi
     kept_ = std::move(kept);
 }
 
+GroupedShadow* OverflowGroups::of(const FrameLight& light, VolumeLayout layout) {
+    return groupsOf(kept_, light, layout);
+}
+
 const GroupedShadow* OverflowGroups::of(const FrameLight& light, VolumeLayout layout) const {
-    for (const Kept& entry : kept_) {
-        if (entry.light != light.light.position || entry.cut != light.cut) continue;
-        const auto found = entry.groups.find(layout);
-        return found != entry.groups.end() ? &found->second : nullptr;
-    }
-    return nullptr;
+    return groupsOf(kept_, light, layout);
 }
 
 std::size_t OverflowGroups::sideBytes() const {

@@ -23,6 +23,7 @@ class OverflowGroups {
                 VolumeRecords records);
 
     /// The light's groups of one layout; null where it needs none, or nobody has uploaded them.
+    GroupedShadow* of(const FrameLight& light, VolumeLayout layout);
     const GroupedShadow* of(const FrameLight& light, VolumeLayout layout) const;
 
     void clear() { kept_.clear(); }

@@ -71,15 +71,11 @@ std::size_t ShadowBuffers::capBytes() const {
     return bytesOf(caps) + capHoles.size();
 }
 
-std::size_t ShadowBuffers::vertexRuns(const std::vector<Material>& materials) const {
-    std::size_t runs = 0;
+PublishedRecords ShadowBuffers::records() const {
+    PublishedRecords records{0, maxMultiplicity, groups};
     for (const RecordChunk& chunk : sides)
-        runs += chunk.recordCount * static_cast<std::size_t>(maxMultiplicity) * VERTICES_PER_SIDE;
-    for (const CasterGroup& group : groups) {
-        const std::size_t times = materials[group.material].alphaMode == AlphaMode::opaque ? 1 : 2;
-        runs += times * group.capCount * VERTICES_PER_CAP_PAIR;
-    }
-    return runs;
+        records.sides += static_cast<std::uint32_t>(chunk.recordCount);
+    return records;
 }
 
 ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capHoles,

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "preprocess/scene/material.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
 #include "src/gl/objects.hpp"
+#include "src/shadow/plan/published/published_draws.hpp"
 
 #include <vector>
 
@@ -34,8 +34,8 @@ struct ShadowBuffers {
     std::size_t capBytes() const; ///< with their holes
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 
-    /// Vertices that drawing them once sends through shaders; caps with holes are drawn twice.
-    std::size_t vertexRuns(const std::vector<Material>& materials) const;
+    /// What is there to be drawn.
+    PublishedRecords records() const;
 };
 
 /// Uploads sides and caps; `capHoles` (see scene/load.hpp) may be empty.

@@ -49,10 +49,11 @@ std::size_t Renderers::mapBytes() const {
     return total;
 }
 
-std::size_t Renderers::proposalBytes() const {
+std::size_t Renderers::volumeBytes() const {
     std::size_t total = 0;
     for (const auto& [key, renderer] : renderers_)
-        if (renderer && renderer->proposals()) total += renderer->proposals()->bytes();
+        if (renderer && renderer->volumes())
+            total += renderer->volumes()->sideBytes() + renderer->volumes()->capBytes();
     return total;
 }
 

@@ -29,8 +29,8 @@ class Renderers {
     /// Of all masks of lower resolution.
     std::size_t maskBytes() const;
 
-    /// Of all records that are proposed for lights.
-    std::size_t proposalBytes() const;
+    /// Of all potential silhouettes that are gathered for lights.
+    std::size_t volumeBytes() const;
 
   private:
     using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int>;

@@ -33,10 +33,10 @@ struct Viewer::Parts {
             : capabilities(capabilities_), layout(settings.layout),
               renderers(settings, capabilities_) {}
 
-        VolumeTintPass& tintOf(MultiplicityMethod method) {
-            if (!tint || tintMethod != method)
-                tint = std::make_unique<VolumeTintPass>(method, layout, capabilities.instancing);
-            tintMethod = method;
+        VolumeTintPass& tintOf(const RenderSettings& settings) {
+            if (!tint || tintMethod != settings.multiplicity)
+                tint = std::make_unique<VolumeTintPass>(settings, capabilities);
+            tintMethod = settings.multiplicity;
             return *tint;
         }
 
@@ -159,9 +159,11 @@ void Viewer::Parts::groupCasters(const SideSettings& side, FrameView& view) {
 
 void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
                              StageClock* stageClock) {
-    gpu->renderers.of(side, state).draw(*gpu->scene, view, stageClock);
+    Renderer& renderer = gpu->renderers.of(side, state);
+    renderer.draw(*gpu->scene, view, stageClock);
     if (state.debug == DebugView::volumes && side.shadows == ShadowMethod::volumes)
-        gpu->tintOf(side.multiplicity).draw(*gpu->scene, view, state.lights[state.chosenLight]);
+        gpu->tintOf(renderer.settings())
+            .draw(*gpu->scene, view, renderer.plan(), state.chosenLight);
 }
 
 void Viewer::Parts::draw() {
@@ -323,7 +325,7 @@ FrameStats Viewer::stats() const {
     stats.records = counts.records;
     stats.silhouettes = counts.silhouettes;
     if (parts.gpu && parts.gpu->scene)
-        stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.proposalBytes() +
+        stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.volumeBytes() +
                             parts.gpu->renderers.maskBytes();
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
     return stats;

@@ -134,7 +134,7 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
 
         const PlanView planned = planView(view, view.slices.back(), light, placing);
         bool allowed = false;
-        for (const VolumeDraw& draw : planVolumes(*loaded.adapted[0], planned).draws)
+        for (const ClusterPlan& draw : planVolumes(*loaded.adapted[0], planned).drawn)
             allowed = allowed || (draw.fannedCaps && (draw.frontCaps || draw.backCaps));
         const Drawn proposed = drawnWith(SilhouetteChoice::proposed, GetParam(), loaded, view);
         const Drawn all = drawnWith(SilhouetteChoice::all, GetParam(), loaded, view);

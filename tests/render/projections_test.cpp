@@ -129,6 +129,28 @@ TEST(Projections, ParallelAtAnyScale) {
         }
 }
 
+// Alpha-tested casters whose holes are seen through, away from the viewer and towards it.
+TEST(Projections, ParallelCastersWithHoles) {
+    Material leaf;
+    leaf.alphaMode = AlphaMode::mask;
+    leaf.alphaCutoff = 0.5f;
+    leaf.baseColorFactor.a = 0.2f; // all of it is a hole
+    for (const Light& light : {sun({0.5, 1, -0.3}), sun({-0.3, 0.2, 1}), pointLight({0.3, 6, 0.7}),
+                               pointLight({-0.4, 1.6, 0.9})})
+        for (const Frustum& frustum : {fromAbove, aslant, parallel({{1, -6, 2}, {0, 0, 0}}, 9.0)}) {
+            Case test = seenBy(frustum, light);
+            test.scene = SceneBuilder()
+                             .floor(5)
+                             .box({-2, 0.5f, -1}, {-1, 2, 0})
+                             .material(leaf)
+                             .quad({-1, 1.2f, 1}, {1, 1.0f, 1}, {1, 1.4f, -1}, {-1, 1.3f, -1})
+                             .box({1.2f, 0.4f, -1}, {2, 1.1f, 0.3f})
+                             .scene();
+            test.castMasked = true;
+            expectRight(test, MultiplicityMethod::plane);
+        }
+}
+
 TEST(Projections, ParallelFarFromTheOrigin) {
     const glm::dvec3 away(1e6, 3e5, -2e6);
     Case test = seenBy(parallel({corner.from + away, corner.to + away}, 7.0), sun({0.5, 1, -0.3}));

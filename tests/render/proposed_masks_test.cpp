@@ -87,16 +87,17 @@ TEST_P(ProposedMasks, AreThoseOfAllRecordsWhileALightMoves) {
         pair.expectSame(around(0.1 * i), {pointLight({3 * std::cos(angle), 4, 3 * std::sin(angle)}),
                                           sun({std::sin(angle), 1, 0.3})});
     }
-    EXPECT_LT(pair.proposed().proposals()->made(), 4u * 80 / 2) << "lists serve for several frames";
+    EXPECT_LT(pair.proposed().volumes()->silhouettes()->made(), 4u * 80 / 2)
+        << "lists serve for several frames";
 }
 
 TEST_P(ProposedMasks, AreMadeOnceForALightAtRest) {
     Pair pair(GetParam());
     pair.expectSame(around(0), {pointLight({2, 4, 1})});
-    const std::size_t made = pair.proposed().proposals()->made();
+    const std::size_t made = pair.proposed().volumes()->silhouettes()->made();
     for (int i = 1; i < 10; ++i)
         pair.expectSame(around(0.3 * i), {pointLight({2, 4, 1})});
-    EXPECT_EQ(pair.proposed().proposals()->made(), made);
+    EXPECT_EQ(pair.proposed().volumes()->silhouettes()->made(), made);
 }
 
 TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereverALightJumps) {
@@ -120,7 +121,7 @@ TEST_P(ProposedMasks, AreThoseOfAllRecordsWhereCapsAreDrawn) {
         const glm::dvec3 eye = 2.0 * random.inCube() + glm::dvec3(0, 1, 0);
         pair.expectSame({eye, eye + random.inCube(), 70.0},
                         {pointLight(3.0 * random.inCube() + glm::dvec3(0, 4, 0))});
-        withCaps += pair.proposed().proposals()->capBytes() > 0;
+        withCaps += pair.proposed().volumes()->capBytes() > 0;
     }
     EXPECT_GT(withCaps, 5);
 }

@@ -1,4 +1,4 @@
-#include "src/shadow/plan/volume_plan.hpp"
+#include "src/shadow/plan/stencil_start.hpp"
 
 #include "tests/support/hard_lights.hpp"
 
@@ -48,8 +48,8 @@ VolumePlan planOf(const std::vector<ShadowCluster>& clusters, const PlanView& vi
     return planVolumes(shadow, view);
 }
 
-std::vector<VolumeDraw> planFor(const std::vector<ShadowCluster>& clusters, const PlanView& view) {
-    return planOf(clusters, view).draws;
+std::vector<ClusterPlan> planFor(const std::vector<ShadowCluster>& clusters, const PlanView& view) {
+    return planOf(clusters, view).drawn;
 }
 
 ShadowCluster clusterAt(const glm::dvec3& center, double halfSize, bool closed = true,
@@ -71,17 +71,17 @@ FrameView viewAlongZ() {
     return view;
 }
 
-std::vector<VolumeDraw> planFor(const ShadowCluster& cluster, const glm::dvec4& light,
-                                const glm::dmat4& worldFromBatch = glm::dmat4(1.0)) {
+std::vector<ClusterPlan> planFor(const ShadowCluster& cluster, const glm::dvec4& light,
+                                 const glm::dmat4& worldFromBatch = glm::dmat4(1.0)) {
     const FrameView view = viewAlongZ();
     const std::vector<ShadowCluster> clusters = {cluster};
     return planFor(clusters, planView(view, view.slices[0], {light}, worldFromBatch));
 }
 
-VolumeDraw onlyDraw(const ShadowCluster& cluster, const glm::dvec4& light) {
+ClusterPlan onlyDraw(const ShadowCluster& cluster, const glm::dvec4& light) {
     const auto draws = planFor(cluster, light);
     EXPECT_EQ(draws.size(), 1u);
-    return draws.empty() ? VolumeDraw() : draws.front();
+    return draws.empty() ? ClusterPlan() : draws.front();
 }
 
 } // namespace
@@ -141,7 +141,7 @@ TEST(Separation, NeverPartsWhatTouches) {
 }
 
 TEST(VolumePlan, AnObjectInViewTakesNoCapsAndHalfTheTriangles) {
-    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, -10}, 1), {0, 50, -10, 1});
+    const ClusterPlan draw = onlyDraw(clusterAt({0, 0, -10}, 1), {0, 50, -10, 1});
     EXPECT_EQ(draw.counted, Counted::lightFacing);
     EXPECT_FALSE(draw.zFail());
     EXPECT_FALSE(draw.frontCaps);
@@ -153,7 +153,7 @@ TEST(VolumePlan, AnOpenOneCountsInFull) {
 
 TEST(VolumePlan, TheEyeInItsShadowStartsTheCountAtOne) {
     for (const glm::dvec4& light : {glm::dvec4(0, 50, 0, 1), glm::dvec4(0, 1, 0, 0)}) {
-        const VolumeDraw draw = onlyDraw(clusterAt({0, 5, 0}, 1), light);
+        const ClusterPlan draw = onlyDraw(clusterAt({0, 5, 0}, 1), light);
         EXPECT_FALSE(draw.zFail());
         EXPECT_EQ(draw.counted, Counted::lightFacing);
         EXPECT_EQ(draw.start, 1);
@@ -163,7 +163,7 @@ TEST(VolumePlan, TheEyeInItsShadowStartsTheCountAtOne) {
 }
 
 TEST(VolumePlan, AShadowsOutlineOverTheNearRectangleTakesCaps) {
-    const VolumeDraw draw = onlyDraw(clusterAt({1.01, 5, 0}, 1), {0, 50, 0, 1});
+    const ClusterPlan draw = onlyDraw(clusterAt({1.01, 5, 0}, 1), {0, 50, 0, 1});
     EXPECT_EQ(draw.caps, CapsNeeded::outlineMet);
     EXPECT_FALSE(draw.frontCaps) << "it is above the eye, out of view";
     EXPECT_EQ(draw.counted, Counted::lightFacing);
@@ -176,7 +176,9 @@ TEST(VolumePlan, AddsUpStartsOfAllClusters) {
     const std::vector<ShadowCluster> clusters = {clusterAt({0, 5, 0}, 1), clusterAt({0, 9, 0}, 1),
                                                  clusterAt({0, 0, -10}, 1)};
     const PlanView placed = planView(view, view.slices[0], {{0, 50, 0, 1}}, glm::dmat4(1.0));
-    EXPECT_EQ(planOf(clusters, placed).start(), 2);
+    StencilStart start;
+    start.add(planOf(clusters, placed));
+    EXPECT_EQ(start.count(), 2);
 }
 
 TEST(VolumePlan, TheEyeBetweenLightAndObjectTakesNone) {
@@ -191,7 +193,7 @@ TEST(VolumePlan, BetweenTheInsideAndTheOutsideItSealsTheLightOff) {
     };
     // The light is in it, or the eye; or both are.
     EXPECT_EQ(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).sealed, 0u);
-    EXPECT_TRUE(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).draws.empty());
+    EXPECT_TRUE(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).drawn.empty());
     EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1}).sealed, 0u);
     EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0.3, 1, 0.2, 0}).sealed, 0u);
     EXPECT_FALSE(planWith(clusterAt({0, 0, 0}, 3), {0, 1, -1, 1}).sealed);
@@ -213,7 +215,7 @@ TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
     shadow.clusters = {cluster};
     const FrameView frame = viewAlongZ();
     const PlanView view = planView(frame, frame.slices[0], {{0.1, 50, 0.2, 1}}, glm::dmat4(1.0));
-    const auto draws = planVolumes(shadow, view).draws;
+    const auto draws = planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_EQ(draws[0].counted, Counted::all);
     EXPECT_EQ(draws[0].start, 2);
@@ -221,7 +223,7 @@ TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
 
 TEST(VolumePlan, TheNearPlaneWithinItsBoundsCountsInFull) {
     // Not the eye, which is at 0; the near plane is at 0.1.
-    const VolumeDraw draw = onlyDraw(clusterAt({0, 0, -0.1}, 0.05), {0, 50, -10, 1});
+    const ClusterPlan draw = onlyDraw(clusterAt({0, 0, -0.1}, 0.05), {0, 50, -10, 1});
     EXPECT_EQ(draw.counted, Counted::all);
     EXPECT_EQ(draw.caps, CapsNeeded::nearPlaneMet);
     EXPECT_TRUE(draw.nearDiscard);
@@ -244,7 +246,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     shadow.clusters = {cluster};
     const FrameView frame = viewAlongZ();
     const PlanView view = planView(frame, frame.slices[0], {{2, 3, -1, 1}}, glm::dmat4(1.0));
-    auto draws = planVolumes(shadow, view).draws;
+    auto draws = planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].counted, Counted::lightFacing);
@@ -253,13 +255,13 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     shadow.clusters[0].caps.count = 36;
     shadow.clusters[0].parts.count = 2;
     shadow.parts.push_back(cluster.bounds);
-    draws = planVolumes(shadow, view).draws;
+    draws = planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].start, 1);
     // Where the components are not known, one crossed each way may be two.
     shadow.clusters[0].components = 3;
-    draws = planVolumes(shadow, view).draws;
+    draws = planVolumes(shadow, view).drawn;
     EXPECT_EQ(draws[0].counted, Counted::all);
     EXPECT_EQ(draws[0].start, 2);
 }
@@ -277,7 +279,7 @@ TEST(VolumePlan, ANearPlaneJustBeforeItTakesNoCapsAndHalfTheTriangles) {
     frame.slices[0].near = 0.499;
     const auto draws =
         planVolumes(shadow, planView(frame, frame.slices[0], {{0, 50, 50, 1}}, glm::dmat4(1.0)))
-            .draws;
+            .drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
     EXPECT_EQ(draws[0].counted, Counted::lightFacing);
@@ -323,7 +325,7 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         const std::vector<ShadowCluster> clusters = {cluster};
         const VolumePlan plan =
             planOf(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
-        const auto& draws = plan.draws;
+        const auto& draws = plan.drawn;
         // A point of its volume.
         const glm::dvec3 of = cluster.bounds.center() +
                               random.inCube() * (0.5 * (cluster.bounds.high - cluster.bounds.low));
@@ -425,7 +427,7 @@ TEST(VolumePlan, ClustersOutOfALightsRangeAreLeftOut) {
                                                      clusterAt({4.5, 0, -10}, 0.5),
                                                      clusterAt({-9.5, 0, -20}, 0.5)};
         std::uint32_t count = 0;
-        for (const VolumeDraw& draw :
+        for (const ClusterPlan& draw :
              planFor(clusters, planView(view, view.slices[0], light, worldFromBatch)))
             count += draw.clusters.count;
         return count;
@@ -457,16 +459,16 @@ TEST(VolumePlan, BackCapsAreNoFansAroundALightWithinTheCluster) {
         shadow.clusters.push_back(cluster);
         const FrameView view = viewAlongZ();
         const auto draws =
-            planVolumes(shadow, planView(view, view.slices[0], {light}, glm::dmat4(1.0))).draws;
+            planVolumes(shadow, planView(view, view.slices[0], {light}, glm::dmat4(1.0))).drawn;
         EXPECT_EQ(draws.size(), 1u);
-        return draws.empty() ? VolumeDraw() : draws.front();
+        return draws.empty() ? ClusterPlan() : draws.front();
     };
-    const VolumeDraw around = drawWithBounds(boxAround({0, 0, -16}, 6.0));
+    const ClusterPlan around = drawWithBounds(boxAround({0, 0, -16}, 6.0));
     EXPECT_TRUE(around.zFail());
     EXPECT_TRUE(around.backCaps);
     EXPECT_FALSE(around.nearDiscard);
     EXPECT_FALSE(around.fannedCaps);
-    const VolumeDraw apart = drawWithBounds(boxAround({0, 0, -10}, 2.0));
+    const ClusterPlan apart = drawWithBounds(boxAround({0, 0, -10}, 2.0));
     EXPECT_TRUE(apart.zFail());
     EXPECT_TRUE(apart.fannedCaps);
 }

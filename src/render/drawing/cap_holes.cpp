@@ -9,7 +9,7 @@ constexpr float aboveAnyAlpha = 2.0f;
 
 } // namespace
 
-void setCapHoles(gl::Program& program, const Material& material, const Textures& textures) {
+void setCapHoles(const gl::Program& program, const Material& material, const Textures& textures) {
     // Nothing of a BLEND surface is in the depth buffer, so all of it counts as a hole.
     const bool blend = material.alphaMode == AlphaMode::blend;
     glActiveTexture(GL_TEXTURE0);

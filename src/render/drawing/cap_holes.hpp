@@ -7,6 +7,6 @@ namespace edgeshade {
 
 /// Sets what tells the holes of a caster from its solid parts: the uniforms of caps.frag's
 /// ALPHA_TEST variant, which must be in use, and the texture of unit 0.
-void setCapHoles(gl::Program& program, const Material& material, const Textures& textures);
+void setCapHoles(const gl::Program& program, const Material& material, const Textures& textures);
 
 } // namespace edgeshade

@@ -12,7 +12,7 @@ WholePicture::WholePicture() : program_(shaders::fill_vert, shaders::fill_frag, 
     triangle_ = gl::vertexBuffer<float>(corners);
 }
 
-void WholePicture::draw() {
+void WholePicture::draw() const {
     program_.use();
     AttributeBinding binding(nullptr);
     binding.add(triangle_, 2, GL_FLOAT, false, 2 * sizeof(float), 0, false);

@@ -10,7 +10,7 @@ class WholePicture {
   public:
     WholePicture();
 
-    void draw();
+    void draw() const;
 
   private:
     gl::Program program_;

@@ -2,7 +2,9 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/frame/volume_renderers.hpp"
 #include "src/render/volumes/stencil_count.hpp"
+#include "src/shadow/geometry/light_reach.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
@@ -29,9 +31,20 @@ double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
                                 : glm::distance(frustum.position(), point);
 }
 
-VolumesOfBatch volumesOfScene(const GpuScene& scene) {
-    return
-        [&scene](std::size_t batch) -> const BatchVolumes& { return scene.batches[batch].volumes; };
+bool isFullyShadowed(const LightPlan& light) {
+    return std::any_of(light.counts.begin(), light.counts.end(),
+                       [](const CountPlan& count) { return count.fullyShadowed; });
+}
+
+/// Calls use(plan, casters) for everything that a frame counts.
+template <class Use>
+void forEachCount(const FramePlan& frame, const FrameView& view, Use use) {
+    for (std::size_t s = 0; s < frame.slices.size(); ++s)
+        for (std::size_t light = 0; light < frame.slices[s].lights.size(); ++light) {
+            const auto& counts = frame.slices[s].lights[light].counts;
+            for (std::size_t group = 0; group < counts.size(); ++group)
+                use(counts[group], CasterGroupInSlice{view, view.slices[s], light, group});
+        }
 }
 
 } // namespace
@@ -41,70 +54,98 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings), counter_(settings, capabilities), surfaces_(settings.map.pcf) {
+    : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
+      surfaces_(settings.map.pcf) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
 }
 
-void Renderer::draw(const GpuScene& scene, const FrameView& view, StageClock* clock) {
+void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
     vertexRuns_ = 0;
     requireCountable(settings_, view);
-    counter_.beginFrame(scene);
-    glm::ivec2 counted(view.width, view.height);
     if (coarse_) {
         const gl::FramebufferKeeper keeper;
         coarse_->fit(view.width, view.height);
-        counted = coarse_->size();
     }
+    plan_ = planned(scene, view, clock);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
     glEnable(GL_DEPTH_TEST);
-    const std::size_t lights = view.mask ? 1 : view.lights.size();
-    PixelRectangle open = gl::scissored(view.width, view.height);
-    if (cutsToVisible()) open = intersection(open, visiblePixels(view));
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
-        const Pass pass{scene, view, view.slices[s], s == 0, clock, counted};
-        std::vector<PixelRectangle> reaches(lights); // empty: nothing to draw
-        PixelRectangle reach;
-        for (std::size_t i = 0; i < lights; ++i) {
-            if (!view.lights[i].drawn) continue;
-            reaches[i] = intersection(open, lightReach(view, pass.slice, view.lights[i].light));
-            reach = united(reach, reaches[i]);
-        }
+        const Pass pass{scene, view, view.slices[s], plan_.slices[s], s == 0, clock};
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
-        const auto first = firstByItself(pass, reaches);
-        std::optional<PreparedCount> prepared;
-        if (first && settings_.shadows == ShadowMethod::volumes)
-            prepared = prepareCount(pass, *first, volumesOfScene(scene));
-        const bool withAmbient = first && !view.mask;
-        drawDepthAndAmbient(pass, withAmbient ? &view.lights[*first].light : nullptr,
-                            prepared ? prepared->cleared() : 0);
-        if (coarse_ && !reach.empty()) drawCoarseSurfaces(pass, reach);
-        if (withAmbient && prepared) drawShadow(pass, reaches[*first], *prepared);
-        for (std::size_t i = 0; i < lights; ++i) {
-            if (reaches[i].empty() || (withAmbient && i == *first)) continue;
-            const GroupedShadow* grouped = groupsOf(pass, i);
-            drawShadowedLight(pass, i, grouped, reaches[i],
-                              i == first && prepared ? &*prepared : nullptr);
-            marked = marked || (grouped && !coarse_);
+        drawDepthAndAmbient(pass);
+        if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
+        if (pass.plan.withAmbient && volumes_) drawShadow(pass);
+        for (std::size_t i = 0; i < pass.plan.lights.size(); ++i) {
+            const LightPlan& light = pass.plan.lights[i];
+            if (light.reach.empty() || (pass.plan.withAmbient && i == *pass.plan.first)) continue;
+            drawShadowedLight(pass, i);
+            marked = marked || (light.inGroups() && !coarse_);
         }
         if (!view.mask && view.drawBlended) drawBlended(pass);
     }
     if (marked) restoreAlpha(scene, view);
 }
 
-std::size_t Renderer::drawSurfaces(const Pass& pass, const SurfaceShading& shading) {
+FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* clock) {
+    FrameTask task{.view = view,
+                   .open = gl::scissored(view.width, view.height),
+                   .ownStencil = coarse_.has_value(),
+                   .groupCount = [](std::size_t) { return std::size_t{0}; },
+                   .planCount = {}};
+    if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
+    if (!volumes_) return planFrame(task);
+    task.groupCount = [&](std::size_t light) {
+        return scene.groupCount(view.lights[light], volumes_->layout());
+    };
+    task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
+        return volumes_->plan(scene, {view, slice, light, group});
+    };
+    volumes_->beginFrame(scene);
+    if (clock && clock->wantsSilhouette()) {
+        const StageScope stage(clock, FrameStage::silhouette);
+        const FramePlan plan = planFrame(task);
+        prepare(plan, scene, view);
+        countInOnePixel(plan, scene, view);
+    }
+    const StageScope stage(clock, FrameStage::volumes);
+    FramePlan plan = planFrame(task);
+    prepare(plan, scene, view);
+    return plan;
+}
+
+void Renderer::prepare(const FramePlan& plan, GpuScene& scene, const FrameView& view) {
+    forEachCount(plan, view, [&](const CountPlan& count, const CasterGroupInSlice& casters) {
+        volumes_->prepare(count, scene, casters);
+    });
+}
+
+void Renderer::countInOnePixel(const FramePlan& plan, const GpuScene& scene,
+                               const FrameView& view) {
+    const gl::ScissorScope onePixel({0, 0, 1, 1});
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_DEPTH_TEST);
+    setCounting();
+    glViewport(0, 0, 1, 1);
+    forEachCount(plan, view, [&](const CountPlan& count, const CasterGroupInSlice& casters) {
+        counter_.count(count, *volumes_, scene, casters);
+    });
+}
+
+std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
+                                   const DepthSlice& slice, const SurfaceShading& shading) {
     std::size_t runs = 0;
-    const glm::dvec3 eye = pass.view.frustum.position();
-    for (const GpuBatch& batch : pass.scene.batches) {
+    const glm::dvec3 eye = view.frustum.position();
+    for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
-        BatchView batchView = batchViewOf(batch, pass.view, pass.slice);
+        BatchView batchView = batchViewOf(batch, view, slice);
         if (shading.map)
             batchView.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            runs += surfaces_.draw(pass.scene, batch, batchView, eye, shading, kind);
+            runs += surfaces_.draw(scene, batch, batchView, eye, shading, kind);
     }
     return runs;
 }
@@ -114,21 +155,9 @@ bool Renderer::cutsToVisible() const {
     return !records || records->volumes != VolumeLayout::published;
 }
 
-const GroupedShadow* Renderer::groupsOf(const Pass& pass, std::size_t light) const {
-    const auto records = settings_.records();
-    return records ? pass.scene.groups.of(pass.view.lights[light], records->volumes)
-                   : nullptr;
-}
-
-std::optional<std::size_t>
-Renderer::firstByItself(const Pass& pass, const std::vector<PixelRectangle>& reaches) const {
-    if (coarse_) return std::nullopt;
-    for (std::size_t i = 0; i < reaches.size(); ++i)
-        if (!reaches[i].empty() && !groupsOf(pass, i)) return i;
-    return std::nullopt;
-}
-
-void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light, int stencil) {
+void Renderer::drawDepthAndAmbient(const Pass& pass) {
+    const Light* light =
+        pass.plan.withAmbient ? &pass.view.lights[*pass.plan.first].light : nullptr;
     std::optional<ShadowMapLookup> map;
     if (light && settings_.shadows == ShadowMethod::map) map = drawMap(pass, *light);
     const StageScope stage(pass.clock, FrameStage::ambient);
@@ -143,8 +172,7 @@ void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light, int ste
         glClearColor(clear.r, clear.g, clear.b, clear.a);
     }
     // Depth and stencil at once: one without the other is dear where they share their bytes.
-    glStencilMask(0xFF);
-    glClearStencil(stencil & 0xFF);
+    setStencilClear(pass.plan.start());
     glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
     SurfaceShading shading = shadingOf(pass, light);
@@ -155,13 +183,12 @@ void Renderer::drawDepthAndAmbient(const Pass& pass, const Light* light, int ste
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, settings_.shadows == ShadowMethod::volumes);
     }
     shading.ambient = settings_.ambient;
-    drawSurfaces(pass, shading);
+    drawSurfaces(pass.scene, pass.view, pass.slice, shading);
 }
 
-void Renderer::drawShadow(const Pass& pass, const PixelRectangle& reach,
-                          const PreparedCount& prepared) {
-    const gl::ScissorScope cut(reach);
-    count(pass, prepared);
+void Renderer::drawShadow(const Pass& pass) {
+    const gl::ScissorScope cut(pass.plan.lights[*pass.plan.first].reach);
+    count(pass, *pass.plan.first, 0);
     const StageScope stage(pass.clock, FrameStage::lit);
     mark_.darkenCounted();
     mark_.clear();
@@ -170,41 +197,41 @@ void Renderer::drawShadow(const Pass& pass, const PixelRectangle& reach,
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.
-void Renderer::drawCoarseSurfaces(const Pass& pass, const PixelRectangle& reach) {
+void Renderer::drawCoarseSurfaces(const Pass& pass) {
     const StageScope stage(pass.clock, FrameStage::volumes);
     const gl::FramebufferKeeper keeper;
     coarse_->bindSurfaces();
-    const gl::ScissorScope cut(scaledReach(reach, pass.view, coarse_->size()));
+    const gl::ScissorScope cut(scaledReach(pass.plan.reach, pass.view, coarse_->size()));
     glDisable(GL_DITHER); // the bytes are no colour
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const PlaneSpace planes = coarse_->space(pass.view, pass.slice);
     SurfaceShading shading = shadingOf(pass, nullptr);
     shading.planes = &planes;
-    vertexRuns_ += drawSurfaces(pass, shading);
+    vertexRuns_ += drawSurfaces(pass.scene, pass.view, pass.slice, shading);
     glEnable(GL_DITHER);
     glViewport(0, 0, pass.view.width, pass.view.height);
 }
 
-void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
-                                 const GroupedShadow* groups, const PixelRectangle& reach,
-                                 const PreparedCount* prepared) {
+void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex) {
     const Light& light = pass.view.lights[lightIndex].light;
-    const gl::ScissorScope cut(reach);
+    const LightPlan& plan = pass.plan.lights[lightIndex];
+    const gl::ScissorScope cut(plan.reach);
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
-    if (prepared) {
-        count(pass, *prepared);
-        if (prepared->sealed) return;
-    } else if (settings_.shadows == ShadowMethod::volumes) {
-        if (!countAndMark(pass, lightIndex, groups, reach)) return;
+    if (volumes_) {
+        if (lightIndex == pass.plan.first)
+            count(pass, lightIndex, 0);
+        else
+            countAndMark(pass, lightIndex);
+        if (isFullyShadowed(plan)) return;
     }
 
     const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
-    const bool counted = settings_.shadows == ShadowMethod::volumes && !coarse_ && !groups;
-    if (!counted) clearStencil(0);
-    if (groups && !coarse_) // what a group has shaded has alpha 0 and takes no light
+    const bool counted = volumes_ && !coarse_ && !plan.inGroups();
+    if (!counted) clearStencil();
+    if (plan.inGroups() && !coarse_) // what a group has shaded has alpha 0 and takes no light
         glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
     else
         glBlendFunc(GL_ONE, GL_ONE);
@@ -217,34 +244,23 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex,
 }
 
 /// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.
-/// False if that is certainly everything.
-bool Renderer::countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
-                            const PixelRectangle& reach) {
+void Renderer::countAndMark(const Pass& pass, std::size_t light) {
+    const LightPlan& plan = pass.plan.lights[light];
     std::optional<gl::FramebufferKeeper> keeper;
     std::optional<gl::ScissorScope> cut;
     if (coarse_) {
         keeper.emplace();
         coarse_->bindCounts();
-        cut.emplace(scaledReach(reach, pass.view, coarse_->size()));
+        cut.emplace(scaledReach(plan.reach, pass.view, coarse_->size()));
     }
-    bool open = true;
-    const bool marks = groups || coarse_;
+    const bool marks = plan.inGroups() || coarse_;
     if (marks) mark_.clear();
-    const auto countThem = [&](const VolumesOfBatch& volumesOf) {
-        const PreparedCount prepared = prepareCount(pass, light, volumesOf);
-        clearStencil(prepared.cleared());
-        count(pass, prepared);
-        open = !prepared.sealed && open;
+    for (std::size_t group = 0; group < plan.counts.size(); ++group) {
+        clearStencil(plan.counts[group].start);
+        count(pass, light, group);
         if (marks) mark_.markCounted();
-    };
-    if (groups) {
-        for (const auto& group : *groups)
-            countThem([&](std::size_t b) -> const BatchVolumes& { return group[b]; });
-    } else {
-        countThem(volumesOfScene(pass.scene));
     }
     if (coarse_) glViewport(0, 0, pass.view.width, pass.view.height);
-    return open;
 }
 
 void Renderer::setCounting() {
@@ -257,28 +273,12 @@ void Renderer::setCounting() {
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
 }
 
-/// Where the clock asks for it, counts once more into one pixel, which leaves the stencil in
-/// disorder.
-PreparedCount Renderer::prepareCount(const Pass& pass, std::size_t light,
-                                     const VolumesOfBatch& volumesOf) {
-    const CountTask task{pass.scene, pass.view, pass.slice, light, volumesOf};
-    if (pass.clock && pass.clock->wantsSilhouette()) {
-        const StageScope stage(pass.clock, FrameStage::silhouette);
-        const gl::ScissorScope onePixel({0, 0, 1, 1});
-        setCounting();
-        glViewport(0, 0, 1, 1);
-        counter_.count(counter_.prepare(task), pass.scene);
-        glViewport(0, 0, pass.counted.x, pass.counted.y);
-    }
+void Renderer::count(const Pass& pass, std::size_t light, std::size_t group) {
     const StageScope stage(pass.clock, FrameStage::volumes);
-    return counter_.prepare(task);
-}
-
-void Renderer::count(const Pass& pass, const PreparedCount& prepared) {
-    const StageScope stage(pass.clock, FrameStage::volumes);
+    const CountPlan& plan = pass.plan.lights[light].counts[group];
     setCounting();
-    counter_.count(prepared, pass.scene);
-    vertexRuns_ += prepared.vertexRuns;
+    counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});
+    vertexRuns_ += plan.vertexRuns();
 }
 
 ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
@@ -312,7 +312,7 @@ void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLook
         mask = coarse_->lookup(pass.view, pass.slice, light);
         shading.coarse = &mask;
     }
-    drawSurfaces(pass, shading);
+    drawSurfaces(pass.scene, pass.view, pass.slice, shading);
 }
 
 void Renderer::drawBlended(const Pass& pass) {
@@ -359,7 +359,7 @@ void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
     SurfaceShading shading;
     shading.mask = true;
     const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
-    drawSurfaces({scene, view, whole, false}, shading);
+    drawSurfaces(scene, view, whole, shading);
 }
 
 } // namespace edgeshade

@@ -10,8 +10,9 @@
 #include "src/render/volumes/render_settings.hpp"
 #include "src/render/volumes/volume_counter.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/plan/frame_plan.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace edgeshade {
@@ -47,9 +48,13 @@ class Renderer {
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
     /// The scene must have the groups of casters that the lights' layers ask for, see
-    /// OverflowGroups. `clock`, which may be null, is told of the stages. Throws
-    /// Error(unavailable) if the GL can't draw masks of lower resolution.
-    void draw(const GpuScene& scene, const FrameView& view, StageClock* clock = nullptr);
+    /// OverflowGroups; records that the plan draws are uploaded where they aren't there yet.
+    /// `clock`, which may be null, is told of the stages. Throws Error(unavailable) if the GL can't
+    /// draw masks of lower resolution.
+    void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr);
+
+    /// What the last frame drew, until the next one.
+    const FramePlan& plan() const { return plan_; }
 
     const RenderSettings& settings() const { return settings_; }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
@@ -62,15 +67,16 @@ class Renderer {
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
-    /// The records that are proposed for the lights of late; null where none are.
-    const Proposals* proposals() const { return counter_.proposals(); }
+    /// What draws shadow volumes; null where shadows are something else.
+    const VolumeRenderer* volumes() const { return volumes_.get(); }
 
     /// Memory of the framebuffers for masks of lower resolution.
     std::size_t maskBytes() const { return coarse_ ? coarse_->bytes() : 0; }
 
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() + (proposals() ? proposals()->bytes() : 0);
+        return mapBytes() + maskBytes() +
+               (volumes_ ? volumes_->sideBytes() + volumes_->capBytes() : 0);
     }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
@@ -83,44 +89,41 @@ class Renderer {
         const GpuScene& scene;
         const FrameView& view;
         const DepthSlice& slice;
+        const SlicePlan& plan;
         bool first; ///< the farthest slice, which clears the picture
         StageClock* clock = nullptr;
-        glm::ivec2 counted{0}; ///< size of the framebuffer that volumes are counted in
     };
 
     /// Whether nothing is counted where no surface is; the published method counts everywhere.
     bool cutsToVisible() const;
-    /// Its casters in groups, or null.
-    const GroupedShadow* groupsOf(const Pass& pass, std::size_t light) const;
-    /// The first light that reaches something and whose shadows need no alpha of their own.
-    std::optional<std::size_t> firstByItself(const Pass& pass,
-                                             const std::vector<PixelRectangle>& reaches) const;
-    /// `light`: drawn with ambient light, may be null. `stencil`: what it is cleared to.
-    void drawDepthAndAmbient(const Pass& pass, const Light* light, int stencil);
-    void drawCoarseSurfaces(const Pass& pass, const PixelRectangle& reach);
-    /// `prepared`: for it the stencil is cleared; null where it isn't.
-    void drawShadowedLight(const Pass& pass, std::size_t light, const GroupedShadow* groups,
-                           const PixelRectangle& reach, const PreparedCount* prepared);
+    /// Plans the frame, and uploads what it draws.
+    FramePlan planned(GpuScene& scene, const FrameView& view, StageClock* clock);
+    void prepare(const FramePlan& plan, GpuScene& scene, const FrameView& view);
+    /// Draws all volumes into one pixel, which leaves its stencil in disorder.
+    void countInOnePixel(const FramePlan& plan, const GpuScene& scene, const FrameView& view);
+
+    void drawDepthAndAmbient(const Pass& pass);
+    void drawCoarseSurfaces(const Pass& pass);
+    void drawShadowedLight(const Pass& pass, std::size_t light);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
-    void drawShadow(const Pass& pass, const PixelRectangle& reach, const PreparedCount& prepared);
+    void drawShadow(const Pass& pass);
     /// By the light, or by nothing.
     SurfaceShading shadingOf(const Pass& pass, const Light* light) const;
-    /// Returns whether anything may be lit.
-    bool countAndMark(const Pass& pass, std::size_t light, const GroupedShadow* groups,
-                      const PixelRectangle& reach);
+    void countAndMark(const Pass& pass, std::size_t light);
     void setCounting();
-    PreparedCount prepareCount(const Pass& pass, std::size_t light,
-                               const VolumesOfBatch& volumesOf);
-    void count(const Pass& pass, const PreparedCount& prepared);
+    void count(const Pass& pass, std::size_t light, std::size_t group);
     ShadowMapLookup drawMap(const Pass& pass, const Light& light);
     void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const Pass& pass);
     void restoreAlpha(const GpuScene& scene, const FrameView& view);
     /// Returns vertex runs.
-    std::size_t drawSurfaces(const Pass& pass, const SurfaceShading& shading);
+    std::size_t drawSurfaces(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
+                             const SurfaceShading& shading);
 
     RenderSettings settings_;
+    std::unique_ptr<VolumeRenderer> volumes_; ///< where shadows are volumes
     VolumeCounter counter_;
+    FramePlan plan_; ///< of the last frame
     SurfacePass surfaces_;
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps

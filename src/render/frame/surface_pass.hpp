@@ -55,13 +55,13 @@ class SurfacePass {
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
-        bool withAmbient; ///< with ambient light, too
-        bool sun;         ///< lit by a light of one direction
-        bool ranged;      ///< lit by a light that doesn't reach everywhere
-        bool mask;        ///< draws the lit mask
-        bool sliced;      ///< has a farthest depth
-        bool coarse;      ///< looks up a mask of lower resolution
-        bool planes;      ///< draws what such a mask stores of surfaces
+        bool withAmbient;  ///< with ambient light, too
+        bool sun;          ///< lit by a light of one direction
+        bool ranged;       ///< lit by a light that doesn't reach everywhere
+        bool mask;         ///< draws the lit mask
+        bool sliced;       ///< has a farthest depth
+        bool coarse;       ///< looks up a mask of lower resolution
+        bool planes;       ///< draws what such a mask stores of surfaces
         bool orthographic; ///< looks it up or draws it for such a picture
 
         auto key() const {

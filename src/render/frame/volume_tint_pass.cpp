@@ -1,85 +1,87 @@
 #include "src/render/frame/volume_tint_pass.hpp"
 
-#include "src/render/frame/frame.hpp"
+#include "src/gl/scissor.hpp"
+#include "src/render/volumes/volume_counter.hpp"
 
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
 
-VolumeTintPass::VolumeTintPass(MultiplicityMethod method, SidesLayout layout,
-                               std::optional<gl::Instancing> instancing) {
-    if (method == MultiplicityMethod::plane) {
-        adapted_.emplace(layout, instancing, std::vector<std::string>(),
-                         VolumeTints{{1.0f, 0.5f, 0.1f, 0.10f},
-                                     {1.0f, 0.1f, 0.2f, 0.14f},
-                                     {0.1f, 0.8f, 0.2f, 0.12f},
-                                     {0.15f, 0.4f, 1.0f, 0.10f}});
-    } else {
-        sides_.emplace(method, layout, instancing,
-                       std::vector<std::string>{"TINT vec4(1.0, 0.5, 0.1, 0.10)"});
-        caps_.emplace(method, layout, instancing,
-                      std::vector<std::string>{"TINT vec4(0.15, 0.4, 1.0, 0.10)"});
-    }
-}
+const VolumeTints VolumeTintPass::tints = {{1.0f, 0.5f, 0.1f, 0.10f},
+                                           {1.0f, 0.1f, 0.2f, 0.14f},
+                                           {0.1f, 0.8f, 0.2f, 0.12f},
+                                           {0.15f, 0.4f, 1.0f, 0.10f}};
 
-void VolumeTintPass::drawAdapted(const GpuBatch& batch, const GpuScene& scene,
-                                 const FrameView& view, const DepthSlice& slice, const Light& light,
-                                 const glm::mat4& clipFromObject) {
-    const AdaptedBuffers& buffers = *batch.volumes.adapted;
-    const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-    const PlanView planned = planView(view, slice, light, batch.worldFromBatch);
-    for (const VolumeDraw& draw : planVolumes(*buffers.shadow(), planned).draws) {
-        for (const Times times : {Times::once, Times::twice})
-            adapted_->drawSides(buffers, nullptr, draw, times, endOf(draw, planned), lightHere,
-                                clipFromObject);
-        glDisable(GL_DEPTH_TEST);
-        adapted_->drawCaps(buffers, nullptr, draw, scene.materials, scene.textures, lightHere,
-                           clipFromObject);
-        glEnable(GL_DEPTH_TEST);
-    }
-}
+VolumeTintPass::VolumeTintPass(const RenderSettings& settings, const gl::Capabilities& capabilities)
+    : volumes_(makeVolumeRenderer(settings, capabilities, tints)) {}
 
-void VolumeTintPass::draw(const GpuScene& scene, const FrameView& view, const Light& light) {
-    const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
-    std::vector<BatchView> batchViews;
-    for (const GpuBatch& batch : scene.batches)
-        batchViews.push_back(batchViewOf(batch, view, whole));
-
+void VolumeTintPass::draw(GpuScene& scene, const FrameView& view, const FramePlan& plan,
+                          std::size_t light) {
+    volumes_->beginFrame(scene);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_STENCIL_TEST);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        if (scene.batches[i].hidden) continue;
-        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
-            surfaces_.draw(scene, scene.batches[i], batchViews[i], view.frustum.position(),
-                           SurfaceShading(), kind);
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(0xFF);
+    glClearStencil(0);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    // From near to far, slices claim the pixels that show what they hold: larger numbers first, so
+    // that GEQUAL leaves out what a nearer one has.
+    for (std::size_t s = plan.slices.size(); s-- > 0 && light < plan.slices[s].lights.size();) {
+        const LightPlan& planned = plan.slices[s].lights[light];
+        const auto number = static_cast<GLint>(s + 1);
+        glStencilFunc(GL_GEQUAL, number, 0xFF);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+        drawSurfaces(scene, view, view.slices[s]);
+        glStencilFunc(s == 0 ? GL_GEQUAL : GL_EQUAL, number, 0xFF);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        const gl::ScissorScope cut(planned.reach);
+        for (std::size_t group = 0; group < planned.counts.size(); ++group) {
+            const CountPlan& count = planned.counts[group];
+            const CasterGroupInSlice casters{view, view.slices[s], light, group};
+            volumes_->prepare(count, scene, casters);
+            tint(count.draws.once, count, scene, casters);
+            tint(count.draws.twice, count, scene, casters);
+        }
     }
+    glDisable(GL_STENCIL_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
 
+void VolumeTintPass::drawSurfaces(const GpuScene& scene, const FrameView& view,
+                                  const DepthSlice& slice) {
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    SurfaceShading shading;
+    shading.farthest = static_cast<float>(slice.far);
+    for (const GpuBatch& batch : scene.batches) {
+        if (batch.hidden) continue;
+        const BatchView seen = batchViewOf(batch, view, slice);
+        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
+            surfaces_.draw(scene, batch, seen, view.frustum.position(), shading, kind);
+    }
+}
+
+void VolumeTintPass::tint(const std::vector<VolumeDraw>& draws, const CountPlan& plan,
+                          const GpuScene& scene, const CasterGroupInSlice& casters) const {
     glDepthMask(GL_FALSE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        const GpuBatch& batch = scene.batches[i];
-        if (batch.hidden) continue;
-        if (adapted_) {
-            drawAdapted(batch, scene, view, whole, light, batchViews[i].clipFromObject);
-            continue;
-        }
-        const glm::vec4 lightHere = lightInObject(light, batch.worldFromBatch);
-        sides_->draw(*batch.volumes.published, lightHere, batchViews[i].clipFromObject);
-        glDisable(GL_DEPTH_TEST);
-        caps_->draw(*batch.volumes.published, scene.materials, scene.textures, lightHere,
-                    batchViews[i].clipFromObject, false);
-        glEnable(GL_DEPTH_TEST);
-    }
-    glDisable(GL_BLEND);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    forEachDraw(draws, plan, *volumes_, scene, casters,
+                [&](const VolumeDraw& draw, const DrawnBatch& batch) {
+                    if (draw.shape == VolumeDraw::Shape::sides)
+                        glEnable(GL_DEPTH_TEST);
+                    else
+                        glDisable(GL_DEPTH_TEST);
+                    volumes_->draw(draw, batch);
+                });
 }
 
 } // namespace edgeshade

@@ -1,35 +1,35 @@
 #pragma once
 
 #include "src/render/frame/surface_pass.hpp"
-#include "src/render/volumes/adapted_volumes.hpp"
-#include "src/render/volumes/published/caps_pass.hpp"
-#include "src/render/volumes/published/sides_pass.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/render/frame/volume_renderers.hpp"
+#include "src/shadow/plan/frame_plan.hpp"
 
 namespace edgeshade {
 
-/// A debug view: tints the picture by what is drawn of one light's shadow volumes. Sides where they
-/// stand in front of what is visible: orange, of volumes that are counted behind surfaces and so
-/// have caps red, and green over these the second quad where the multiplicity is 2. Caps blue
-/// wherever they are drawn (all of them lie at infinity). Published volumes are orange and blue.
+/// A debug view: tints a frame's picture by what its plan drew of one light's shadow volumes,
+/// within the pixels that the light reaches. Sides where they stand in front of what is visible:
+/// orange, of volumes that are counted behind surfaces and so have caps red, and green those that
+/// count twice. Caps, and the fans that stand for them, blue wherever they are drawn (all of them
+/// lie at infinity). Of several depth slices each tints the surfaces that it holds, and the
+/// farthest what is behind all.
 class VolumeTintPass {
   public:
-    /// `instancing` must be there unless the layout is notInstanced.
-    VolumeTintPass(MultiplicityMethod method, SidesLayout layout,
-                   std::optional<gl::Instancing> instancing);
+    /// `settings` as those of the renderer whose plans are shown; shadows must be volumes.
+    VolumeTintPass(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
-    /// Blends over the current framebuffer. Draws depth anew: of several depth slices only the
-    /// nearest is left in the buffer.
-    void draw(const GpuScene& scene, const FrameView& view, const Light& light);
+    /// Blends over the current framebuffer, whose depth and stencil it draws anew. `plan`: of the
+    /// frame that was drawn last.
+    void draw(GpuScene& scene, const FrameView& view, const FramePlan& plan, std::size_t light);
+
+    static const VolumeTints tints; ///< with their shares in alpha
 
   private:
-    void drawAdapted(const GpuBatch& batch, const GpuScene& scene, const FrameView& view,
-                     const DepthSlice& slice, const Light& light, const glm::mat4& clipFromObject);
+    void drawSurfaces(const GpuScene& scene, const FrameView& view, const DepthSlice& slice);
+    void tint(const std::vector<VolumeDraw>& draws, const CountPlan& plan, const GpuScene& scene,
+              const CasterGroupInSlice& casters) const;
 
     SurfacePass surfaces_;
-    std::optional<AdaptedVolumes> adapted_; ///< where multiplicities come from planes
-    std::optional<SidesPass> sides_;        ///< where not
-    std::optional<CapsPass> caps_;          ///< likewise
+    std::unique_ptr<VolumeRenderer> volumes_;
 };
 
 } // namespace edgeshade

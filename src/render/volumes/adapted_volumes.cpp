@@ -63,20 +63,14 @@ glm::vec2 rangeOf(Counted counted) {
     return counted == Counted::all ? glm::vec2(-1.0f, 1.0f) : glm::vec2(0.0f, 1.0f);
 }
 
-const gl::Buffer& bufferOf(SideRecords::Kind kind, const AdaptedBuffers& buffers,
-                           const ProposedRecords* proposed) {
-    using Kind = SideRecords::Kind;
-    switch (kind) {
-    case Kind::singles:
-        return buffers.singles();
-    case Kind::certainPairs:
-        return proposed->certainPairs;
-    case Kind::uncertainPairs:
-        return proposed->uncertainPairs;
-    case Kind::allPairs:
-        break;
-    }
-    return buffers.pairs();
+/// Of the program that draws sides or fans.
+AdaptedSidesVariant variantOf(const VolumeDraw& draw) {
+    const bool fans = draw.shape == VolumeDraw::Shape::fans;
+    return {.pair = draw.isPair(), .sun = !fans && draw.isTriangle(), .cap = fans};
+}
+
+std::pair<bool, bool> capsVariantOf(const VolumeDraw& draw) {
+    return {draw.nearDiscard, draw.alphaTested.has_value()};
 }
 
 } // namespace
@@ -110,12 +104,13 @@ gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
             joined(std::move(attributes), extraAttributes)};
 }
 
-AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
-                               std::vector<std::string> defines, std::optional<VolumeTints> tints)
-    : instancing_(instancing), tints_(tints), sidesDefines_(std::move(defines)) {
-    if (tints_)
-        for (auto* shaders : {&sidesDefines_, &capsDefines_})
-            shaders->insert(shaders->end(), {"UNIFORM_TINT", "TINT u_tint"});
+AdaptedVolumes::AdaptedVolumes(SilhouetteChoice choice, SidesLayout layout,
+                               std::optional<gl::Instancing> instancing, int mantissaBits,
+                               std::optional<VolumeTints> tints, std::vector<std::string> defines)
+    : instancing_(instancing), mantissaBits_(mantissaBits), tints_(tints),
+      defines_(std::move(defines)), gathered_(layout) {
+    if (tints_) defines_.insert(defines_.end(), {"UNIFORM_TINT", "TINT u_tint"});
+    if (choice == SilhouetteChoice::proposed) silhouettes_.emplace(mantissaBits);
     const std::uint32_t quads = layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
     // The published order: rasterisers round a triangle's depths by which corner comes first.
     quadIndices_ = indexBuffer(std::array<std::uint16_t, 6>{2, 1, 0, 1, 2, 3}, quads);
@@ -125,68 +120,124 @@ AdaptedVolumes::AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing>
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
 }
 
-gl::Program& AdaptedVolumes::sidesProgram(const AdaptedSidesVariant& variant,
-                                          const VolumeDraw& draw, Times times, const glm::vec4& end,
-                                          const glm::vec4& light, const glm::mat4& clipFromObject) {
-    auto found = sides_.find(variant);
-    if (found == sides_.end())
-        found = sides_.emplace(variant, makeAdaptedSidesProgram(variant, sidesDefines_)).first;
-    gl::Program& program = found->second;
+void AdaptedVolumes::beginFrame(const GpuScene& scene) {
+    if (silhouettes_) silhouettes_->beginFrame(scene.identity);
+    gathered_.dropExpired();
+}
+
+CountPlan AdaptedVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
+    std::vector<PlacedShadow> placed;
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        if (scene.batches[i].hidden) continue;
+        const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
+        placed.push_back({i, volumes.adapted->shadow(), scene.batches[i].worldFromBatch});
+    }
+    return planCount(placed, scene.materials, casters.view, casters.slice, casters.light,
+                     {mantissaBits_, silhouettes_ ? &*silhouettes_ : nullptr});
+}
+
+void AdaptedVolumes::prepare(const CountPlan& plan, GpuScene& scene,
+                             const CasterGroupInSlice& casters) {
+    for (const auto* draws : {&plan.draws.twice, &plan.draws.once})
+        for (const VolumeDraw& draw : *draws) {
+            const BatchPlan& of = plan.batches[draw.batch];
+            upload(draw, of,
+                   *scene.volumesOf(of.batch, casters.source(), layout(), casters.group).adapted);
+            makeProgram(draw);
+        }
+}
+
+void AdaptedVolumes::upload(const VolumeDraw& draw, const BatchPlan& plan,
+                            AdaptedBuffers& buffers) {
+    using Records = VolumeDraw::Records;
+    switch (draw.records) {
+    case Records::allPairs:
+        return buffers.uploadAllPairs();
+    case Records::caps:
+        return buffers.uploadCapsOf(draw.cluster);
+    case Records::certainPairs:
+    case Records::uncertainPairs:
+        return gathered_.upload(*plan.shadow, *plan.silhouettes);
+    case Records::lightFacingCaps:
+        gathered_.upload(*plan.shadow, *plan.silhouettes);
+        return gathered_.uploadCapsOf(*plan.shadow, *plan.silhouettes, draw.cluster);
+    default:
+        return; // singles are there
+    }
+}
+
+void AdaptedVolumes::makeProgram(const VolumeDraw& draw) {
+    if (draw.shape == VolumeDraw::Shape::caps) {
+        const auto variant = capsVariantOf(draw);
+        if (!caps_.contains(variant))
+            caps_.emplace(variant, makeAdaptedCapsProgram(variant.first, variant.second, defines_));
+        return;
+    }
+    const AdaptedSidesVariant variant = variantOf(draw);
+    if (!sides_.contains(variant))
+        sides_.emplace(variant, makeAdaptedSidesProgram(variant, defines_));
+}
+
+void AdaptedVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
+    switch (draw.shape) {
+    case VolumeDraw::Shape::sides:
+        return drawSides(draw, batch);
+    case VolumeDraw::Shape::fans:
+        return drawFans(draw, batch);
+    case VolumeDraw::Shape::caps:
+        return drawCaps(draw, batch);
+    }
+}
+
+const gl::Buffer& AdaptedVolumes::bufferOf(const VolumeDraw& draw, const DrawnBatch& batch) const {
+    switch (draw.records) {
+    case VolumeDraw::Records::certainPairs:
+        return gathered_.of(*batch.plan.silhouettes).certainPairs;
+    case VolumeDraw::Records::uncertainPairs:
+        return gathered_.of(*batch.plan.silhouettes).uncertainPairs;
+    case VolumeDraw::Records::allPairs:
+        return batch.volumes.adapted->pairs();
+    default:
+        return batch.volumes.adapted->singles();
+    }
+}
+
+const gl::Program& AdaptedVolumes::sidesProgram(const VolumeDraw& draw,
+                                                const DrawnBatch& batch) const {
+    const gl::Program& program = sides_.at(variantOf(draw));
     program.use();
-    program.set("u_light", light);
-    program.set("u_end", end);
+    program.set("u_light", batch.plan.light);
+    program.set("u_end", draw.end);
     program.set("u_counted", rangeOf(draw.counted));
-    program.set("u_times", static_cast<float>(times));
-    program.set("u_clipFromObject", clipFromObject);
+    program.set("u_times", static_cast<float>(draw.times));
+    program.set("u_clipFromObject", batch.clipFromObject);
+    if (tints_) program.set("u_tint", tints_->of(draw));
     return program;
 }
 
-void AdaptedVolumes::drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                               const VolumeDraw& draw, Times times, const glm::vec4& end,
-                               const glm::vec4& light, const glm::mat4& clipFromObject) {
-    const bool sun = light.w == 0.0f && draw.end < 0;
-    for (const SideRecords& records :
-         sideRecords(*buffers.shadow(), listOf(proposed), draw, times)) {
-        gl::Program& program = sidesProgram({.pair = records.isPair(), .sun = sun}, draw, times,
-                                            end, light, clipFromObject);
-        if (tints_)
-            program.set("u_tint", times == Times::twice ? tints_->twice
-                                  : draw.zFail()        ? tints_->behind
-                                                        : tints_->before);
-        drawRecords(buffers, proposed, records, sun);
+void AdaptedVolumes::drawSides(const VolumeDraw& draw, const DrawnBatch& batch) const {
+    sidesProgram(draw, batch);
+    drawRecords(draw, batch, draw.isTriangle());
+}
+
+void AdaptedVolumes::drawFans(const VolumeDraw& draw, const DrawnBatch& batch) const {
+    const gl::Program& program = sidesProgram(draw, batch);
+    program.set("u_apex", glm::vec3(batch.plan.shadow->clusters[draw.cluster].bounds.center()));
+    for (const CapFaces face : {CapFaces::front, CapFaces::back}) {
+        if (draw.faces != face && draw.faces != CapFaces::both) continue;
+        program.set("u_back", face == CapFaces::back ? 1.0f : 0.0f);
+        drawRecords(draw, batch, true);
     }
 }
 
-void AdaptedVolumes::drawFannedCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                                    const VolumeDraw& draw, Times times, const glm::vec4& light,
-                                    const glm::mat4& clipFromObject) {
-    if (!draw.fannedCaps) return;
-    const AdaptedShadow& shadow = *buffers.shadow();
-    const glm::vec4 infinity(0, 0, 0, 1);
-    for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
-        if (!takesFannedCaps(shadow, listOf(proposed), draw, c)) continue;
-        for (const SideRecords& records :
-             sideRecords(shadow, listOf(proposed), drawOf(draw, c), times)) {
-            gl::Program& program = sidesProgram({.pair = records.isPair(), .cap = true}, draw,
-                                                times, infinity, light, clipFromObject);
-            program.set("u_apex", glm::vec3(shadow.clusters[c].bounds.center()));
-            for (const bool back : {false, true}) {
-                if (!(back ? draw.backCaps : draw.frontCaps)) continue;
-                program.set("u_back", back ? 1.0f : 0.0f);
-                drawRecords(buffers, proposed, records, true);
-            }
-        }
-    }
-}
-
-void AdaptedVolumes::drawRecords(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                                 const SideRecords& records, bool triangles) {
-    const gl::Buffer& buffer = bufferOf(records.kind, buffers, proposed);
-    const std::vector<int>& components = records.isPair() ? pairComponents : singleComponents;
-    const RecordRange& range = records.range;
+void AdaptedVolumes::drawRecords(const VolumeDraw& draw, const DrawnBatch& batch,
+                                 bool triangles) const {
+    const gl::Buffer& buffer = bufferOf(draw, batch);
+    const std::vector<int>& components = draw.isPair() ? pairComponents : singleComponents;
+    const RecordRange& range = draw.range;
     const int indices = triangles ? 3 : 6;
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (triangles ? triangleIndices_ : quadIndices_).name());
-    if (!buffers.copied()) {
+    if (!batch.volumes.adapted->copied()) {
         AttributeBinding binding(&*instancing_);
         bindRecords(binding, buffer, components, range.first * sizeof(float) * floatsOf(components),
                     false, quadCorners_, 0);
@@ -205,84 +256,53 @@ void AdaptedVolumes::drawRecords(const AdaptedBuffers& buffers, const ProposedRe
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 
-gl::Program& AdaptedVolumes::capsProgram(bool nearDiscard, bool alphaTest) {
-    const std::pair key(nearDiscard, alphaTest);
-    auto found = caps_.find(key);
-    if (found == caps_.end())
-        found =
-            caps_.emplace(key, makeAdaptedCapsProgram(nearDiscard, alphaTest, capsDefines_)).first;
-    return found->second;
-}
-
-void AdaptedVolumes::drawCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                              const VolumeDraw& draw, const std::vector<Material>& materials,
-                              const Textures& textures, const glm::vec4& light,
-                              const glm::mat4& clipFromObject) {
-    const AdaptedShadow& shadow = *buffers.shadow();
-    if (!draw.zFail() || !(draw.frontCaps || draw.backCaps)) return;
-    const CapKind kind = !draw.backCaps   ? CapKind::front
-                         : draw.frontCaps ? CapKind::both
-                                          : CapKind::back;
-    const auto use = [&](bool alphaTest) -> gl::Program& {
-        gl::Program& program = capsProgram(draw.nearDiscard, alphaTest);
-        program.use();
-        program.set("u_light", light);
-        program.set("u_counted", rangeOf(draw.counted));
-        if (tints_) program.set("u_tint", tints_->caps);
-        program.set("u_clipFromObject", clipFromObject);
-        return program;
-    };
-    for (std::uint32_t c = draw.clusters.first; c < draw.clusters.end(); ++c) {
-        const ShadowCluster& cluster = shadow.clusters[c];
-        if (cluster.caps.count == 0 || takesFannedCaps(shadow, listOf(proposed), draw, c)) continue;
-        if (proposed && takesLightFacingCaps(cluster, draw.counted)) {
-            const CapBuffers& caps = lightFacingCaps(*proposed, buffers, c);
-            if (caps.count == 0) continue;
-            use(false);
-            drawGroup(caps, buffers.copied(), {0, caps.count}, kind, false);
-            continue;
-        }
-        const CapBuffers& caps = buffers.capsOf(c);
-        for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g) {
-            const CasterGroup& group = shadow.groups[g];
-            const Material& material = materials[group.material];
-            const bool alphaTest =
-                cluster.holes && material.alphaMode != AlphaMode::opaque && draw.frontCaps;
-            gl::Program& program = use(alphaTest);
-            const RecordRange range{group.firstCap - cluster.caps.first, group.capCount};
-            if (!alphaTest) {
-                drawGroup(caps, buffers.copied(), range, kind, false);
-                continue;
-            }
-            setCapHoles(program, material, textures);
-            program.set("u_frontCapAtInfinity", 1.0f);
-            drawGroup(caps, buffers.copied(), range, kind, true);
-            program.set("u_frontCapAtInfinity", 0.0f);
-            drawGroup(caps, buffers.copied(), range, CapKind::front, true);
-        }
+void AdaptedVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch) const {
+    const AdaptedBuffers& buffers = *batch.volumes.adapted;
+    const CapBuffers& caps =
+        draw.records == VolumeDraw::Records::lightFacingCaps
+            ? gathered_.of(*batch.plan.silhouettes).caps.find(draw.cluster)->second
+            : buffers.capsOf(draw.cluster);
+    const gl::Program& program = caps_.at(capsVariantOf(draw));
+    program.use();
+    program.set("u_light", batch.plan.light);
+    program.set("u_counted", rangeOf(draw.counted));
+    program.set("u_clipFromObject", batch.clipFromObject);
+    if (tints_) program.set("u_tint", tints_->of(draw));
+    if (!draw.alphaTested) {
+        drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, false);
+        return;
     }
+    setCapHoles(program, batch.scene->materials[*draw.alphaTested], batch.scene->textures);
+    if (!draw.holesAlone) {
+        program.set("u_frontCapAtInfinity", 1.0f);
+        drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, true);
+    }
+    program.set("u_frontCapAtInfinity", 0.0f);
+    drawCapRecords(caps, buffers.copied(), draw.range, CapFaces::front, true);
 }
 
-void AdaptedVolumes::drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps,
-                               CapKind kind, bool holes) {
+void AdaptedVolumes::drawCapRecords(const CapBuffers& buffers, bool copied, const RecordRange& caps,
+                                    CapFaces faces, bool holes) const {
     const std::size_t floats = floatsOf(capComponents);
+    const auto count = static_cast<int>(caps.count);
     if (!copied) {
         AttributeBinding binding(&*instancing_);
         bindRecords(binding, buffers.records, capComponents, caps.first * sizeof(float) * floats,
-                    false, capCorners_, kind == CapKind::back ? verticesPerCap : 0);
+                    false, capCorners_, faces == CapFaces::back ? verticesPerCap : 0);
         if (holes) binding.addRecords(buffers.holes, 3, caps.first * 3 * sizeof(glm::vec4), true);
-        instancing_->drawTriangles(kind == CapKind::both ? 2 * verticesPerCap : verticesPerCap,
-                                   static_cast<int>(caps.count));
+        instancing_->drawTriangles(faces == CapFaces::both ? 2 * verticesPerCap : verticesPerCap,
+                                   count);
         return;
     }
-    for (const bool back : {false, true}) {
-        if (kind == (back ? CapKind::front : CapKind::back)) continue;
-        const std::size_t first = verticesPerCap * (caps.first + (back ? buffers.count : 0));
+    for (const CapFaces face : {CapFaces::front, CapFaces::back}) {
+        if (faces != face && faces != CapFaces::both) continue;
+        const std::size_t first =
+            verticesPerCap * (caps.first + (face == CapFaces::back ? buffers.count : 0));
         AttributeBinding binding(nullptr);
         bindRecords(binding, buffers.records, capComponents, first * sizeof(float) * (floats + 1),
                     true, capCorners_, 0);
         if (holes) binding.addRecords(buffers.holes, 3, first * 3 * sizeof(glm::vec4), false);
-        glDrawArrays(GL_TRIANGLES, 0, static_cast<int>(caps.count) * verticesPerCap);
+        glDrawArrays(GL_TRIANGLES, 0, count * verticesPerCap);
     }
 }
 

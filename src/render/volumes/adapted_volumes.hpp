@@ -2,10 +2,9 @@
 
 #include "src/gl/instancing.hpp"
 #include "src/gl/program.hpp"
-#include "src/render/volumes/proposals.hpp"
-#include "src/scene/adapted_buffers.hpp"
-#include "src/scene/textures.hpp"
-#include "src/shadow/plan/side_records.hpp"
+#include "src/render/volumes/render_settings.hpp"
+#include "src/render/volumes/silhouette_buffers.hpp"
+#include "src/render/volumes/volume_renderer.hpp"
 
 #include <compare>
 #include <map>
@@ -32,60 +31,56 @@ gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
                                    const std::vector<std::string>& extraDefines = {},
                                    const std::vector<std::string>& extraAttributes = {});
 
-/// What debug views colour volumes with.
-struct VolumeTints {
-    glm::vec4 before; ///< sides counted once before surfaces (z-pass)
-    glm::vec4 behind; ///< sides counted once behind them (z-fail)
-    glm::vec4 twice;  ///< sides counted twice
-    glm::vec4 caps;
-};
-
-/// Draws shadow volumes from adapted records; what they do to the stencil is the caller's state.
-class AdaptedVolumes {
+/// Draws shadow volumes from adapted records: edges with the planes of their triangles.
+class AdaptedVolumes : public VolumeRenderer {
   public:
-    /// `instancing` must be there unless the layout is notInstanced. `defines`: of sides' shaders.
-    AdaptedVolumes(SidesLayout layout, std::optional<gl::Instancing> instancing,
-                   std::vector<std::string> defines = {}, std::optional<VolumeTints> tints = {});
+    /// `instancing` must be there unless the layout is notInstanced. `mantissaBits`: of the vertex
+    /// shader's floats. `tints`: for debug views; `defines`: of all shaders, for measuring.
+    AdaptedVolumes(SilhouetteChoice choice, SidesLayout layout,
+                   std::optional<gl::Instancing> instancing, int mantissaBits,
+                   std::optional<VolumeTints> tints = {}, std::vector<std::string> defines = {});
 
-    /// Draws the sides that count so often. `proposed`: the records to draw, null for all of them.
-    /// `end`: the plane at which volumes end, (0, 0, 0, 1) for infinity. All is in the batch's
-    /// space.
-    void drawSides(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                   const VolumeDraw& draw, Times times, const glm::vec4& end,
-                   const glm::vec4& light, const glm::mat4& clipFromObject);
-    /// Draws the fans of caps of such sides, where clusters take them.
-    void drawFannedCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                        const VolumeDraw& draw, Times times, const glm::vec4& light,
-                        const glm::mat4& clipFromObject);
-    /// Draws the other clusters' caps.
-    void drawCaps(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                  const VolumeDraw& draw, const std::vector<Material>& materials,
-                  const Textures& textures, const glm::vec4& light,
-                  const glm::mat4& clipFromObject);
+    void beginFrame(const GpuScene& scene) override;
+    CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
+    void prepare(const CountPlan& plan, GpuScene& scene,
+                 const CasterGroupInSlice& casters) override;
+    void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
+    /// Makes the program of such a draw, if it is not there yet.
+    void makeProgram(const VolumeDraw& draw);
+
+    VolumeLayout layout() const override { return VolumeLayout::adapted; }
+    const PotentialSilhouettes* silhouettes() const override {
+        return silhouettes_ ? &*silhouettes_ : nullptr;
+    }
+    std::size_t sideBytes() const override { return gathered_.sideBytes(); }
+    std::size_t capBytes() const override { return gathered_.capBytes(); }
 
   private:
-    enum class CapKind { front, back, both };
-
+    void upload(const VolumeDraw& draw, const BatchPlan& plan, AdaptedBuffers& buffers);
+    const gl::Buffer& bufferOf(const VolumeDraw& draw, const DrawnBatch& batch) const;
     /// The program, in use, with what all variants need.
-    gl::Program& sidesProgram(const AdaptedSidesVariant& variant, const VolumeDraw& draw,
-                              Times times, const glm::vec4& end, const glm::vec4& light,
-                              const glm::mat4& clipFromObject);
+    const gl::Program& sidesProgram(const VolumeDraw& draw, const DrawnBatch& batch) const;
+
+    void drawSides(const VolumeDraw& draw, const DrawnBatch& batch) const;
+    void drawFans(const VolumeDraw& draw, const DrawnBatch& batch) const;
+    void drawCaps(const VolumeDraw& draw, const DrawnBatch& batch) const;
     /// Records as quads or, of their first three corners, as triangles.
-    void drawRecords(const AdaptedBuffers& buffers, const ProposedRecords* proposed,
-                     const SideRecords& records, bool triangles);
-    void drawGroup(const CapBuffers& buffers, bool copied, const RecordRange& caps, CapKind kind,
-                   bool holes);
-    gl::Program& capsProgram(bool nearDiscard, bool alphaTest);
+    void drawRecords(const VolumeDraw& draw, const DrawnBatch& batch, bool triangles) const;
+    void drawCapRecords(const CapBuffers& buffers, bool copied, const RecordRange& caps,
+                        CapFaces faces, bool holes) const;
 
     std::optional<gl::Instancing> instancing_;
+    int mantissaBits_;
     std::optional<VolumeTints> tints_;
-    std::vector<std::string> sidesDefines_, capsDefines_;
+    std::vector<std::string> defines_;
+    std::optional<PotentialSilhouettes> silhouettes_;
+    SilhouetteBuffers gathered_;
     gl::Buffer quadCorners_;     ///< instanced: 0..3
     gl::Buffer capCorners_;      ///< instanced: 0..5
     gl::Buffer quadIndices_;     ///< of one quad; not instanced: of as many as 16 bits reach
     gl::Buffer triangleIndices_; ///< the same of their first triangles
     std::map<AdaptedSidesVariant, gl::Program> sides_;
-    std::map<std::pair<bool, bool>, gl::Program> caps_;
+    std::map<std::pair<bool, bool>, gl::Program> caps_; ///< by near discard, alpha test
 };
 
 } // namespace edgeshade

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/render/shadow_map/shadow_map.hpp"
-#include "src/render/volumes/published/volume_program.hpp"
+#include "src/render/volumes/multiplicity_method.hpp"
 
 #include <optional>
 
@@ -12,7 +12,7 @@ enum class ShadowMethod { volumes, map, none };
 /// Which adapted records are offered to the vertex shader, the judge of their multiplicity.
 enum class SilhouetteChoice {
     all,
-    proposed, ///< those that may be silhouettes, see Proposal
+    proposed, ///< those that may be silhouettes, see PotentialSilhouettes
 };
 
 /// How frames are drawn; fixed for a renderer, but for `ambient` and `background`.

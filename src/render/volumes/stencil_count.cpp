@@ -7,16 +7,16 @@ namespace {
 
 constexpr GLuint allBits = 0xFF, lowestBit = 0x01, highestBit = 0x80;
 
-void clearBits(GLuint bits, int value) {
-    glStencilMask(bits);
-    glClearStencil(value);
-    glClear(GL_STENCIL_BUFFER_BIT);
-}
-
 } // namespace
 
-void clearStencil(int count) {
-    clearBits(allBits, count & 0xFF); // counts wrap
+void setStencilClear(const StencilStart& start) {
+    glStencilMask(allBits);
+    glClearStencil(start.cleared());
+}
+
+void clearStencil(const StencilStart& start) {
+    setStencilClear(start);
+    glClear(GL_STENCIL_BUFFER_BIT);
 }
 
 void countByOne(bool zFail, bool mirrored) {
@@ -31,11 +31,7 @@ void countByOne(bool zFail, bool mirrored) {
     }
 }
 
-int halvedStart(int start) {
-    return (start & 0xFF) >> 1;
-}
-
-void doubleCounts(int start, WholePicture& picture) {
+void doubleCounts(const StencilStart& start, const WholePicture& picture) {
     glDisable(GL_DEPTH_TEST);
     // Where the lower bit is 1 the two become 10, else 00.
     glStencilOp(GL_ZERO, GL_KEEP, GL_REPLACE);
@@ -45,7 +41,11 @@ void doubleCounts(int start, WholePicture& picture) {
         glStencilMask(higher | lower);
         picture.draw();
     }
-    if ((start & 1) != 0) clearBits(lowestBit, 1);
+    if (start.isOddWhenDoubled()) {
+        glStencilMask(lowestBit);
+        glClearStencil(1);
+        glClear(GL_STENCIL_BUFFER_BIT);
+    }
     glStencilMask(allBits);
     glStencilFunc(GL_ALWAYS, 0, allBits);
     glEnable(GL_DEPTH_TEST);

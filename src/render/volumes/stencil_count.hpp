@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/render/drawing/whole_picture.hpp"
+#include "src/shadow/plan/stencil_start.hpp"
 
 namespace edgeshade {
 
@@ -10,20 +11,19 @@ namespace edgeshade {
 /// winding over. No faces are culled: which way a thin triangle faces is for the rasteriser to say,
 /// once.
 
-/// Everywhere the same count.
-void clearStencil(int count);
+/// What glClear() makes of the stencil from now on: everywhere what the count starts from.
+void setStencilClear(const StencilStart& start);
+
+/// Clears the stencil to that; by itself to 0.
+void clearStencil(const StencilStart& start = {});
 
 /// Triangles that are drawn from now on count by one.
 void countByOne(bool zFail, bool mirrored);
 
-/// What the stencil is cleared to where some of what counts from `start` counts by two: that is
-/// drawn first and counts by one, then all counts are doubled.
-int halvedStart(int start);
-
-/// Turns the counts c that began at halvedStart(start) into 2 c, or 2 c + 1 where `start` is odd,
-/// modulo 256, as if they had begun at `start` and gone by two. GLES 2 steps by ones alone, so the
-/// bits move up one by one, a pass each. `picture` is what the passes draw. Expects nothing but
-/// the stencil to be written, tested always; leaves that so.
-void doubleCounts(int start, WholePicture& picture);
+/// Turns the counts c that began at start.cleared() into 2 c, or 2 c + 1 where the start is odd,
+/// modulo 256, as if they had begun at start.count() and gone by two. GLES 2 steps by ones alone,
+/// so the bits move up one by one, a pass each. `picture` is what the passes draw. Expects nothing
+/// but the stencil to be written, tested always; leaves that so.
+void doubleCounts(const StencilStart& start, const WholePicture& picture);
 
 } // namespace edgeshade

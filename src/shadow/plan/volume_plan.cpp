@@ -100,7 +100,7 @@ std::optional<Counted> countedOf(const ShadowCluster& cluster, const AdaptedShad
 /// Whether the cluster needs caps, and where not the count at which the whole near rectangle
 /// starts.
 void decideCaps(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view,
-                const Touched& touched, VolumeDraw& draw) {
+                const Touched& touched, ClusterPlan& draw) {
     draw.caps = CapsNeeded::seenThrough;
     if (cluster.holes) return;
     draw.caps = CapsNeeded::no;
@@ -201,7 +201,7 @@ Leading leadingOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, con
 
 /// What an orthographic picture makes of a cluster that would be counted behind surfaces.
 void keepBeforeFarPlane(const ShadowCluster& cluster, const AdaptedShadow& shadow,
-                        const PlanView& view, VolumeDraw& draw) {
+                        const PlanView& view, ClusterPlan& draw) {
     switch (leadingOf(cluster, shadow, view)) {
     case Leading::nearer:
         return;
@@ -222,7 +222,7 @@ void appendLeftOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Wh
         all.push_back({{cluster, 1}, why});
 }
 
-void appendDraw(std::vector<VolumeDraw>& draws, const VolumeDraw& draw) {
+void appendDraw(std::vector<ClusterPlan>& draws, const ClusterPlan& draw) {
     if (draws.empty() || draws.back().clusters.end() != draw.clusters.first ||
         !draws.back().drawnLike(draw)) {
         draws.push_back(draw);
@@ -253,16 +253,9 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     return result;
 }
 
-glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view) {
+glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
     return draw.end < 0 ? glm::vec4(0, 0, 0, 1)
                         : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
-}
-
-int VolumePlan::start() const {
-    int sum = 0;
-    for (const VolumeDraw& draw : draws)
-        sum += draw.start;
-    return sum;
 }
 
 VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
@@ -275,7 +268,7 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
             continue;
         }
         const Touched touched = capsTouching(view.fromNear, cluster, shadow);
-        VolumeDraw draw;
+        ClusterPlan draw;
         draw.clusters = {i, 1};
         const auto counted =
             countedOf(cluster, shadow, view,
@@ -298,7 +291,7 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         draw.nearDiscard = draw.zFail() && draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         draw.fannedCaps = draw.zFail() && !cluster.holes && !draw.nearDiscard &&
                           (!draw.backCaps || isOutsideOf(cluster, view.light));
-        appendDraw(plan.draws, draw);
+        appendDraw(plan.drawn, draw);
     }
     return plan;
 }

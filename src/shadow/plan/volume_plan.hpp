@@ -27,7 +27,7 @@ enum class CapsNeeded {
 };
 
 /// How shadow volumes of some neighbouring clusters are drawn. Those of one batch are in order.
-struct VolumeDraw {
+struct ClusterPlan {
     RecordRange clusters;
     Counted counted = Counted::all;
     CapsNeeded caps = CapsNeeded::uncertain;
@@ -38,7 +38,7 @@ struct VolumeDraw {
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
     bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
 
-    bool drawnLike(const VolumeDraw& other) const {
+    bool drawnLike(const ClusterPlan& other) const {
         return counted == other.counted && caps == other.caps && end == other.end &&
                frontCaps == other.frontCaps && backCaps == other.backCaps &&
                nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps;
@@ -59,14 +59,11 @@ struct LeftOut {
 
 /// What is drawn of a batch for one light, and what is not.
 struct VolumePlan {
-    std::vector<VolumeDraw> draws; ///< in the order of clusters; as are those left out
+    std::vector<ClusterPlan> drawn; ///< in the order of clusters; as are those left out
     std::vector<LeftOut> leftOut;
     /// A closed cluster with the eye on one side of it and the light on the other: everything
     /// visible is in its shadow, and nothing need be drawn.
     std::optional<std::uint32_t> sealed;
-
-    /// The stencil's count before any of it is drawn: volumes that the near rectangle is in.
-    int start() const;
 };
 
 /// Light and view in a batch's space: all that decides how its clusters are drawn.
@@ -89,8 +86,8 @@ struct PlanView {
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits = 23);
 
-/// The plane at which a draw's volumes end, for the shaders.
-glm::vec4 endOf(const VolumeDraw& draw, const PlanView& view);
+/// The plane at which such volumes end, for the shaders.
+glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 
 /// Decides how each cluster is drawn, if at all. A pure function:
 /// - not at all where it is out of the light's range, or its volume, the cluster's box away from

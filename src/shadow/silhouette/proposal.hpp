@@ -2,6 +2,8 @@
 
 #include "src/shadow/silhouette/light_facings.hpp"
 
+#include <memory>
+
 namespace edgeshade {
 
 /// Some of a batch's pairs.
@@ -19,6 +21,8 @@ struct Proposal {
     PairList uncertain; ///< silhouettes in some, maybe
     std::vector<std::int8_t> facings; ///< of caps, see LightFacings
     bool lightInPlane = true; ///< the light may be in the plane of an uncertain pair's triangle
+    /// Tells this list from any other, also from one at the same address later.
+    std::shared_ptr<const int> identity = nullptr;
 
     std::size_t size() const { return certain.pairs.size() + uncertain.pairs.size(); }
 };

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "src/gl/instancing.hpp"
 #include "src/render/volumes/published/volume_program.hpp"
-#include "src/scene/textures.hpp"
+#include "src/scene/shadow_buffers.hpp"
 
 #include <map>
 #include <optional>
@@ -16,16 +17,16 @@ class CapsPass {
     CapsPass(MultiplicityMethod method, SidesLayout layout,
              std::optional<gl::Instancing> instancing, std::vector<std::string> defines = {});
 
-    /// Draws one batch. `light` and `clipFromObject` are in the batch's space. `nearDiscard`: some
-    /// caster may cross the near plane.
-    void draw(const ShadowBuffers& shadow, const std::vector<Material>& materials,
-              const Textures& textures, const glm::vec4& light, const glm::mat4& clipFromObject,
-              bool nearDiscard);
+    /// Makes the program of a variant, if it is not there yet.
+    void prepare(const CapsVariant& variant);
+
+    /// The program of such a variant, in use.
+    const gl::Program& use(const CapsVariant& variant) const;
+
+    /// Draws some caps of a batch by the program that is in use. `holes`: it tests alpha.
+    void draw(const ShadowBuffers& shadow, const RecordRange& caps, bool holes) const;
 
   private:
-    gl::Program& program(const CapsVariant& variant);
-    void drawGroup(const ShadowBuffers& shadow, const CasterGroup& group, bool holes);
-
     MultiplicityMethod method_;
     SidesLayout layout_;
     std::optional<gl::Instancing> instancing_;

@@ -15,23 +15,24 @@ SidesPass::SidesPass(MultiplicityMethod method, SidesLayout layout,
     corners_ = gl::vertexBuffer<glm::vec2>(corners);
 }
 
-void SidesPass::draw(const ShadowBuffers& shadow, const glm::vec4& light,
-                     const glm::mat4& clipFromObject) {
-    auto program = programs_.find(shadow.maxMultiplicity);
-    if (program == programs_.end())
-        program = programs_
-                      .emplace(shadow.maxMultiplicity,
-                               makeSidesProgram(method_, shadow.maxMultiplicity, layout_, defines_))
-                      .first;
-    program->second.use();
-    program->second.set("u_light", light);
-    program->second.set("u_clipFromObject", clipFromObject);
-    for (const RecordChunk& chunk : shadow.sides)
-        drawRecords(program->second, shadow, chunk);
+void SidesPass::prepare(int maxMultiplicity) {
+    if (!programs_.contains(maxMultiplicity))
+        programs_.emplace(maxMultiplicity,
+                          makeSidesProgram(method_, maxMultiplicity, layout_, defines_));
 }
 
-void SidesPass::drawRecords(gl::Program& program, const ShadowBuffers& shadow,
-                            const RecordChunk& chunk) {
+const gl::Program& SidesPass::use(int maxMultiplicity) const {
+    const gl::Program& program = programs_.at(maxMultiplicity);
+    program.use();
+    return program;
+}
+
+void SidesPass::draw(const ShadowBuffers& shadow) const {
+    for (const RecordChunk& chunk : shadow.sides)
+        drawRecords(shadow, chunk);
+}
+
+void SidesPass::drawRecords(const ShadowBuffers& shadow, const RecordChunk& chunk) const {
     const auto vectors = static_cast<std::size_t>(2 + shadow.maxMultiplicity);
     const auto records = static_cast<int>(chunk.recordCount);
     const int vertices = shadow.maxMultiplicity * VERTICES_PER_SIDE;
@@ -49,7 +50,7 @@ void SidesPass::drawRecords(gl::Program& program, const ShadowBuffers& shadow,
         return;
     }
     for (int side = 0; side < shadow.maxMultiplicity; ++side) {
-        program.set("u_side", static_cast<float>(side));
+        programs_.at(shadow.maxMultiplicity).set("u_side", static_cast<float>(side));
         instancing_->drawTriangles(VERTICES_PER_SIDE, records);
     }
 }

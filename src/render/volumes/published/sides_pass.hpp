@@ -2,6 +2,7 @@
 
 #include "src/gl/instancing.hpp"
 #include "src/render/volumes/published/volume_program.hpp"
+#include "src/scene/shadow_buffers.hpp"
 
 #include <map>
 #include <optional>
@@ -16,11 +17,17 @@ class SidesPass {
     SidesPass(MultiplicityMethod method, SidesLayout layout,
               std::optional<gl::Instancing> instancing, std::vector<std::string> defines = {});
 
-    /// Draws one batch. `light` and `clipFromObject` are in the batch's space.
-    void draw(const ShadowBuffers& shadow, const glm::vec4& light, const glm::mat4& clipFromObject);
+    /// Makes the program for records of that multiplicity, if it is not there yet.
+    void prepare(int maxMultiplicity);
+
+    /// That program, in use.
+    const gl::Program& use(int maxMultiplicity) const;
+
+    /// Draws a batch's sides by the program for its multiplicity, which is in use.
+    void draw(const ShadowBuffers& shadow) const;
 
   private:
-    void drawRecords(gl::Program& program, const ShadowBuffers& shadow, const RecordChunk& chunk);
+    void drawRecords(const ShadowBuffers& shadow, const RecordChunk& chunk) const;
 
     MultiplicityMethod method_;
     SidesLayout layout_;

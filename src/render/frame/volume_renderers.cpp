@@ -1,0 +1,25 @@
+#include "src/render/frame/volume_renderers.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "src/render/volumes/adapted_volumes.hpp"
+#include "src/render/volumes/published/published_volumes.hpp"
+
+namespace edgeshade {
+
+std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& settings,
+                                                   const gl::Capabilities& capabilities,
+                                                   std::optional<VolumeTints> tints) {
+    if (settings.layout != SidesLayout::notInstanced && !capabilities.instancing)
+        throw Error(ExitStatus::unavailable,
+                    "This GL has no instanced drawing; '--instancing off' does without.");
+    const auto records = settings.records();
+    if (!records) return nullptr;
+    if (records->volumes == VolumeLayout::published)
+        return std::make_unique<PublishedVolumes>(settings.multiplicity, settings.layout,
+                                                  capabilities.instancing, tints);
+    return std::make_unique<AdaptedVolumes>(settings.silhouette, settings.layout,
+                                            capabilities.instancing,
+                                            capabilities.vertexHighpMantissaBits, tints);
+}
+
+} // namespace edgeshade

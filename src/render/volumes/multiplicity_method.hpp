@@ -1,0 +1,21 @@
+#pragma once
+
+#include "src/scene/batch_volumes.hpp"
+
+namespace edgeshade {
+
+/// How a triangle's sign is found (docs/method.md, The closed chain).
+enum class MultiplicityMethod {
+    plane,         ///< its plane, stored once (docs/method.md, C1): adapted records hold these
+    referenceEdge, ///< Milet 2020: one edge decides for the triangle
+    threeEdge,     ///< Peciva 2013: three edges must agree
+    singleEdge,    ///< Kim 2008: every edge for itself; not robust, the failing baseline
+};
+
+/// The records that have what the method needs: planes are in adapted ones, opposite vertices in
+/// published ones.
+inline VolumeLayout volumeLayoutOf(MultiplicityMethod method) {
+    return method == MultiplicityMethod::plane ? VolumeLayout::adapted : VolumeLayout::published;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,46 @@
+#include "src/render/volumes/silhouette_buffers.hpp"
+
+namespace edgeshade {
+
+void SilhouetteBuffers::upload(const AdaptedShadow& shadow, const Proposal& list) {
+    if (gathered_.contains(list.identity)) return;
+    const auto uploaded = [&](const PairList& some) {
+        gatherPairs(shadow, some, pairs_);
+        return uploadPairs(pairs_, layout_);
+    };
+    Gathered& gathered = gathered_[list.identity];
+    gathered.certainPairs = uploaded(list.certain);
+    gathered.uncertainPairs = uploaded(list.uncertain);
+}
+
+void SilhouetteBuffers::uploadCapsOf(const AdaptedShadow& shadow, const Proposal& list,
+                                     std::uint32_t cluster) {
+    auto& uploaded = gathered_.find(list.identity)->second.caps;
+    if (uploaded.contains(cluster)) return;
+    const RecordRange& caps = shadow.clusters[cluster].caps;
+    std::vector<CapRecord> facing;
+    for (std::uint32_t i = caps.first; i < caps.end(); ++i)
+        if (mayFaceTheLight(list.facings[i])) facing.push_back(shadow.caps[i]);
+    uploaded.emplace(cluster, uploadCaps(facing, {}, layout_));
+}
+
+void SilhouetteBuffers::dropExpired() {
+    std::erase_if(gathered_, [](const auto& entry) { return entry.first.expired(); });
+}
+
+std::size_t SilhouetteBuffers::sideBytes() const {
+    std::size_t total = 0;
+    for (const auto& [list, gathered] : gathered_)
+        total += gathered.certainPairs.size() + gathered.uncertainPairs.size();
+    return total;
+}
+
+std::size_t SilhouetteBuffers::capBytes() const {
+    std::size_t total = 0;
+    for (const auto& [list, gathered] : gathered_)
+        for (const auto& [cluster, caps] : gathered.caps)
+            total += caps.records.size();
+    return total;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "src/scene/adapted_buffers.hpp"
+#include "src/shadow/silhouette/proposal.hpp"
+
+#include <map>
+#include <memory>
+
+namespace edgeshade {
+
+/// The records of potential silhouettes, gathered on the GPU in the forms that AdaptedBuffers has.
+/// They go with their lists (Proposal::identity).
+class SilhouetteBuffers {
+  public:
+    /// What is gathered of one list.
+    struct Gathered {
+        gl::Buffer certainPairs, uncertainPairs;  ///< in the order of their lists
+        std::map<std::uint32_t, CapBuffers> caps; ///< by cluster: those that may face the light
+    };
+
+    /// `layout`: how records reach the shader.
+    explicit SilhouetteBuffers(SidesLayout layout) : layout_(layout) {}
+
+    /// Uploads the pairs of a list, if they are not there yet. `shadow`: what it lists records of.
+    void upload(const AdaptedShadow& shadow, const Proposal& list);
+    /// Uploads the light-facing caps of a cluster too.
+    void uploadCapsOf(const AdaptedShadow& shadow, const Proposal& list, std::uint32_t cluster);
+
+    /// What was uploaded of a list.
+    const Gathered& of(const Proposal& list) const { return gathered_.find(list.identity)->second; }
+
+    /// Gives back what belongs to lists that are no more.
+    void dropExpired();
+
+    std::size_t sideBytes() const;
+    std::size_t capBytes() const;
+
+  private:
+    SidesLayout layout_;
+    std::map<std::weak_ptr<const int>, Gathered, std::owner_less<>> gathered_;
+    std::vector<PairRecord> pairs_; ///< of a list, on the way
+};
+
+} // namespace edgeshade

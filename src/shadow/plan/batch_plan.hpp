@@ -1,0 +1,21 @@
+#pragma once
+
+#include "src/shadow/plan/volume_plan.hpp"
+#include "src/shadow/silhouette/proposal.hpp"
+
+#include <memory>
+
+namespace edgeshade {
+
+/// What of one batch is drawn. The last three are those of adapted records.
+struct BatchPlan {
+    std::size_t batch = 0; ///< its index in the scene
+    glm::vec4 light{0.0f}; ///< in its space
+    std::shared_ptr<const AdaptedShadow> shadow = nullptr;
+    VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
+    /// Where draws take their pairs from; null: from all, or nothing is drawn. Holds until the next
+    /// frame is planned.
+    const Proposal* silhouettes = nullptr;
+};
+
+} // namespace edgeshade

@@ -1,0 +1,44 @@
+#include "src/shadow/plan/count_plan.hpp"
+
+namespace edgeshade {
+
+std::size_t CountPlan::vertexRuns() const {
+    std::size_t runs = 0;
+    for (const auto* list : {&draws.twice, &draws.once})
+        for (const VolumeDraw& draw : *list)
+            runs += draw.vertexRuns();
+    return runs;
+}
+
+CountPlan planCount(const std::vector<PlacedShadow>& casters,
+                    const std::vector<Material>& materials, const FrameView& view,
+                    const DepthSlice& slice, std::size_t light, const PlanSettings& settings) {
+    const Light& source = view.lights[light].light;
+    CountPlan plan;
+    std::vector<PlanView> places;
+    for (const PlacedShadow& caster : casters) {
+        places.push_back(
+            planView(view, slice, source, caster.worldFromBatch, settings.mantissaBits));
+        plan.batches.push_back({.batch = caster.batch,
+                                .light = lightInObject(source, caster.worldFromBatch),
+                                .shadow = caster.shadow,
+                                .volumes = planVolumes(*caster.shadow, places.back())});
+        plan.start.add(plan.batches.back().volumes);
+        plan.fullyShadowed = plan.fullyShadowed || plan.batches.back().volumes.sealed.has_value();
+    }
+    if (plan.fullyShadowed) {
+        plan.start.setFullyShadowed();
+        return plan;
+    }
+    for (std::size_t i = 0; i < plan.batches.size(); ++i) {
+        BatchPlan& of = plan.batches[i];
+        if (of.volumes.drawn.empty()) continue;
+        if (settings.silhouettes)
+            of.silhouettes = &settings.silhouettes->of(of.shadow, light, of.light);
+        appendDraws(of, i, places[i], materials, plan.draws);
+    }
+    if (!plan.draws.twice.empty()) plan.start.setDoubled();
+    return plan;
+}
+
+} // namespace edgeshade

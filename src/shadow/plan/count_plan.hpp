@@ -1,0 +1,41 @@
+#pragma once
+
+#include "src/shadow/plan/draw_list.hpp"
+#include "src/shadow/plan/stencil_start.hpp"
+#include "src/shadow/silhouette/potential_silhouettes.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace edgeshade {
+
+/// What a plan is made of: one batch and where it is.
+struct PlacedShadow {
+    std::size_t batch = 0; ///< its index in the scene
+    std::shared_ptr<const AdaptedShadow> shadow;
+    glm::dmat4 worldFromBatch{1.0};
+};
+
+/// What one stencil counts: a group of a light's casters in a depth slice.
+struct CountPlan {
+    std::vector<BatchPlan> batches;
+    bool fullyShadowed = false; ///< all that is visible is in shadow, and nothing is drawn
+    StencilStart start;
+    DrawList draws; ///< where some count twice they come first, and counts are doubled then
+
+    std::size_t vertexRuns() const;
+};
+
+/// How adapted records are planned.
+struct PlanSettings {
+    int mantissaBits = 23;                       ///< of the vertex shader's floats
+    PotentialSilhouettes* silhouettes = nullptr; ///< null: all records are drawn
+};
+
+/// Plans what is drawn of a group of casters for the view's light with that index. `materials`:
+/// of the scene. Pure but for the silhouettes that are kept from frame to frame.
+CountPlan planCount(const std::vector<PlacedShadow>& casters,
+                    const std::vector<Material>& materials, const FrameView& view,
+                    const DepthSlice& slice, std::size_t light, const PlanSettings& settings);
+
+} // namespace edgeshade

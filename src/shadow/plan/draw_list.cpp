@@ -1,0 +1,186 @@
+#include "src/shadow/plan/draw_list.hpp"
+
+namespace edgeshade {
+namespace {
+
+using Records = VolumeDraw::Records;
+using Shape = VolumeDraw::Shape;
+
+/// Neighbouring records that a draw takes to the vertex shader.
+struct SideRecords {
+    Records records;
+    RecordRange range;
+};
+
+/// From the first cluster's first record to the last one's last.
+template <class Member>
+RecordRange rangeOver(const AdaptedShadow& shadow, const RecordRange& clusters, Member member) {
+    const RecordRange& first = shadow.clusters[clusters.first].*member;
+    const RecordRange& last = shadow.clusters[clusters.end() - 1].*member;
+    return {first.first, last.end() - first.first};
+}
+
+/// Where the records of neighbouring clusters are in a list.
+RecordRange listedOver(const PairList& list, const RecordRange& clusters) {
+    const std::uint32_t first = list.ofCluster[clusters.first].first;
+    return {first, list.ofCluster[clusters.end() - 1].end() - first};
+}
+
+/// The draws of one batch's clusters that are drawn alike.
+class ClusterDraws {
+  public:
+    ClusterDraws(const BatchPlan& batch, std::size_t index, std::size_t choice,
+                 const PlanView& view)
+        : shadow_(*batch.shadow), silhouettes_(batch.silhouettes),
+          how_(batch.volumes.drawn[choice]) {
+        like_.batch = index;
+        like_.choice = choice;
+        like_.counted = how_.counted;
+        like_.zFail = how_.zFail();
+        end_ = endOf(how_, view);
+        // At infinity all points that a sun pushes there coincide.
+        verticesPerSide_ = batch.light.w == 0.0f && how_.end < 0 ? 3 : verticesPerQuad;
+        like_.faces = !how_.backCaps   ? CapFaces::front
+                      : how_.frontCaps ? CapFaces::both
+                                       : CapFaces::back;
+        for (std::uint32_t c = how_.clusters.first; c < how_.clusters.end(); ++c)
+            fanned_.push_back(takesFans(c));
+    }
+
+    void appendSides(Times times, std::vector<VolumeDraw>& draws) const {
+        for (const auto& [records, range] : sides(how_.clusters, times)) {
+            VolumeDraw& draw = draws.emplace_back(like_);
+            draw.records = records;
+            draw.range = range;
+            draw.verticesPerRecord = verticesPerSide_;
+            draw.times = times;
+            draw.end = end_;
+        }
+    }
+
+    void appendFans(Times times, std::vector<VolumeDraw>& draws) const {
+        if (!hasCaps()) return;
+        for (std::uint32_t c = how_.clusters.first; c < how_.clusters.end(); ++c) {
+            if (!isFanned(c)) continue;
+            for (const auto& [records, range] : sides({c, 1}, times)) {
+                VolumeDraw& draw = draws.emplace_back(like_);
+                draw.shape = Shape::fans;
+                draw.records = records;
+                draw.range = range;
+                draw.verticesPerRecord = verticesPerCap * faceCount();
+                draw.cluster = c;
+                draw.times = times;
+            }
+        }
+    }
+
+    void appendCaps(const std::vector<Material>& materials, std::vector<VolumeDraw>& draws) const {
+        if (!hasCaps()) return;
+        for (std::uint32_t c = how_.clusters.first; c < how_.clusters.end(); ++c) {
+            const ShadowCluster& cluster = shadow_.clusters[c];
+            if (isFanned(c) || capCount(c) == 0) continue;
+            if (knowsLightFacing(cluster)) {
+                appendCaps(c, Records::lightFacingCaps, {0, capCount(c)}, std::nullopt, draws);
+                continue;
+            }
+            for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g) {
+                const CasterGroup& group = shadow_.groups[g];
+                const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
+                std::optional<std::size_t> alphaTested;
+                if (cluster.holes && !opaque && how_.frontCaps) alphaTested = group.material;
+                if (holesAlone() && !alphaTested) continue;
+                appendCaps(c, Records::caps, {group.firstCap - cluster.caps.first, group.capCount},
+                           alphaTested, draws);
+            }
+        }
+    }
+
+  private:
+    bool holesAlone() const { return how_.caps == CapsNeeded::holesAlone; }
+    bool hasCaps() const {
+        return (how_.zFail() || holesAlone()) && (how_.frontCaps || how_.backCaps);
+    }
+    int faceCount() const { return like_.faces == CapFaces::both ? 2 : 1; }
+    bool isFanned(std::uint32_t cluster) const { return fanned_[cluster - how_.clusters.first]; }
+
+    void appendCaps(std::uint32_t cluster, Records records, const RecordRange& range,
+                    std::optional<std::size_t> alphaTested, std::vector<VolumeDraw>& draws) const {
+        VolumeDraw& draw = draws.emplace_back(like_);
+        draw.shape = Shape::caps;
+        draw.records = records;
+        draw.range = range;
+        draw.holesAlone = holesAlone();
+        draw.verticesPerRecord =
+            verticesPerCap * (faceCount() + (alphaTested && !draw.holesAlone ? 1 : 0));
+        draw.cluster = cluster;
+        draw.nearDiscard = how_.nearDiscard;
+        draw.alphaTested = alphaTested;
+    }
+
+    /// The records among which the sides are that count so often.
+    std::vector<SideRecords> sides(const RecordRange& clusters, Times times) const {
+        std::vector<SideRecords> taken;
+        const auto take = [&](Records records, const RecordRange& range) {
+            if (range.count > 0) taken.push_back({records, range});
+        };
+        const bool bothCast = how_.counted == Counted::all;
+        if (times == Times::once)
+            take(Records::singles, rangeOver(shadow_, clusters, &ShadowCluster::singles));
+        else if (!bothCast)
+            return taken;
+        if (!silhouettes_) {
+            take(Records::allPairs, rangeOver(shadow_, clusters, &ShadowCluster::pairs));
+            return taken;
+        }
+        const bool twiceOrNever = bothCast && times == Times::once;
+        if (!twiceOrNever) take(Records::certainPairs, listedOver(silhouettes_->certain, clusters));
+        if (!twiceOrNever || silhouettes_->lightInPlane)
+            take(Records::uncertainPairs, listedOver(silhouettes_->uncertain, clusters));
+        return taken;
+    }
+
+    /// Whether of a cluster only those caps are drawn that may face the light.
+    bool knowsLightFacing(const ShadowCluster& cluster) const {
+        return silhouettes_ && how_.counted == Counted::lightFacing && !cluster.holes;
+    }
+
+    /// Of the triangles that are drawn for a cluster's caps of one face.
+    std::uint32_t capCount(std::uint32_t cluster) const {
+        const ShadowCluster& of = shadow_.clusters[cluster];
+        return knowsLightFacing(of) ? lightFacingCapCount(*silhouettes_, of) : of.caps.count;
+    }
+
+    /// Whether a cluster's caps are fans.
+    bool takesFans(std::uint32_t cluster) const {
+        if (!how_.fannedCaps || !silhouettes_) return false;
+        std::uint32_t records = 0;
+        for (const Times times : {Times::once, Times::twice})
+            for (const SideRecords& some : sides({cluster, 1}, times))
+                records += some.range.count;
+        return 2 * records < capCount(cluster);
+    }
+
+    const AdaptedShadow& shadow_;
+    const Proposal* silhouettes_;
+    const ClusterPlan& how_;
+    VolumeDraw like_; ///< what all of the draws have in common
+    glm::vec4 end_;
+    int verticesPerSide_;
+    std::vector<bool> fanned_; ///< by cluster
+};
+
+} // namespace
+
+void appendDraws(const BatchPlan& batch, std::size_t index, const PlanView& view,
+                 const std::vector<Material>& materials, DrawList& list) {
+    for (std::size_t i = 0; i < batch.volumes.drawn.size(); ++i) {
+        const ClusterDraws draws(batch, index, i, view);
+        draws.appendSides(Times::twice, list.twice);
+        draws.appendFans(Times::twice, list.twice);
+        draws.appendSides(Times::once, list.once);
+        draws.appendFans(Times::once, list.once);
+        draws.appendCaps(materials, list.once);
+    }
+}
+
+} // namespace edgeshade

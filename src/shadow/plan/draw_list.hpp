@@ -1,0 +1,25 @@
+#pragma once
+
+#include "src/shadow/plan/batch_plan.hpp"
+#include "src/shadow/plan/volume_draw.hpp"
+
+namespace edgeshade {
+
+/// The draws of a plan: those that count twice, and the others.
+struct DrawList {
+    std::vector<VolumeDraw> twice, once; ///< in order
+};
+
+/// Turns what was decided for a batch's clusters into draws, in their order, and appends these.
+/// `index`: of the batch in the plan; `view`: what was decided for.
+///
+/// Sides: a single record counts once. So does a pair where one triangle of a silhouette edge
+/// casts. Where both cast it counts twice, but once where the light is in the plane of either.
+///
+/// Caps: where ClusterPlan::fannedCaps allows it and fewer vertices are needed for them, fans of
+/// the potential silhouettes; else those triangles that cast, only those that may face the light
+/// where that is known.
+void appendDraws(const BatchPlan& batch, std::size_t index, const PlanView& view,
+                 const std::vector<Material>& materials, DrawList& draws);
+
+} // namespace edgeshade

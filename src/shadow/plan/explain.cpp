@@ -1,0 +1,193 @@
+#include "src/shadow/plan/explain.hpp"
+
+#include <sstream>
+
+namespace edgeshade {
+namespace {
+
+/// "3 things", "1 thing".
+std::string counted(std::size_t count, const std::string& thing) {
+    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string clustersOf(const RecordRange& clusters) {
+    return counted(clusters.count, "cluster") + " from " + std::to_string(clusters.first);
+}
+
+std::size_t trianglesOf(const AdaptedShadow& shadow, const RecordRange& clusters) {
+    std::size_t triangles = 0;
+    for (std::uint32_t c = clusters.first; c < clusters.end(); ++c)
+        triangles += shadow.clusters[c].caps.count;
+    return triangles;
+}
+
+const char* wordsFor(Counted counted) {
+    switch (counted) {
+    case Counted::lightFacing:
+        return "light-facing triangles alone: closed, and around eye and light alike";
+    case Counted::all:
+        break;
+    }
+    return "all triangles: open, or eye, near plane or light may be within";
+}
+
+const char* wordsFor(CapsNeeded caps) {
+    switch (caps) {
+    case CapsNeeded::no:
+        return "z-pass without caps";
+    case CapsNeeded::holesAlone:
+        return "z-pass with front caps in the holes of casters";
+    case CapsNeeded::seenThrough:
+        return "z-fail with caps: casters have holes";
+    case CapsNeeded::nearPlaneMet:
+        return "z-fail with caps: a triangle may cross the near plane";
+    case CapsNeeded::outlineMet:
+        return "z-fail with caps: a shadow's outline may run through the near rectangle";
+    case CapsNeeded::uncertain:
+        break;
+    }
+    return "z-fail with caps: what stands between near plane and light can't be told for certain";
+}
+
+const char* wordsFor(LeftOut::Why why) {
+    switch (why) {
+    case LeftOut::Why::outsideView:
+        return "their volumes miss the view";
+    case LeftOut::Why::tooDeep:
+        return "their volumes begin behind all that is visible";
+    case LeftOut::Why::tooFar:
+        break;
+    }
+    return "they are out of the light's range";
+}
+
+std::string placeOf(const Light& light) {
+    std::ostringstream text;
+    text << (light.position.w == 0.0 ? "sun towards " : "at ") << light.position.x << ","
+         << light.position.y << "," << light.position.z;
+    return text.str();
+}
+
+/// Which records the draws choose from.
+std::string offered(const CountPlan& plan) {
+    std::size_t pairs = 0, singles = 0, listed = 0;
+    bool all = true;
+    for (const BatchPlan& batch : plan.batches) {
+        pairs += batch.shadow->pairs.size();
+        singles += batch.shadow->singles.size();
+        if (!batch.silhouettes) continue;
+        listed += batch.silhouettes->size();
+        all = false;
+    }
+    std::ostringstream text;
+    if (all)
+        text << "all " << pairs << " records of two triangles and ";
+    else
+        text << listed << " of " << pairs << " records of two triangles, those that can be "
+             << "silhouettes, and ";
+    text << singles << " of one triangle";
+    return text.str();
+}
+
+/// What the draws of one range of clusters take to the vertex shader: "; 12 records of sides, 3
+/// fans, 40 caps".
+std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice) {
+    std::size_t sides = 0, twice = 0, fans = 0, caps = 0, tested = 0;
+    for (const auto* draws : {&plan.draws.twice, &plan.draws.once})
+        for (const VolumeDraw& draw : *draws) {
+            if (draw.batch != batch || draw.choice != choice) continue;
+            const bool isSides = draw.shape == VolumeDraw::Shape::sides;
+            (isSides                                 ? sides
+             : draw.shape == VolumeDraw::Shape::fans ? fans
+                                                     : caps) += draw.range.count;
+            if (isSides && draw.times == Times::twice) twice += draw.range.count;
+            if (draw.alphaTested) tested += draw.range.count;
+        }
+    std::ostringstream text;
+    text << "; " << counted(sides, "record") << " of sides";
+    if (twice > 0) text << ", " << twice << " of them for those that count twice";
+    if (fans > 0) text << ", " << fans << " of fans that are caps";
+    if (caps > 0) text << ", " << counted(caps, "cap");
+    if (tested > 0) text << ", " << tested << " of them with holes";
+    return text.str();
+}
+
+std::string explain(const CountPlan& plan) {
+    std::ostringstream text;
+    text << "the count starts at " << plan.start.count() << "\n";
+    for (std::size_t i = 0; i < plan.batches.size(); ++i) {
+        const BatchPlan& batch = plan.batches[i];
+        const AdaptedShadow& shadow = *batch.shadow;
+        text << "batch " << batch.batch << ": " << counted(shadow.caps.size(), "casting triangle")
+             << " in " << counted(shadow.clusters.size(), "cluster") << "\n";
+        if (const auto& sealed = batch.volumes.sealed) {
+            text << "  cluster " << *sealed << " is closed, with eye and light on different sides: "
+                 << "all that is visible is in its shadow, and no volumes are drawn\n";
+            continue;
+        }
+        for (std::size_t choice = 0; choice < batch.volumes.drawn.size(); ++choice) {
+            const ClusterPlan& drawn = batch.volumes.drawn[choice];
+            text << (plan.fullyShadowed ? "  not needed: " : "  drawn: ")
+                 << clustersOf(drawn.clusters) << ", "
+                 << counted(trianglesOf(shadow, drawn.clusters), "triangle") << "; "
+                 << wordsFor(drawn.caps);
+            if (drawn.end >= 0) text << ", ending beyond what is visible";
+            if (drawn.start != 0)
+                text << ", the near rectangle within " << counted(drawn.start, "volume");
+            if (drawn.zFail())
+                text << (drawn.frontCaps ? "" : ", no front caps in view")
+                     << (drawn.backCaps ? "" : ", no back caps in view")
+                     << (drawn.nearDiscard ? ", cut where the near plane cuts" : "");
+            text << "; " << wordsFor(drawn.counted);
+            if (!plan.fullyShadowed) text << takenBy(plan, i, choice);
+            text << "\n";
+        }
+        for (const LeftOut& left : batch.volumes.leftOut)
+            text << "  left out: " << clustersOf(left.clusters) << ", "
+                 << counted(trianglesOf(shadow, left.clusters), "triangle") << "; "
+                 << wordsFor(left.why) << "\n";
+    }
+    return text.str();
+}
+
+/// A light's plans, of all slices that it reaches something in.
+std::vector<std::size_t> slicesOf(const FramePlan& frame, std::size_t light) {
+    std::vector<std::size_t> slices;
+    for (std::size_t s = 0; s < frame.slices.size(); ++s)
+        if (!frame.slices[s].lights[light].counts.empty()) slices.push_back(s);
+    return slices;
+}
+
+} // namespace
+
+std::string explain(const FramePlan& plan, const FrameView& view) {
+    std::ostringstream text;
+    for (std::size_t i = 0; i < plan.slices.front().lights.size(); ++i) {
+        text << "light " << i << ", " << placeOf(view.lights[i].light) << ": ";
+        const std::vector<std::size_t> slices = slicesOf(plan, i);
+        if (slices.empty()) {
+            text << "it reaches nothing that is visible\n";
+            continue;
+        }
+        const LightPlan& first = plan.slices[slices.front()].lights[i];
+        if (first.inGroups())
+            text << "casters in " << first.counts.size() << " groups, since "
+                 << (view.lights[i].cut ? "they are cut at the light's depth\n"
+                                        : "more volumes may overlap than a stencil counts\n");
+        for (std::size_t g = 0; g < first.counts.size(); ++g) {
+            if (first.inGroups()) text << "group " << g << ": ";
+            text << offered(first.counts[g]) << "\n";
+            for (const std::size_t s : slices) {
+                if (view.slices.size() > 1)
+                    text << "depths from " << view.slices[s].near << " to " << view.slices[s].far
+                         << ": ";
+                text << explain(plan.slices[s].lights[i].counts[g]);
+            }
+        }
+    }
+    std::string lines = text.str();
+    lines.pop_back(); // the last line's end
+    return lines;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,43 @@
+#include "src/shadow/plan/frame_plan.hpp"
+
+#include "src/shadow/geometry/light_reach.hpp"
+
+namespace edgeshade {
+namespace {
+
+LightPlan planLight(const FrameTask& task, const DepthSlice& slice, std::size_t light) {
+    LightPlan plan;
+    const FrameLight& of = task.view.lights[light];
+    if (!of.drawn) return plan;
+    plan.reach = intersection(task.open, lightReach(task.view, slice, of.light));
+    if (plan.reach.empty()) return plan;
+    const std::size_t groups = task.groupCount(light);
+    for (std::size_t group = 0; group < groups; ++group)
+        plan.counts.push_back(task.planCount(slice, light, group));
+    return plan;
+}
+
+} // namespace
+
+StencilStart SlicePlan::start() const {
+    if (!first || lights[*first].counts.empty()) return {};
+    return lights[*first].counts.front().start;
+}
+
+FramePlan planFrame(const FrameTask& task) {
+    FramePlan frame;
+    const std::size_t lights = task.view.mask ? 1 : task.view.lights.size();
+    for (const DepthSlice& slice : task.view.slices) {
+        SlicePlan& plan = frame.slices.emplace_back();
+        for (std::size_t i = 0; i < lights; ++i) {
+            const LightPlan& light = plan.lights.emplace_back(planLight(task, slice, i));
+            plan.reach = united(plan.reach, light.reach);
+            const bool byItself = !light.reach.empty() && !light.inGroups() && !task.ownStencil;
+            if (byItself && !plan.first) plan.first = i;
+        }
+        plan.withAmbient = plan.first && !task.view.mask;
+    }
+    return frame;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "src/shadow/geometry/pixel_rectangle.hpp"
+#include "src/shadow/plan/count_plan.hpp"
+
+#include <functional>
+
+namespace edgeshade {
+
+/// What is done for one light in one depth slice.
+struct LightPlan {
+    PixelRectangle reach; ///< the pixels that it may change; empty: it is not drawn
+    /// What is counted for it, one stencil after the other: one, or one for each group of casters;
+    /// none where shadows are no volumes.
+    std::vector<CountPlan> counts;
+
+    bool inGroups() const { return counts.size() > 1; }
+};
+
+/// What is done in one depth slice.
+struct SlicePlan {
+    std::vector<LightPlan> lights; ///< by index in the view
+    PixelRectangle reach;          ///< around those of all lights
+    /// The first light that reaches something and whose shadows need no alpha of their own: the
+    /// stencil is cleared for it together with depth.
+    std::optional<std::size_t> first;
+    bool withAmbient = false; ///< that light is drawn together with ambient light
+
+    /// Where the stencil starts as depth is drawn.
+    StencilStart start() const;
+};
+
+/// Everything that one frame draws of lights and shadow volumes. What draws, counts vertices,
+/// explains or shows volumes reads this and decides nothing.
+struct FramePlan {
+    std::vector<SlicePlan> slices; ///< as the view's, from far to near
+};
+
+/// What is planned, with what it needs of others.
+struct FrameTask {
+    const FrameView& view;
+    PixelRectangle open;     ///< the pixels that may be drawn at all
+    bool ownStencil = false; ///< volumes are counted in another framebuffer than the picture's
+    /// How many groups the casters of the light with that index come in; 0: shadows are no volumes.
+    std::function<std::size_t(std::size_t light)> groupCount;
+    /// What is counted of one of the groups.
+    std::function<CountPlan(const DepthSlice&, std::size_t light, std::size_t group)> planCount;
+};
+
+/// Plans for every slice which lights are drawn, where, together with what, and all draws of their
+/// shadow volumes. Needs no GL. In a mask only the first light is drawn.
+FramePlan planFrame(const FrameTask& task);
+
+} // namespace edgeshade

@@ -1,0 +1,38 @@
+#include "src/shadow/plan/published/published_draws.hpp"
+
+#include "shaders_es2/record_layout.glsl"
+
+namespace edgeshade {
+
+void appendPublishedDraws(const PublishedRecords& published, std::size_t index, bool nearDiscard,
+                          const std::vector<Material>& materials, std::vector<VolumeDraw>& draws) {
+    VolumeDraw like;
+    like.batch = index;
+    like.zFail = true;
+    if (published.sides > 0) {
+        VolumeDraw& draw = draws.emplace_back(like);
+        draw.records = VolumeDraw::Records::publishedSides;
+        draw.range = {0, published.sides};
+        draw.verticesPerRecord = published.maxMultiplicity * VERTICES_PER_SIDE;
+    }
+    like.shape = VolumeDraw::Shape::caps;
+    like.records = VolumeDraw::Records::publishedCaps;
+    like.verticesPerRecord = VERTICES_PER_CAP_PAIR;
+    like.nearDiscard = nearDiscard;
+    bool afterOpaque = false;
+    for (const CasterGroup& group : published.groups) {
+        const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
+        if (opaque && afterOpaque) {
+            draws.back().range.count += group.capCount;
+            continue;
+        }
+        afterOpaque = opaque;
+        VolumeDraw& draw = draws.emplace_back(like);
+        draw.range = {group.firstCap, group.capCount};
+        if (opaque) continue;
+        draw.alphaTested = group.material;
+        draw.verticesPerRecord = 2 * VERTICES_PER_CAP_PAIR;
+    }
+}
+
+} // namespace edgeshade

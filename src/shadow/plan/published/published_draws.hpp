@@ -1,0 +1,22 @@
+#pragma once
+
+#include "src/shadow/plan/volume_draw.hpp"
+
+#include <vector>
+
+namespace edgeshade {
+
+/// What a batch has of published records.
+struct PublishedRecords {
+    std::uint32_t sides = 0; ///< records
+    int maxMultiplicity = 1;
+    std::vector<CasterGroup> groups = {}; ///< ranges of caps
+};
+
+/// Appends the draws of one batch: every side and every cap, z-fail. Adjoining groups of opaque
+/// casters are drawn as one. `index`: of the batch in the plan; `nearDiscard`: some caster may
+/// cross the near plane.
+void appendPublishedDraws(const PublishedRecords& published, std::size_t index, bool nearDiscard,
+                          const std::vector<Material>& materials, std::vector<VolumeDraw>& draws);
+
+} // namespace edgeshade
