@@ -231,7 +231,7 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
     const FrameView view =
         makeFrameView(loaded.scene, loaded.settings.castMasked,
                       {{{0, 6, 14}, {0, 0, 0}, 60.0}, width, height, {light}, {}});
-    const GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
+    GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     glScissor(1, 2, 3, 4);
     renderer.draw(gpu, view);
