@@ -141,7 +141,7 @@ std::vector<std::uint8_t> pictureOf(ShadowMethod shadows, StageClock* clock) {
     RenderSettings settings = settingOf(shadows).render;
     settings.layout = bestLayout(context.capabilities());
     Renderer renderer(settings, context.capabilities());
-    const GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
+    GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
     FrameRequest request;
     request.frustum = frustumOf({{6.0, 5.0, 7.0}, {0.0, 0.0, 0.0}, 45.0}, 1.0);
     request.width = request.height = 64;

@@ -87,7 +87,7 @@ Drawn drawnWith(SilhouetteChoice choice, SidesLayout layout, const LoadedScene& 
     RenderSettings settings;
     settings.silhouette = choice;
     settings.layout = layout;
-    const GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
+    GpuScene scene = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     renderer.draw(scene, view);
     gl::requireNoError("drawing a test scene");

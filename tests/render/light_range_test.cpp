@@ -235,7 +235,7 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
          height,
          {light},
          {}});
-    const GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
+    GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     glScissor(1, 2, 3, 4);
     renderer.draw(gpu, view);

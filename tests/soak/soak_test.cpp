@@ -58,7 +58,7 @@ TEST(Soak, TwentyThousandFrames) {
     std::vector<std::unique_ptr<Renderer>> renderers;
     for (const RenderSettings& way : ways)
         renderers.push_back(std::make_unique<Renderer>(way, context.capabilities()));
-    const GpuScene gpu = uploadScene(loaded, ways[0].records(), context.capabilities());
+    GpuScene gpu = uploadScene(loaded, ways[0].records(), context.capabilities());
 
     expectFlat("frames", 20'000, [&](int frame) {
         const double share = frame / 1000.0;
