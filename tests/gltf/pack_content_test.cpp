@@ -1,3 +1,4 @@
+#include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/packing/pack.hpp"
 #include "tests/support/input_error.hpp"
 #include "tests/support/meshopt_encoding.hpp"
