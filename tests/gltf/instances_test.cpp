@@ -164,7 +164,7 @@ TEST(Instances, MustAgreeAndBePlaces) {
     missing.expectRefused({field, "is missing"});
     Instances noAccessor;
     noAccessor.attributes()["SCALE"] = 99;
-    noAccessor.expectRefused({field, "SCALE is accessor 99"});
+    noAccessor.expectRefused({field, "SCALE is 99"});
     Instances text;
     text.attributes()["SCALE"] = "3";
     text.expectRefused({field, "SCALE is \"3\"", "whole number"});
