@@ -107,7 +107,7 @@ void transfer(Archive& archive, Maybe<Batch> auto& batch) {
 template <class Archive>
 void transfer(Archive& archive, Maybe<AdaptedShadow> auto& shadow) {
     archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.caps, shadow.capTriangles,
-            shadow.groups, shadow.clusters, shadow.parts, shadow.edges, shadow.flatPairs,
+            shadow.groups, shadow.clusters, shadow.leaves, shadow.edges, shadow.flatPairs,
             shadow.flatEdges);
 }
 
@@ -152,7 +152,7 @@ Bytes toTransfer(const LoadedScene& loaded) {
     Bytes bytes;
     Writer writer(bytes);
     writer(charactersOf(loaded.document.path.string()), documentFor(loaded), loaded.scene.batches,
-           loaded.scene.movers, loaded.scene.materials, loaded.settings);
+           loaded.scene.animatedNodes, loaded.scene.materials, loaded.settings);
     for (const auto& shadow : loaded.adapted)
         transfer(writer, *shadow);
     writer(loaded.images.size());
@@ -170,8 +170,8 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     std::vector<char> characters;
     Bytes document;
     std::size_t images = 0, warnings = 0;
-    reader(characters, document, loaded.scene.batches, loaded.scene.movers, loaded.scene.materials,
-           loaded.settings);
+    reader(characters, document, loaded.scene.batches, loaded.scene.animatedNodes,
+           loaded.scene.materials, loaded.settings);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         AdaptedShadow shadow;
         transfer(reader, shadow);

@@ -7,7 +7,7 @@
 namespace edgeshade {
 
 /// Caps [firstCap, firstCap + capCount) of casters of one material.
-struct CasterGroup {
+struct MaterialCasters {
     std::size_t material = 0;
     std::uint32_t firstCap = 0;
     std::uint32_t capCount = 0;
@@ -30,7 +30,7 @@ Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bo
 /// Casters, welded.
 struct CasterMesh {
     WeldedMesh welded;
-    std::vector<CasterGroup> groups; ///< ranges of welded.triangles, and so of caps
+    std::vector<MaterialCasters> groups; ///< ranges of welded.triangles, and so of caps
 };
 
 /// Welds the casters; triangles keep their order.

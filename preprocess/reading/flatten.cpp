@@ -122,15 +122,15 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
             if (primitive->indices.empty()) continue;
             const bool skinned = isSkinned(*primitive);
             Piece piece = {primitive, materialOf(document, *primitive, scene.materials),
-                           visit.moverFromNode, skinned ? skin : nullptr, visit.node};
+                           visit.animatedFromNode, skinned ? skin : nullptr, visit.node};
             // A skin's joints place it in the world; its own node's transforms do not count.
             if (skinned) {
                 pieces[-1].push_back(std::move(piece));
                 continue;
             }
             for (const glm::dmat4& nodeFromInstance : instances) {
-                piece.batchFromMesh = visit.moverFromNode * nodeFromInstance;
-                pieces[visit.mover].push_back(piece);
+                piece.batchFromMesh = visit.animatedFromNode * nodeFromInstance;
+                pieces[visit.animatedNode].push_back(piece);
             }
         }
     }
@@ -253,7 +253,7 @@ class PieceAppender {
     Batch& batch_;
 };
 
-Batch makeBatch(const GltfDocument& document, int mover, const glm::dmat4& worldFromMover,
+Batch makeBatch(const GltfDocument& document, int animatedNode, const glm::dmat4& worldFromAnimated,
                 std::vector<Piece> pieces, const std::vector<Material>& materials) {
     std::stable_sort(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
         return std::pair(materials[a.material].alphaMode, a.material) <
@@ -261,8 +261,8 @@ Batch makeBatch(const GltfDocument& document, int mover, const glm::dmat4& world
     });
     const glm::dvec3 origin = localOrigin(document, pieces);
     Batch batch;
-    batch.node = mover;
-    batch.worldFromBatch = glm::translate(worldFromMover, origin);
+    batch.node = animatedNode;
+    batch.worldFromBatch = glm::translate(worldFromAnimated, origin);
     batch.origin = origin;
     for (const Piece& piece : pieces) {
         if (batch.groups.empty() || batch.groups.back().material != piece.material)
@@ -282,13 +282,14 @@ Scene flattenScene(const GltfDocument& document, double weldTolerance, const std
     scene.warnings = document.warnings;
     scene.materials = readMaterials(document);
     const NodeWalk walk = walkNodes(document, scene.warnings);
-    scene.movers = walk.movers;
-    PiecesByMover piecesByMover =
+    scene.animatedNodes = walk.animatedNodes;
+    PiecesByMover piecesByAnimatedNode =
         gatherPieces(document, walk, findVariant(document, variant, scene.warnings), scene);
-    for (auto& [mover, pieces] : piecesByMover) {
-        const glm::dmat4 worldFromMover = mover < 0 ? glm::dmat4(1.0) : walk.worldFromNode[mover];
-        scene.batches.push_back(
-            makeBatch(document, mover, worldFromMover, std::move(pieces), scene.materials));
+    for (auto& [animatedNode, pieces] : piecesByAnimatedNode) {
+        const glm::dmat4 worldFromAnimated =
+            animatedNode < 0 ? glm::dmat4(1.0) : walk.worldFromNode[animatedNode];
+        scene.batches.push_back(makeBatch(document, animatedNode, worldFromAnimated,
+                                          std::move(pieces), scene.materials));
         if (weldTolerance > 0.0) snapPositions(scene.batches.back().positions, weldTolerance);
     }
     return scene;

@@ -80,10 +80,10 @@ bool isVisible(const GltfDocument& document, int node) {
 
 struct Visit {
     int node;
-    int mover;
+    int animatedNode;
     bool visible;        ///< all nodes above it are
     std::uint64_t depth; ///< 1: a root
-    glm::dmat4 moverFromParent;
+    glm::dmat4 animatedFromParent;
     glm::dmat4 worldFromParent;
 };
 
@@ -96,11 +96,11 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
     walk.worldFromNode.assign(nodes.size(), glm::dmat4(1.0));
     std::vector<bool> reached(nodes.size(), false);
     std::vector<Visit> open;
-    const auto openAll = [&open](const std::vector<int>& children, int mover, bool visible,
-                                 std::uint64_t depth, const glm::dmat4& moverFrom,
+    const auto openAll = [&open](const std::vector<int>& children, int animatedNode, bool visible,
+                                 std::uint64_t depth, const glm::dmat4& animatedFrom,
                                  const glm::dmat4& worldFrom) {
         for (auto child = children.rbegin(); child != children.rend(); ++child)
-            open.push_back({*child, mover, visible, depth, moverFrom, worldFrom});
+            open.push_back({*child, animatedNode, visible, depth, animatedFrom, worldFrom});
     };
     const std::uint64_t deepest = document.memory.limits().nodeDepth;
     const glm::dmat4 worldFromAsset = glm::translate(glm::dmat4(1.0), centerOf(document));
@@ -128,20 +128,23 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
             throw InputError(document.where(field) + " has a transform that is not finite.");
         walk.worldFromNode[visit.node] = worldFromNode;
 
-        int mover = visit.mover;
-        glm::dmat4 moverFromNode = visit.moverFromParent * local;
+        int animatedNode = visit.animatedNode;
+        glm::dmat4 animatedFromNode = visit.animatedFromParent * local;
         if (animated.contains(visit.node)) {
             if (glm::determinant(glm::dmat3(worldFromNode)) != 0.0) {
-                walk.movers.push_back({visit.node, visit.mover, visit.moverFromParent, local});
-                mover = visit.node;
-                moverFromNode = glm::dmat4(1.0);
+                walk.animatedNodes.push_back(
+                    {visit.node, visit.animatedNode, visit.animatedFromParent, local});
+                animatedNode = visit.node;
+                animatedFromNode = glm::dmat4(1.0);
             } else {
                 warnings.add("An animated node that is scaled to nothing at rest stays static.");
             }
         }
         const bool visible = visit.visible && isVisible(document, visit.node);
-        if (node.mesh >= 0 && visible) walk.meshNodes.push_back({visit.node, mover, moverFromNode});
-        openAll(node.children, mover, visible, visit.depth + 1, moverFromNode, worldFromNode);
+        if (node.mesh >= 0 && visible)
+            walk.meshNodes.push_back({visit.node, animatedNode, animatedFromNode});
+        openAll(node.children, animatedNode, visible, visit.depth + 1, animatedFromNode,
+                worldFromNode);
     }
     requireAllReached(document, reached);
     return walk;

@@ -11,15 +11,15 @@ namespace edgeshade {
 /// One node that carries a mesh, as met when walking the scene from its roots.
 struct MeshNode {
     int node = -1;
-    int mover = -1;           ///< nearest animated node on the way to the root; -1: static
-    glm::dmat4 moverFromNode; ///< relative to the mover; to the world if there is none
+    int animatedNode = -1;       ///< nearest animated node on the way to the root; -1: static
+    glm::dmat4 animatedFromNode; ///< relative to the animated node; to the world if there is none
 };
 
 /// What walking the default scene finds.
 struct NodeWalk {
-    std::vector<MeshNode> meshNodes;       ///< depth first, in the file's order
-    std::vector<Mover> movers;             ///< what moves by itself, those above first
-    std::vector<glm::dmat4> worldFromNode; ///< of every node of the scene; identity elsewhere
+    std::vector<MeshNode> meshNodes;         ///< depth first, in the file's order
+    std::vector<AnimatedNode> animatedNodes; ///< what moves by itself, those above first
+    std::vector<glm::dmat4> worldFromNode;   ///< of every node of the scene; identity elsewhere
 };
 
 /// Walks the default scene (the first if none is named; all roots if there are no scenes), from

@@ -104,20 +104,20 @@ NodeTransform NodeMotion::at(double seconds) const {
 std::vector<std::optional<glm::dmat4>> poseAt(const Animation& animation, const Scene& scene,
                                               double seconds) {
     // Those above come first, so that each finds the one it hangs on.
-    std::map<int, glm::dmat4> worldFromMover = {{-1, glm::dmat4(1.0)}};
-    for (const Mover& mover : scene.movers) {
-        const auto motion = animation.motions.find(mover.node);
-        const glm::dmat4 parentFromMover = motion == animation.motions.end()
-                                               ? mover.parentFromMover
-                                               : motion->second.at(seconds).matrix();
-        worldFromMover[mover.node] =
-            worldFromMover.at(mover.above) * mover.aboveFromParent * parentFromMover;
+    std::map<int, glm::dmat4> worldFromAnimated = {{-1, glm::dmat4(1.0)}};
+    for (const AnimatedNode& animatedNode : scene.animatedNodes) {
+        const auto motion = animation.motions.find(animatedNode.node);
+        const glm::dmat4 parentFromAnimated = motion == animation.motions.end()
+                                                  ? animatedNode.parentFromAnimated
+                                                  : motion->second.at(seconds).matrix();
+        worldFromAnimated[animatedNode.node] = worldFromAnimated.at(animatedNode.above) *
+                                               animatedNode.aboveFromParent * parentFromAnimated;
     }
     std::vector<std::optional<glm::dmat4>> pose;
     for (const Batch& batch : scene.batches) {
         pose.emplace_back(batch.worldFromBatch);
         if (batch.node < 0) continue;
-        pose.back() = glm::translate(worldFromMover.at(batch.node), batch.origin);
+        pose.back() = glm::translate(worldFromAnimated.at(batch.node), batch.origin);
         if (!isDrawable(*pose.back())) pose.back().reset();
     }
     return pose;

@@ -18,12 +18,12 @@ struct SurfaceGroup {
     std::uint32_t indexCount = 0; ///< three a triangle
 };
 
-/// A node that an animation of the file moves, and how it hangs on the mover above it.
-struct Mover {
-    int node = -1;                   ///< in glTF
-    int above = -1;                  ///< nearest mover on the way to the root; -1: the world
-    glm::dmat4 aboveFromParent{1.0}; ///< the nodes between the two, which do not move
-    glm::dmat4 parentFromMover{1.0}; ///< at rest
+/// A node that an animation of the file moves, and how it hangs on the animated node above it.
+struct AnimatedNode {
+    int node = -1;  ///< in glTF
+    int above = -1; ///< nearest animated node on the way to the root; -1: the world
+    glm::dmat4 aboveFromParent{1.0};    ///< the nodes between the two, which do not move
+    glm::dmat4 parentFromAnimated{1.0}; ///< at rest
 };
 
 /// Triangles that move together: all static nodes are one batch, every animated node another.
@@ -31,9 +31,9 @@ struct Mover {
 /// Positions are floats relative to a local origin, so that survey coordinates keep their detail
 /// (docs/method.md, C6); what places them in the world is double.
 struct Batch {
-    int node = -1;                    ///< the glTF node that moves it; -1: none, it is static
-    glm::dmat4 worldFromBatch{1.0};   ///< at rest
-    glm::dvec3 origin{0.0};           ///< where 0 of `positions` is in the mover, or in the world
+    int node = -1;                  ///< the glTF node that moves it; -1: none, it is static
+    glm::dmat4 worldFromBatch{1.0}; ///< at rest
+    glm::dvec3 origin{0.0}; ///< where 0 of `positions` is in the animated node, or in the world
     std::vector<glm::vec3> positions; ///< no NaN, no infinity, no -0
     std::vector<glm::vec3> normals;   ///< unit length, or 0 for a triangle without area
     std::vector<glm::vec2> texcoords;
@@ -48,7 +48,7 @@ struct Batch {
 /// A glTF scene at rest, ready for drawing and for finding its edges.
 struct Scene {
     std::vector<Batch> batches;
-    std::vector<Mover> movers; ///< those above first; some move no batch of their own
+    std::vector<AnimatedNode> animatedNodes; ///< those above first; some move no batch of their own
     std::vector<Material> materials;
     Warnings warnings;
 

@@ -60,7 +60,7 @@ RecordRange rangeSince(std::size_t first, std::size_t end) {
 
 /// The caps of a cluster by material where that matters; its triangles are ascending then.
 void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint32_t firstCap,
-               std::vector<CasterGroup>& groups) {
+               std::vector<MaterialCasters>& groups) {
     if (!cluster.holes) {
         const std::size_t anyMaterial = mesh.groups.front().material; // all of them are opaque
         groups.push_back(
@@ -93,8 +93,8 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
     for (const TriangleCluster& cluster : clusterTrianglesOf(mesh, edges, materials)) {
         const std::size_t pairs = shadow.pairs.size(), singles = shadow.singles.size(),
                           caps = shadow.caps.size(), groups = shadow.groups.size(),
-                          parts = shadow.parts.size();
-        shadow.parts.insert(shadow.parts.end(), cluster.parts.begin(), cluster.parts.end());
+                          leaves = shadow.leaves.size();
+        shadow.leaves.insert(shadow.leaves.end(), cluster.leaves.begin(), cluster.leaves.end());
         for (const std::uint32_t triangle : cluster.triangles)
             emitter.emitCap(triangle, shadow);
         for (const std::uint32_t edge : cluster.edges)
@@ -104,7 +104,7 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
             {cluster.bounds, cluster.closed, cluster.holes, cluster.components,
              rangeSince(pairs, shadow.pairs.size()), rangeSince(singles, shadow.singles.size()),
              rangeSince(caps, shadow.caps.size()), rangeSince(groups, shadow.groups.size()),
-             rangeSince(parts, shadow.parts.size())});
+             rangeSince(leaves, shadow.leaves.size())});
     }
     return shadow;
 }

@@ -85,7 +85,7 @@ struct ShadowCluster {
     std::uint32_t components = 1;
     RecordRange pairs, singles, caps;
     RecordRange groups; ///< of AdaptedShadow::groups
-    RecordRange parts;  ///< of AdaptedShadow::parts: each holds the next partTriangles caps
+    RecordRange leaves; ///< of AdaptedShadow::leaves: each holds the next leafTriangles caps
 };
 
 /// One batch.
@@ -95,9 +95,9 @@ struct AdaptedShadow {
     std::vector<SingleRecord> singles;
     std::vector<CapRecord> caps;
     std::vector<std::uint32_t> capTriangles; ///< which of CasterMesh's triangles each cap is
-    std::vector<CasterGroup> groups; ///< ranges of caps; clusters without holes have one each
+    std::vector<MaterialCasters> groups; ///< ranges of caps; clusters without holes have one each
     std::vector<ShadowCluster> clusters;
-    std::vector<Box> parts;    ///< boxes around neighbouring caps
+    std::vector<Box> leaves;   ///< boxes around neighbouring caps
     std::size_t edges = 0;     ///< all, flat ones too
     std::size_t flatPairs = 0; ///< pairs that were dropped
     std::size_t flatEdges = 0; ///< edges of which nothing is left

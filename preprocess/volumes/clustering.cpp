@@ -43,7 +43,7 @@ std::vector<Part> partsOf(const CasterMesh& mesh, const Components& components,
                           const std::vector<Material>& materials) {
     std::vector<Part> parts(components.count());
     Box all;
-    for (const CasterGroup& group : mesh.groups) {
+    for (const MaterialCasters& group : mesh.groups) {
         const bool holes = materials[group.material].alphaMode != AlphaMode::opaque;
         for (std::uint32_t t = group.firstCap; t < group.firstCap + group.capCount; ++t) {
             Part& part = parts[components.ofTriangle[t]];
@@ -84,7 +84,7 @@ void sortAlongCurve(TriangleCluster& cluster, const WeldedMesh& mesh) {
 std::vector<Box> partsOf(const TriangleCluster& cluster, const WeldedMesh& mesh) {
     std::vector<Box> parts;
     for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
-        if (i % partTriangles == 0) parts.emplace_back();
+        if (i % leafTriangles == 0) parts.emplace_back();
         const Box box = boxOf(mesh, mesh.triangles[cluster.triangles[i]]);
         parts.back().add(box.low);
         parts.back().add(box.high);
@@ -149,7 +149,7 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
         clusters[clusterOf[components.ofTriangle[t]]].triangles.push_back(t);
     for (TriangleCluster& cluster : clusters) {
         if (!cluster.holes) sortAlongCurve(cluster, mesh.welded);
-        cluster.parts = partsOf(cluster, mesh.welded);
+        cluster.leaves = leavesOf(cluster, mesh.welded);
     }
     addEdges(edges, clusters);
     return clusters;

@@ -6,7 +6,7 @@
 namespace edgeshade {
 
 /// Caps that a part of a cluster holds.
-inline constexpr std::uint32_t partTriangles = 32;
+inline constexpr std::uint32_t leafTriangles = 32;
 
 /// Triangles at which a cluster is full: small components share one.
 inline constexpr std::size_t clusterTriangles = 512;
@@ -19,7 +19,7 @@ struct TriangleCluster {
     std::uint32_t components = 0;
     std::vector<std::uint32_t> triangles; ///< with holes ascending, else along a Morton curve
     std::vector<std::uint32_t> edges;     ///< each where its first opposite vertex's triangle is
-    std::vector<Box> parts; ///< around partTriangles consecutive triangles each, the last fewer
+    std::vector<Box> leaves; ///< around leafTriangles consecutive triangles each, the last fewer
 };
 
 /// Divides a batch's casters: closed clusters first, then open ones, then those with holes; within

@@ -27,7 +27,7 @@ struct CasterSettings {
 struct BatchShadow {
     SidesData sides;
     CapsData caps;
-    std::vector<CasterGroup> groups; ///< ranges of caps
+    std::vector<MaterialCasters> groups; ///< ranges of caps
 };
 
 /// Seconds that the stages took.

@@ -37,7 +37,7 @@ class Stage {
 
     bool isOf(const LoadedScene& loaded) const { return &loaded == &loaded_; }
 
-    /// Works out what the frame shows. Layers are kept while the lights rest;
+    /// Works out what the frame shows. RayCrossings are kept while the lights rest;
     /// `volumes`: somebody draws them.
     void look(const FrameRequest& request, bool volumes) {
         Stopwatch watch;

@@ -27,7 +27,7 @@ struct ShadowBuffers {
     int maxMultiplicity = 1;
     std::vector<RecordChunk> sides; ///< one when instanced; else as many as keep buffers small
     std::vector<RecordChunk> caps;  ///< likewise
-    std::vector<CasterGroup> groups;
+    std::vector<MaterialCasters> groups;
     gl::Buffer capHoles; ///< three vec4s a cap, copied six times when not instanced; or empty
 
     std::size_t sideBytes() const;

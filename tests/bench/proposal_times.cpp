@@ -2,7 +2,7 @@
 // rest and for balls around it. `proposal_times SCENE...` prints JSON.
 #include "src/scene/load.hpp"
 #include "src/shadow/geometry/light.hpp"
-#include "src/shadow/silhouette/proposal.hpp"
+#include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -32,13 +32,13 @@ Found find(const LoadedScene& loaded, const Light& light, double radius) {
         const LightFacings facings(shadow);
         const LightBall ball{lightInObject(light, loaded.scene.batches[i].worldFromBatch),
                              static_cast<float>(radius)};
-        Proposal proposal;
+        SilhouetteList proposal;
         std::vector<PairRecord> gathered;
         std::clock_t least = std::numeric_limits<std::clock_t>::max();
         for (int repeat = 0; repeat < repeats; ++repeat) {
             const std::clock_t start = std::clock();
             for (int run = 0; run < runsARepeat; ++run) {
-                propose(shadow, facings, ball, 23, proposal);
+                listSilhouettes(shadow, facings, ball, 23, proposal);
                 for (const PairList* list : {&proposal.certain, &proposal.uncertain})
                     gatherPairs(shadow, *list, gathered);
             }

@@ -284,7 +284,7 @@ TEST(Animation, AtRestEverythingIsWhereItWas) {
                   flat.batches[0].worldFromBatch);
 }
 
-TEST(Animation, MoversBelowMoversFollowThem) {
+TEST(Animation, AnimatedNodesBelowOthersFollowThem) {
     MovingScene scene;
     const int leaf = scene.addBox({{"scale", {2, 2, 2}}}, false);
     const int between = scene.gltf.addNode(

@@ -166,13 +166,13 @@ TEST(Node, StaticNodesShareOneBatch) {
 TEST(Node, AnAnimatedNodeMakesItsOwnBatch) {
     GltfBuilder gltf;
     gltf.addShapeNode(tetrahedron());
-    const int mover =
+    const int animatedNode =
         gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(1.0f)))}, {"translation", {0, 7, 0}}});
-    gltf.animate(mover);
+    gltf.animate(animatedNode);
     const Scene scene = sceneOf(gltf);
     ASSERT_EQ(scene.batches.size(), 2u);
     EXPECT_EQ(scene.batches[0].node, -1);
-    EXPECT_EQ(scene.batches[1].node, mover);
+    EXPECT_EQ(scene.batches[1].node, animatedNode);
     EXPECT_EQ(scene.batches[1].indices.size(), 36u);
     EXPECT_DOUBLE_EQ(scene.batches[1].worldFromBatch[3].y, 7.0);
 }
@@ -182,12 +182,12 @@ TEST(Node, DescendantsOfAnAnimatedNodeFollowIt) {
     const int leaf = gltf.addShapeNode(tetrahedron());
     gltf.json["scenes"][0]["nodes"].clear();
     const int middle = gltf.addNode({{"children", {leaf}}, {"translation", {1, 0, 0}}}, false);
-    const int mover = gltf.addNode({{"children", {middle}}, {"translation", {0, 2, 0}}});
-    gltf.animate(mover, "rotation");
+    const int animatedNode = gltf.addNode({{"children", {middle}}, {"translation", {0, 2, 0}}});
+    gltf.animate(animatedNode, "rotation");
     const Scene scene = sceneOf(gltf);
     ASSERT_EQ(scene.batches.size(), 1u);
-    EXPECT_EQ(scene.batches[0].node, mover);
-    // Relative to the mover, so that turning it turns them.
+    EXPECT_EQ(scene.batches[0].node, animatedNode);
+    // Relative to the animated node, so that turning it turns them.
     EXPECT_EQ(*std::min_element(scene.batches[0].positions.begin(),
                                 scene.batches[0].positions.end(),
                                 [](auto& a, auto& b) { return a.x < b.x; }),

@@ -53,7 +53,7 @@ MUTANTS = (
     ("a moving light's ball has no radius",
      "src/shadow/silhouette/light_facings.cpp",
      "all(ball.radius * longestNormal", "all(0.0f * longestNormal",
-     "proposal_test", "*"),
+     "silhouette_list_test", "*"),
     ("the device's grid is the coarsest one for ties",
      "src/lab/verdicts.cpp",
      "tiedOn(std::ldexp(1.0, -subpixelBits))", "tiedOn(coarsestGrid)",

@@ -76,10 +76,10 @@ GltfBuilder variedScene() {
                   {"rotation", {0.18257418, 0.36514837, 0.5477226, 0.73029673}},
                   {"scale", {1.25, -0.7, 3.3}}});
     gltf.addNode({{"mesh", hillsMesh}, {"rotation", {0.5, 0.5, 0.5, 0.5}}});
-    const int mover = gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5f)))},
-                                    {"translation", {1e5, 3, 0.25}},
-                                    {"rotation", {0.1, 0.2, 0.3, 0.92736185}}});
-    gltf.animate(mover);
+    const int animatedNode = gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5f)))},
+                                           {"translation", {1e5, 3, 0.25}},
+                                           {"rotation", {0.1, 0.2, 0.3, 0.92736185}}});
+    gltf.animate(animatedNode);
     return gltf;
 }
 

@@ -192,12 +192,12 @@ TEST(AdaptedData, ClustersHoldWholeComponentsAndEveryRecordOnce) {
                 }
     }
     for (const ShadowCluster& cluster : shadow.clusters) {
-        EXPECT_EQ(cluster.parts.count, (cluster.caps.count + 31) / 32);
+        EXPECT_EQ(cluster.leaves.count, (cluster.caps.count + 31) / 32);
         for (std::uint32_t i = cluster.caps.first; i < cluster.caps.end(); ++i) {
             const glm::dvec3 a(shadow.caps[i].a), b(shadow.caps[i].b), c(shadow.caps[i].c);
             bool held = false;
-            for (std::uint32_t p = cluster.parts.first; p < cluster.parts.end(); ++p) {
-                const Box& part = shadow.parts[p];
+            for (std::uint32_t p = cluster.leaves.first; p < cluster.leaves.end(); ++p) {
+                const Box& part = shadow.leaves[p];
                 const glm::dvec3 low = glm::min(a, glm::min(b, c));
                 const glm::dvec3 high = glm::max(a, glm::max(b, c));
                 held = held || (glm::all(glm::greaterThanEqual(low, part.low)) &&

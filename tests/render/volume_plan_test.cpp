@@ -40,9 +40,9 @@ VolumePlan planOf(const std::vector<ShadowCluster>& clusters, const PlanView& vi
     AdaptedShadow shadow;
     for (ShadowCluster cluster : clusters) {
         cluster.caps = {static_cast<std::uint32_t>(shadow.caps.size()), 12};
-        cluster.parts = {static_cast<std::uint32_t>(shadow.parts.size()), 1};
+        cluster.leaves = {static_cast<std::uint32_t>(shadow.leaves.size()), 1};
         appendShell(cluster.bounds, shadow.caps);
-        shadow.parts.push_back(cluster.bounds);
+        shadow.leaves.push_back(cluster.bounds);
         shadow.clusters.push_back(cluster);
     }
     return planVolumes(shadow, view);
@@ -87,7 +87,7 @@ ClusterPlan onlyDraw(const ShadowCluster& cluster, const glm::dvec4& light) {
 } // namespace
 
 TEST(Separation, OfWhatIsPlainlyApartOrNot) {
-    const LightPyramid pyramid{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, {0, 0, 10, 1}};
+    const NearClipVolume pyramid{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, {0, 0, 10, 1}};
     EXPECT_FALSE(areApart(pyramid, boxAround({0, 0, 5}, 0.1)));
     EXPECT_FALSE(areApart(pyramid, boxAround({0, 0, 10}, 0.1)));
     EXPECT_FALSE(areApart(pyramid, boxAround({0, 0, 0}, 0.1)));
@@ -95,7 +95,7 @@ TEST(Separation, OfWhatIsPlainlyApartOrNot) {
     EXPECT_TRUE(areApart(pyramid, boxAround({0, 0, -2}, 0.1)));
     EXPECT_TRUE(areApart(pyramid, boxAround({0.9, 0.9, 5}, 0.1)));
     EXPECT_TRUE(areApart(pyramid, Box()));
-    LightPyramid prism = pyramid;
+    NearClipVolume prism = pyramid;
     prism.light = {0, 0, 1, 0};
     EXPECT_FALSE(areApart(prism, boxAround({0.9, 0.9, 1e6}, 0.2)));
     EXPECT_TRUE(areApart(prism, boxAround({0, 0, -2}, 0.1)));
@@ -111,8 +111,8 @@ TEST(Separation, NeverPartsWhatTouches) {
         const glm::dvec3 up = random.inCube() * random.magnitude(-3, 0);
         const bool sun = random.below(3) == 0;
         const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-2, 2)), !sun);
-        const LightPyramid pyramid{{{corner, corner + right, corner + right + up, corner + up}},
-                                   light};
+        const NearClipVolume pyramid{{{corner, corner + right, corner + right + up, corner + up}},
+                                     light};
         // A point of the hull, and a box that just holds it.
         const double s = random.uniform(0, 1), t = random.uniform(0, 1);
         const glm::dvec3 base = corner + s * right + t * up;
@@ -122,7 +122,7 @@ TEST(Separation, NeverPartsWhatTouches) {
         const double size = random.magnitude(-4, 0);
         const glm::dvec3 offset = size * random.inCube();
         EXPECT_FALSE(areApart(pyramid, boxAround(point + offset, size * 1.0001)));
-        const PyramidFaces faces(pyramid);
+        const ClipVolumeFaces faces(pyramid);
         EXPECT_FALSE(faces.separate(boxAround(point + offset, size * 1.0001)));
         const glm::dvec3 a = point + size * random.inCube(), b = point + size * random.inCube();
         const glm::dvec3 c = 3.0 * point - a - b; // so that the point is its middle
@@ -192,14 +192,14 @@ TEST(VolumePlan, BetweenTheInsideAndTheOutsideItSealsTheLightOff) {
         return planOf(clusters, planView(view, view.slices[0], {light}, glm::dmat4(1.0)));
     };
     // The light is in it, or the eye; or both are.
-    EXPECT_EQ(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).sealed, 0u);
+    EXPECT_EQ(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).fullyShadowedBy, 0u);
     EXPECT_TRUE(planWith(clusterAt({0, 0, -10}, 1), {0, 0, -10.5, 1}).drawn.empty());
-    EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1}).sealed, 0u);
-    EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0.3, 1, 0.2, 0}).sealed, 0u);
-    EXPECT_FALSE(planWith(clusterAt({0, 0, 0}, 3), {0, 1, -1, 1}).sealed);
+    EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0, 50, -10, 1}).fullyShadowedBy, 0u);
+    EXPECT_EQ(planWith(clusterAt({0, 0, 0}, 3), {0.3, 1, 0.2, 0}).fullyShadowedBy, 0u);
+    EXPECT_FALSE(planWith(clusterAt({0, 0, 0}, 3), {0, 1, -1, 1}).fullyShadowedBy);
     // An open one, or one that the near plane cuts, says nothing of that.
-    EXPECT_FALSE(planWith(clusterAt({0, 0, -10}, 1, false), {0, 0, -10.5, 1}).sealed);
-    EXPECT_FALSE(planWith(clusterAt({0, 0, -0.1}, 0.05), {0, 0, -0.12, 1}).sealed);
+    EXPECT_FALSE(planWith(clusterAt({0, 0, -10}, 1, false), {0, 0, -10.5, 1}).fullyShadowedBy);
+    EXPECT_FALSE(planWith(clusterAt({0, 0, -0.1}, 0.05), {0, 0, -0.12, 1}).fullyShadowedBy);
 }
 
 TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
@@ -209,9 +209,9 @@ TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
     appendShell(boxAround({0, 50, 0}, 3), shadow.caps);
     ShadowCluster cluster = clusterAt({0, 25, 0}, 30);
     cluster.caps = {0, 24};
-    cluster.parts = {0, 1};
+    cluster.leaves = {0, 1};
     cluster.components = 2;
-    shadow.parts = {cluster.bounds};
+    shadow.leaves = {cluster.bounds};
     shadow.clusters = {cluster};
     const FrameView frame = viewAlongZ();
     const PlanView view = planView(frame, frame.slices[0], {{0.1, 50, 0.2, 1}}, glm::dmat4(1.0));
@@ -241,8 +241,8 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     appendShell(left, shadow.caps);
     appendShell(right, shadow.caps);
     cluster.caps = {0, 24};
-    cluster.parts = {0, 1};
-    shadow.parts = {cluster.bounds};
+    cluster.leaves = {0, 1};
+    shadow.leaves = {cluster.bounds};
     shadow.clusters = {cluster};
     const FrameView frame = viewAlongZ();
     const PlanView view = planView(frame, frame.slices[0], {{2, 3, -1, 1}}, glm::dmat4(1.0));
@@ -254,7 +254,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     appendShell(boxAround({1, 1.5, -0.5}, 0.1), shadow.caps);
     shadow.clusters[0].caps.count = 36;
     shadow.clusters[0].parts.count = 2;
-    shadow.parts.push_back(cluster.bounds);
+    shadow.leaves.push_back(cluster.bounds);
     draws = planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);
     EXPECT_FALSE(draws[0].zFail());
@@ -271,8 +271,8 @@ TEST(VolumePlan, ANearPlaneJustBeforeItTakesNoCapsAndHalfTheTriangles) {
     AdaptedShadow shadow;
     ShadowCluster cluster = clusterAt({0, 0, -1}, 0.5);
     cluster.caps = {0, 1};
-    cluster.parts = {0, 1};
-    shadow.parts = {cluster.bounds};
+    cluster.leaves = {0, 1};
+    shadow.leaves = {cluster.bounds};
     shadow.clusters = {cluster};
     shadow.caps = {{{-0.5f, -0.5f, -1.5f}, {0.5f, -0.5f, -1.5f}, {0.0f, 0.5f, -0.5f}, {}}};
     FrameView frame = viewAlongZ();
@@ -346,7 +346,7 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
-        if (plan.sealed) {
+        if (plan.fullyShadowedBy) {
             ++sealed;
             EXPECT_TRUE((enter == 0.0) != (leave == (sun ? 1e30 : 1.0)));
         }
@@ -454,8 +454,8 @@ TEST(VolumePlan, BackCapsAreNoFansAroundALightWithinTheCluster) {
         ShadowCluster cluster;
         cluster.bounds = bounds;
         cluster.caps = {0, 12};
-        cluster.parts = {0, 1};
-        shadow.parts.push_back(bounds);
+        cluster.leaves = {0, 1};
+        shadow.leaves.push_back(bounds);
         shadow.clusters.push_back(cluster);
         const FrameView view = viewAlongZ();
         const auto draws =

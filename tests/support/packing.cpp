@@ -77,10 +77,10 @@ GltfBuilder variedScene() {
     withDegenerate.indices.insert(withDegenerate.indices.begin() + 3, {1, 1, 2});
     gltf.addShapeNode(withDegenerate, {{"material", 1}});
     gltf.addShapeNode(box(glm::vec3(0.3f)), {{"material", 2}});
-    const int mover = gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5f)))},
-                                    {"translation", {1e5, 3, 0.25}},
-                                    {"scale", {1, -1, 1}}});
-    gltf.animate(mover);
+    const int animatedNode = gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5f)))},
+                                           {"translation", {1e5, 3, 0.25}},
+                                           {"scale", {1, -1, 1}}});
+    gltf.animate(animatedNode);
     const int castsNothing =
         gltf.addNode({{"mesh", gltf.addShape(tetrahedron(), {{"material", 2}})}});
     gltf.animate(castsNothing);

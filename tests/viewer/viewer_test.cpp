@@ -254,10 +254,10 @@ TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
 LoadedScene movingScene(const std::string& path, const std::vector<float>& values) {
     test::GltfBuilder gltf;
     gltf.addShapeNode(test::box(glm::vec3(3.0f, 0.2f, 3.0f)));
-    const int mover = gltf.addNode({{"mesh", gltf.addShape(test::box(glm::vec3(0.8f)))}});
+    const int animatedNode = gltf.addNode({{"mesh", gltf.addShape(test::box(glm::vec3(0.8f)))}});
     const int times = gltf.addArray<float>({0.0f, 1.0f}, 1, {{"min", {0.0}}, {"max", {1.0}}});
     gltf.json["animations"] = {
-        {{"channels", {{{"sampler", 0}, {"target", {{"node", mover}, {"path", path}}}}}},
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", animatedNode}, {"path", path}}}}}},
          {"samplers", {{{"input", times}, {"output", gltf.addArray(values, 3)}}}}}};
     LoadedScene loaded;
     loaded.document = parseGltf(gltf.glb(), "moving.glb");

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/scene/adapted_buffers.hpp"
-#include "src/shadow/silhouette/proposal.hpp"
+#include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include <map>
 #include <memory>
@@ -9,7 +9,7 @@
 namespace edgeshade {
 
 /// The records of potential silhouettes, gathered on the GPU in the forms that AdaptedBuffers has.
-/// They go with their lists (Proposal::identity).
+/// They go with their lists (SilhouetteList::identity).
 class SilhouetteBuffers {
   public:
     /// What is gathered of one list.
@@ -22,12 +22,15 @@ class SilhouetteBuffers {
     explicit SilhouetteBuffers(SidesLayout layout) : layout_(layout) {}
 
     /// Uploads the pairs of a list, if they are not there yet. `shadow`: what it lists records of.
-    void upload(const AdaptedShadow& shadow, const Proposal& list);
+    void upload(const AdaptedShadow& shadow, const SilhouetteList& list);
     /// Uploads the light-facing caps of a cluster too.
-    void uploadCapsOf(const AdaptedShadow& shadow, const Proposal& list, std::uint32_t cluster);
+    void uploadCapsOf(const AdaptedShadow& shadow, const SilhouetteList& list,
+                      std::uint32_t cluster);
 
     /// What was uploaded of a list.
-    const Gathered& of(const Proposal& list) const { return gathered_.find(list.identity)->second; }
+    const Gathered& of(const SilhouetteList& list) const {
+        return gathered_.find(list.identity)->second;
+    }
 
     /// Gives back what belongs to lists that are no more.
     void dropExpired();

@@ -37,8 +37,8 @@ struct FrameLight {
     LayerBound layers; ///< one group of casters where no stencil can overflow, or nobody has asked
     bool drawn = true;
     /// In orthographic pictures, of a point light among the casters' depths: the plane across the
-    /// viewing direction through it, in the world, inside deeper. Casters come in two groups, cut by
-    /// it (docs/method.md, C33).
+    /// viewing direction through it, in the world, inside deeper. Casters come in two groups, cut
+    /// by it (docs/method.md, C33).
     std::optional<glm::dvec4> cut{};
 
     /// How many groups of casters it takes.

@@ -14,22 +14,22 @@ namespace {
 /// What a sun's direction may be turned by rounding it to floats, with room to spare.
 constexpr double leastTurn = 1e-6;
 
-/// What a pyramid covers of an axis, and how large its coordinates are there.
+/// What a volume covers of an axis, and how large its coordinates are there.
 struct Shade {
     Interval interval;
     double size = 0.0;
 };
 
-Shade shadeOf(const LightPyramid& pyramid, const glm::dvec3& axis) {
+Shade shadeOf(const NearClipVolume& volume, const glm::dvec3& axis) {
     Shade shade;
     const auto add = [&](const glm::dvec3& point) {
         shade.interval.add(glm::dot(axis, point));
         shade.size = std::max(shade.size, glm::dot(glm::abs(axis), glm::abs(point)));
     };
-    for (const glm::dvec3& corner : pyramid.corners)
+    for (const glm::dvec3& corner : volume.corners)
         add(corner);
-    const glm::dvec3 light(pyramid.light);
-    if (pyramid.light.w != 0.0) {
+    const glm::dvec3 light(volume.light);
+    if (volume.light.w != 0.0) {
         add(light);
         return shade;
     }
@@ -41,9 +41,9 @@ Shade shadeOf(const LightPyramid& pyramid, const glm::dvec3& axis) {
 }
 
 /// Whether what covers `other` of the axis, with coordinates up to `size`, is apart there.
-bool separates(const LightPyramid& pyramid, const glm::dvec3& axis, const Interval& other,
+bool separates(const NearClipVolume& volume, const glm::dvec3& axis, const Interval& other,
                double size) {
-    const Shade shade = shadeOf(pyramid, axis);
+    const Shade shade = shadeOf(volume, axis);
     const double gap = std::max(shade.interval.low - other.high, other.low - shade.interval.high);
     return gap > placingError * std::max(size, shade.size);
 }
@@ -51,17 +51,17 @@ bool separates(const LightPyramid& pyramid, const glm::dvec3& axis, const Interv
 /// Calls `separate` for axes of unit length until it says yes. Separating axes of convex sets are
 /// normals of their faces and products of their edges; `edges` and `normals` are the other set's.
 template <class Separate>
-bool anyAxis(const LightPyramid& pyramid, std::span<const glm::dvec3> normals,
+bool anyAxis(const NearClipVolume& volume, std::span<const glm::dvec3> normals,
              std::span<const glm::dvec3> edges, Separate separate) {
     const auto tried = [&](const glm::dvec3& axis) {
         const double length = glm::length(axis);
         return length > 0.0 && std::isfinite(length) && separate(axis / length);
     };
-    const auto& c = pyramid.corners;
-    const glm::dvec3 light(pyramid.light);
+    const auto& c = volume.corners;
+    const glm::dvec3 light(volume.light);
     std::array<glm::dvec3, 6> own = {c[1] - c[0], c[3] - c[0]};
     for (std::size_t i = 0; i < 4; ++i)
-        own[2 + i] = light - c[i] * pyramid.light.w;
+        own[2 + i] = light - c[i] * volume.light.w;
     if (std::any_of(normals.begin(), normals.end(), tried)) return true;
     if (tried(glm::cross(own[0], own[1]))) return true;
     for (std::size_t i = 0; i < 4; ++i)
@@ -74,46 +74,45 @@ bool anyAxis(const LightPyramid& pyramid, std::span<const glm::dvec3> normals,
 
 } // namespace
 
-bool areApart(const LightPyramid& pyramid, const Box& box) {
+bool areApart(const NearClipVolume& volume, const Box& box) {
     if (box.empty()) return true;
     const std::array<glm::dvec3, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const glm::dvec3 center = box.center();
     const glm::dvec3 half = box.high - center;
     const glm::dvec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
-    return anyAxis(pyramid, axes, axes, [&](const glm::dvec3& axis) {
+    return anyAxis(volume, axes, axes, [&](const glm::dvec3& axis) {
         const double at = glm::dot(axis, center), reach = glm::dot(glm::abs(axis), half);
-        return separates(pyramid, axis, {at - reach, at + reach},
-                         glm::dot(glm::abs(axis), largest));
+        return separates(volume, axis, {at - reach, at + reach}, glm::dot(glm::abs(axis), largest));
     });
 }
 
-bool areApart(const LightPyramid& pyramid, const std::array<glm::dvec3, 3>& triangle) {
+bool areApart(const NearClipVolume& volume, const std::array<glm::dvec3, 3>& triangle) {
     const auto& [a, b, c] = triangle;
     const std::array<glm::dvec3, 3> edges = {b - a, c - b, a - c};
     const std::array<glm::dvec3, 1> normals = {glm::cross(edges[0], edges[1])};
-    return anyAxis(pyramid, normals, edges, [&](const glm::dvec3& axis) {
+    return anyAxis(volume, normals, edges, [&](const glm::dvec3& axis) {
         Interval interval;
         double size = 0.0;
         for (const glm::dvec3& corner : triangle) {
             interval.add(glm::dot(axis, corner));
             size = std::max(size, glm::dot(glm::abs(axis), glm::abs(corner)));
         }
-        return separates(pyramid, axis, interval, size);
+        return separates(volume, axis, interval, size);
     });
 }
 
-PyramidFaces::PyramidFaces(const LightPyramid& pyramid) : pyramid_(pyramid) {
-    const auto& c = pyramid.corners;
-    const glm::dvec3 light(pyramid.light);
-    add(glm::cross(c[1] - c[0], c[3] - c[0]), c[0], pyramid.light);
+ClipVolumeFaces::ClipVolumeFaces(const NearClipVolume& volume) : volume_(volume) {
+    const auto& c = volume.corners;
+    const glm::dvec3 light(volume.light);
+    add(glm::cross(c[1] - c[0], c[3] - c[0]), c[0], volume.light);
     hasRectangle_ = count_ == 1;
     for (std::size_t i = 0; i < 4; ++i)
-        add(glm::cross(light - c[i] * pyramid.light.w, c[(i + 1) % 4] - c[i]), c[i],
+        add(glm::cross(light - c[i] * volume.light.w, c[(i + 1) % 4] - c[i]), c[i],
             glm::dvec4(c[(i + 2) % 4], 1.0));
 }
 
-void PyramidFaces::add(const glm::dvec3& normal, const glm::dvec3& point,
-                       const glm::dvec4& inside) {
+void ClipVolumeFaces::add(const glm::dvec3& normal, const glm::dvec3& point,
+                          const glm::dvec4& inside) {
     const double length = glm::length(normal);
     if (!(length > 0.0) || !std::isfinite(length)) return;
     glm::dvec4 plane(normal / length, 0.0);
@@ -122,23 +121,24 @@ void PyramidFaces::add(const glm::dvec3& normal, const glm::dvec3& point,
     if (side == 0.0) return;
     if (side < 0.0) plane = -plane;
     double size = std::abs(plane.w);
-    for (const glm::dvec3& corner : pyramid_.corners)
+    for (const glm::dvec3& corner : volume_.corners)
         size = std::max(size, glm::dot(glm::abs(glm::dvec3(plane)), glm::abs(corner)));
-    if (pyramid_.light.w != 0.0)
-        size = std::max(
-            size, glm::dot(glm::abs(glm::dvec3(plane)), glm::abs(glm::dvec3(pyramid_.light))));
+    if (volume_.light.w != 0.0)
+        size = std::max(size,
+                        glm::dot(glm::abs(glm::dvec3(plane)), glm::abs(glm::dvec3(volume_.light))));
     faces_[count_++] = {plane, size};
 }
 
-double PyramidFaces::turnAt(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
-    if (pyramid_.light.w != 0.0) return 0.0;
-    const glm::dvec3& from = pyramid_.corners[0];
+double ClipVolumeFaces::turnAt(const glm::dvec3& a, const glm::dvec3& b,
+                               const glm::dvec3& c) const {
+    if (volume_.light.w != 0.0) return 0.0;
+    const glm::dvec3& from = volume_.corners[0];
     const glm::dvec3 farthest =
         glm::max(glm::max(glm::abs(a - from), glm::abs(b - from)), glm::abs(c - from));
     return leastTurn * glm::length(farthest);
 }
 
-bool PyramidFaces::separate(const std::array<glm::dvec3, 3>& triangle) const {
+bool ClipVolumeFaces::separate(const std::array<glm::dvec3, 3>& triangle) const {
     for (std::size_t i = 0; i < count_; ++i) {
         const Face& face = faces_[i];
         double highest = -std::numeric_limits<double>::infinity(), size = face.size;
@@ -158,10 +158,10 @@ bool PyramidFaces::separate(const std::array<glm::dvec3, 3>& triangle) const {
         interval.add(glm::dot(normal, corner) / length);
         size = std::max(size, glm::dot(glm::abs(normal), glm::abs(corner)) / length);
     }
-    return separates(pyramid_, normal / length, interval, size);
+    return separates(volume_, normal / length, interval, size);
 }
 
-bool PyramidFaces::separate(const Box& box) const {
+bool ClipVolumeFaces::separate(const Box& box) const {
     const glm::dvec3 largest = glm::max(glm::abs(box.low), glm::abs(box.high));
     return std::any_of(faces_.begin(), faces_.begin() + count_, [&](const Face& face) {
         const double size =
@@ -171,7 +171,7 @@ bool PyramidFaces::separate(const Box& box) const {
     });
 }
 
-bool PyramidFaces::areBeforeRectangle(const std::array<glm::dvec3, 3>& triangle) const {
+bool ClipVolumeFaces::areBeforeRectangle(const std::array<glm::dvec3, 3>& triangle) const {
     if (!hasRectangle_) return false;
     const Face& face = faces_[0];
     return std::all_of(triangle.begin(), triangle.end(), [&](const glm::dvec3& corner) {

@@ -7,26 +7,26 @@
 
 namespace edgeshade {
 
-/// The hull of a rectangle and a light: a pyramid, or for a sun (w = 0) a prism that is drawn out
+/// The hull of a rectangle and a light: a volume, or for a sun (w = 0) a prism that is drawn out
 /// towards it to infinity.
-struct LightPyramid {
+struct NearClipVolume {
     std::array<glm::dvec3, 4> corners; ///< of the rectangle, or any parallelogram, in turn
     glm::dvec4 light;                  ///< docs/method.md, Terms
 };
 
-/// Whether pyramid and box are certainly apart: some axis separates them by more than rounding.
-bool areApart(const LightPyramid& pyramid, const Box& box);
+/// Whether volume and box are certainly apart: some axis separates them by more than rounding.
+bool areApart(const NearClipVolume& volume, const Box& box);
 
 /// The same of a triangle.
-bool areApart(const LightPyramid& pyramid, const std::array<glm::dvec3, 3>& triangle);
+bool areApart(const NearClipVolume& volume, const std::array<glm::dvec3, 3>& triangle);
 
-/// A pyramid's faces: a quick test, which settles most cases before areApart() is asked.
-class PyramidFaces {
+/// A volume's faces: a quick test, which settles most cases before areApart() is asked.
+class ClipVolumeFaces {
   public:
-    explicit PyramidFaces(const LightPyramid& pyramid);
+    explicit ClipVolumeFaces(const NearClipVolume& volume);
 
     /// Whether one face, or the triangle's own plane, has the triangle wholly on one side and the
-    /// pyramid on the other, by more than rounding.
+    /// volume on the other, by more than rounding.
     bool separate(const std::array<glm::dvec3, 3>& triangle) const;
 
     /// Whether a face has the box wholly outside.
@@ -37,14 +37,14 @@ class PyramidFaces {
 
   private:
     struct Face {
-        glm::dvec4 plane; ///< dot(plane, (p, 1)) is >= 0 in the pyramid
-        double size;      ///< of the pyramid's coordinates along it
+        glm::dvec4 plane; ///< dot(plane, (p, 1)) is >= 0 in the volume
+        double size;      ///< of the volume's coordinates along it
     };
     void add(const glm::dvec3& normal, const glm::dvec3& point, const glm::dvec4& inside);
     /// How far a sun that is turned a little leads astray at the farthest of these points' bounds.
     double turnAt(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
-    const LightPyramid& pyramid_;
+    const NearClipVolume& volume_;
     std::array<Face, 5> faces_; ///< the rectangle first
     std::size_t count_ = 0;
     bool hasRectangle_ = false;

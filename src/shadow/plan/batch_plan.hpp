@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/shadow/plan/volume_plan.hpp"
-#include "src/shadow/silhouette/proposal.hpp"
+#include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include <memory>
 
@@ -15,7 +15,7 @@ struct BatchPlan {
     VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
     /// Where draws take their pairs from; null: from all, or nothing is drawn. Holds until the next
     /// frame is planned.
-    const Proposal* silhouettes = nullptr;
+    const SilhouetteList* silhouettes = nullptr;
 };
 
 } // namespace edgeshade

@@ -24,7 +24,8 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
                                 .shadow = caster.shadow,
                                 .volumes = planVolumes(*caster.shadow, places.back())});
         plan.start.add(plan.batches.back().volumes);
-        plan.fullyShadowed = plan.fullyShadowed || plan.batches.back().volumes.sealed.has_value();
+        plan.fullyShadowed =
+            plan.fullyShadowed || plan.batches.back().volumes.fullyShadowedBy.has_value();
     }
     if (plan.fullyShadowed) {
         plan.start.setFullyShadowed();

@@ -84,7 +84,7 @@ class ClusterDraws {
                 continue;
             }
             for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g) {
-                const CasterGroup& group = shadow_.groups[g];
+                const MaterialCasters& group = shadow_.groups[g];
                 const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
                 std::optional<std::size_t> alphaTested;
                 if (cluster.holes && !opaque && how_.frontCaps) alphaTested = group.material;
@@ -161,7 +161,7 @@ class ClusterDraws {
     }
 
     const AdaptedShadow& shadow_;
-    const Proposal* silhouettes_;
+    const SilhouetteList* silhouettes_;
     const ClusterPlan& how_;
     VolumeDraw like_; ///< what all of the draws have in common
     glm::vec4 end_;

@@ -120,8 +120,8 @@ std::string explain(const CountPlan& plan) {
         const AdaptedShadow& shadow = *batch.shadow;
         text << "batch " << batch.batch << ": " << counted(shadow.caps.size(), "casting triangle")
              << " in " << counted(shadow.clusters.size(), "cluster") << "\n";
-        if (const auto& sealed = batch.volumes.sealed) {
-            text << "  cluster " << *sealed << " is closed, with eye and light on different sides: "
+        if (const auto& by = batch.volumes.fullyShadowedBy) {
+            text << "  cluster " << *by << " is closed, with eye and light on different sides: "
                  << "all that is visible is in its shadow, and no volumes are drawn\n";
             continue;
         }

@@ -28,8 +28,8 @@ struct VolumeDraw {
     enum class Records {
         singles,
         allPairs,
-        certainPairs,    ///< of Proposal::certain
-        uncertainPairs,  ///< of Proposal::uncertain
+        certainPairs,    ///< of SilhouetteList::certain
+        uncertainPairs,  ///< of SilhouetteList::uncertain
         caps,            ///< all of a cluster
         lightFacingCaps, ///< of a cluster, those that may face the light
         publishedSides,

@@ -87,13 +87,15 @@ std::optional<Counted> countedOf(const ShadowCluster& cluster, const AdaptedShad
     if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
     if (touched.caps.empty() || areOutside(cluster, view)) return Counted::lightFacing;
     if (touched.tooMany) return Counted::all;
-    const auto layers = layersFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
-    if (!layers) return Counted::all;
+    const auto crossings =
+        crossingsFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
+    if (!crossings) return Counted::all;
     // Of each component the winding number at the eye less that at the light is what of it is
     // crossed outwards less what inwards.
-    const bool sumTells = cluster.components == 1 || layers->outwards == 0 || layers->inwards == 0;
+    const bool sumTells =
+        cluster.components == 1 || crossings->outwards == 0 || crossings->inwards == 0;
     if (!sumTells) return Counted::all;
-    if (layers->outwards != layers->inwards) return std::nullopt;
+    if (crossings->outwards != crossings->inwards) return std::nullopt;
     return Counted::lightFacing;
 }
 
@@ -119,10 +121,11 @@ void decideCaps(const ShadowCluster& cluster, const AdaptedShadow& shadow, const
     case Evenness::even:
         break;
     }
-    const auto layers = layersFromSomePoint(view.fromNear, touched.caps, shadow, view.rounding);
-    if (!layers) return;
+    const auto crossings =
+        crossingsFromSomePoint(view.fromNear, touched.caps, shadow, view.rounding);
+    if (!crossings) return;
     draw.caps = CapsNeeded::no;
-    draw.start = draw.counted == Counted::all ? layers->all() : layers->lightFacing;
+    draw.start = draw.counted == Counted::all ? crossings->all() : crossings->lightFacing;
 }
 
 /// Adds a plane if the light is on its inside, where dot(plane, (p, 1)) > 0.
@@ -274,9 +277,9 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
             countedOf(cluster, shadow, view,
                       oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow));
         if (!counted) {
-            VolumePlan sealed;
-            sealed.sealed = i;
-            return sealed;
+            VolumePlan shadowed;
+            shadowed.fullyShadowedBy = i;
+            return shadowed;
         }
         draw.counted = *counted;
         decideCaps(cluster, shadow, view, touched, draw);

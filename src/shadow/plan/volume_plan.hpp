@@ -3,7 +3,7 @@
 #include "preprocess/volumes/adapted_data.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/view_planes.hpp"
-#include "src/shadow/plan/layers.hpp"
+#include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/silhouette/light_facings.hpp"
 
 #include <vector>
@@ -63,7 +63,7 @@ struct VolumePlan {
     std::vector<LeftOut> leftOut;
     /// A closed cluster with the eye on one side of it and the light on the other: everything
     /// visible is in its shadow, and nothing need be drawn.
-    std::optional<std::uint32_t> sealed;
+    std::optional<std::uint32_t> fullyShadowedBy;
 };
 
 /// Light and view in a batch's space: all that decides how its clusters are drawn.
@@ -71,9 +71,9 @@ struct PlanView {
     glm::dvec4 light;
     double range = std::numeric_limits<double>::infinity(); ///< of the light; see rangeInObject()
     glm::dvec4 eye; ///< where the picture's rays come from; at infinity (w = 0) if orthographic
-    LightPyramid fromNear;      ///< from the slice's near plane to the light
-    LightPyramid fromNearest;   ///< from the nearest near plane to the light
-    LightPyramid beforeNearest; ///< from the nearest near plane to the eye
+    NearClipVolume fromNear;      ///< from the slice's near plane to the light
+    NearClipVolume fromNearest;   ///< from the nearest near plane to the light
+    NearClipVolume beforeNearest; ///< from the nearest near plane to the eye
     ViewPlanes planes;
     /// Planes with the eye, all that is visible and the light on one side; scaled so that the light
     /// is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
@@ -94,9 +94,10 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 ///   the light, certainly misses the view or begins behind everything visible;
 /// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
 ///   same number of its volumes: none where the hull of rectangle and light is apart from all of
-///   the cluster's triangles, and elsewhere as many as there are layers in between, see layers.hpp.
-///   Casters with holes always get caps, since the eye sees volumes through them. Such volumes end
-///   at a plane beyond everything visible, where there is one for all of the cluster;
+///   the cluster's triangles, and elsewhere as many as there are layers in between, see
+///   ray_crossings.hpp. Casters with holes always get caps, since the eye sees volumes through
+///   them. Such volumes end at a plane beyond everything visible, where there is one for all of the
+///   cluster;
 /// - with fans for caps, whose triangles join the silhouette edges to the middle of the cluster's
 ///   box. They have the same outline as the casting triangles, and at infinity only outlines count:
 ///   fan and triangles together are closed, so that they cover each direction from the eye (of the

@@ -23,18 +23,18 @@ void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene) {
     std::erase_if(sources_, unused);
 }
 
-const Proposal& PotentialSilhouettes::of(const std::shared_ptr<const AdaptedShadow>& shadow,
-                                         std::size_t index, const glm::vec4& light) {
+const SilhouetteList& PotentialSilhouettes::of(const std::shared_ptr<const AdaptedShadow>& shadow,
+                                               std::size_t index, const glm::vec4& light) {
     auto source = sources_.find(shadow.get());
     if (source == sources_.end())
         source = sources_.emplace(shadow.get(), Source{shadow, LightFacings(*shadow)}).first;
     source->second.lastFrame = frame_;
     Entry& entry = entries_[{shadow.get(), index}];
-    Proposal& list = entry.list;
+    SilhouetteList& list = entry.list;
     if (entry.lastFrame == frame_) return list;
     entry.lastFrame = frame_;
     if (entry.track.follow(light)) {
-        propose(*shadow, source->second.facings, entry.track.ball(), mantissaBits_, list);
+        listSilhouettes(*shadow, source->second.facings, entry.track.ball(), mantissaBits_, list);
         list.identity = std::make_shared<const int>(0);
         ++made_;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/silhouette/proposal.hpp"
+#include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include <map>
 #include <memory>
@@ -20,8 +20,8 @@ class PotentialSilhouettes {
 
     /// The list of a batch for the light with that index, which is in the batch's space. It stays
     /// where it is until the next frame begins.
-    const Proposal& of(const std::shared_ptr<const AdaptedShadow>& shadow, std::size_t index,
-                       const glm::vec4& light);
+    const SilhouetteList& of(const std::shared_ptr<const AdaptedShadow>& shadow, std::size_t index,
+                             const glm::vec4& light);
 
     std::size_t made() const { return made_; } ///< lists, since the beginning
 
@@ -33,7 +33,7 @@ class PotentialSilhouettes {
     };
     struct Entry { ///< one for a batch and a light
         LightTrack track;
-        Proposal list;
+        SilhouetteList list;
         std::size_t lastFrame = 0;
     };
 

@@ -20,7 +20,7 @@ void appendPublishedDraws(const PublishedRecords& published, std::size_t index, 
     like.verticesPerRecord = VERTICES_PER_CAP_PAIR;
     like.nearDiscard = nearDiscard;
     bool afterOpaque = false;
-    for (const CasterGroup& group : published.groups) {
+    for (const MaterialCasters& group : published.groups) {
         const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
         if (opaque && afterOpaque) {
             draws.back().range.count += group.capCount;

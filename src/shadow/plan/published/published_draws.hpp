@@ -10,7 +10,7 @@ namespace edgeshade {
 struct PublishedRecords {
     std::uint32_t sides = 0; ///< records
     int maxMultiplicity = 1;
-    std::vector<CasterGroup> groups = {}; ///< ranges of caps
+    std::vector<MaterialCasters> groups = {}; ///< ranges of caps
 };
 
 /// Appends the draws of one batch: every side and every cap, z-fail. Adjoining groups of opaque

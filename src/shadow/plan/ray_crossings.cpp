@@ -1,4 +1,4 @@
-#include "src/shadow/plan/layers.hpp"
+#include "src/shadow/plan/ray_crossings.hpp"
 
 #include "preprocess/volumes/clustering.hpp"
 
@@ -64,10 +64,10 @@ Crossing crossingOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3&
     return slope > 0.0 ? Crossing::towardsItsFront : Crossing::towardsItsBack;
 }
 
-std::optional<Layers> layersFrom(const glm::dvec3& start, const glm::dvec4& light,
-                                 std::span<const std::uint32_t> touched,
-                                 const AdaptedShadow& shadow, double rounding) {
-    Layers layers;
+std::optional<RayCrossings> crossingsFrom(const glm::dvec3& start, const glm::dvec4& light,
+                                          std::span<const std::uint32_t> touched,
+                                          const AdaptedShadow& shadow, double rounding) {
+    RayCrossings crossings;
     for (const std::uint32_t i : touched) {
         const CapRecord& cap = shadow.caps[i];
         const Crossing crossing = crossingOf(cornersOf(cap), start, light);
@@ -76,16 +76,16 @@ std::optional<Layers> layersFrom(const glm::dvec3& start, const glm::dvec4& ligh
         if (side == 0) return std::nullopt;
         if (crossing == Crossing::none) continue;
         const int inSpace = crossing == Crossing::towardsItsFront ? 1 : -1;
-        (side > 0 ? layers.lightFacing : layers.facingAway) += side * inSpace;
-        ++(inSpace > 0 ? layers.outwards : layers.inwards);
+        (side > 0 ? crossings.lightFacing : crossings.facingAway) += side * inSpace;
+        ++(inSpace > 0 ? crossings.outwards : crossings.inwards);
     }
-    return layers;
+    return crossings;
 }
 
-bool mayMeetRectangle(const LightPyramid& pyramid, const PyramidFaces& faces,
+bool mayMeetRectangle(const NearClipVolume& volume, const ClipVolumeFaces& faces,
                       const std::array<glm::dvec3, 3>& triangle) {
     if (faces.areBeforeRectangle(triangle)) return false;
-    const LightPyramid rectangle{pyramid.corners, glm::dvec4(pyramid.corners[0], 1.0)};
+    const NearClipVolume rectangle{volume.corners, glm::dvec4(volume.corners[0], 1.0)};
     return !areApart(rectangle, triangle);
 }
 
@@ -99,9 +99,9 @@ struct EdgeSign {
     }
 };
 
-/// Whether an edge that may be within the pyramid has a multiplicity other than 0. Edges that leave
+/// Whether an edge that may be within the volume has a multiplicity other than 0. Edges that leave
 /// it may lack triangles, so their sums say nothing.
-bool anySilhouette(std::vector<EdgeSign>& edges, const LightPyramid& pyramid) {
+bool anySilhouette(std::vector<EdgeSign>& edges, const NearClipVolume& volume) {
     std::sort(edges.begin(), edges.end(),
               [](const EdgeSign& p, const EdgeSign& q) { return p.before(q); });
     for (std::size_t i = 0; i < edges.size();) {
@@ -110,23 +110,23 @@ bool anySilhouette(std::vector<EdgeSign>& edges, const LightPyramid& pyramid) {
         for (; i < edges.size() && edges[i].a == first.a && edges[i].b == first.b; ++i)
             multiplicity += edges[i].sign;
         const glm::dvec3 a(first.a), b(first.b);
-        if (multiplicity != 0 && !areApart(pyramid, {a, b, b})) return true;
+        if (multiplicity != 0 && !areApart(volume, {a, b, b})) return true;
     }
     return false;
 }
 
 /// Calls `use` with each cap that its part's box or `faces` don't keep apart, until it says stop.
 template <class Use>
-void forCapsNear(const LightPyramid& pyramid, const PyramidFaces& faces,
+void forCapsNear(const NearClipVolume& volume, const ClipVolumeFaces& faces,
                  const ShadowCluster& cluster, const AdaptedShadow& shadow, Use use) {
     const auto isApart = [&](const Box& box) {
-        return faces.separate(box) || areApart(pyramid, box);
+        return faces.separate(box) || areApart(volume, box);
     };
     if (isApart(cluster.bounds)) return;
-    for (std::uint32_t p = 0; p < cluster.parts.count; ++p) {
-        if (isApart(shadow.parts[cluster.parts.first + p])) continue;
-        const std::uint32_t first = cluster.caps.first + p * partTriangles;
-        const std::uint32_t end = std::min(first + partTriangles, cluster.caps.end());
+    for (std::uint32_t p = 0; p < cluster.leaves.count; ++p) {
+        if (isApart(shadow.leaves[cluster.leaves.first + p])) continue;
+        const std::uint32_t first = cluster.caps.first + p * leafTriangles;
+        const std::uint32_t end = std::min(first + leafTriangles, cluster.caps.end());
         for (std::uint32_t i = first; i < end; ++i)
             if (!faces.separate(cornersOf(shadow.caps[i])) && use(i)) return;
     }
@@ -134,10 +134,10 @@ void forCapsNear(const LightPyramid& pyramid, const PyramidFaces& faces,
 
 } // namespace
 
-Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
+Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
                      const AdaptedShadow& shadow, std::size_t limit) {
     Touched touched;
-    forCapsNear(pyramid, PyramidFaces(pyramid), cluster, shadow, [&](std::uint32_t cap) {
+    forCapsNear(volume, ClipVolumeFaces(volume), cluster, shadow, [&](std::uint32_t cap) {
         touched.caps.push_back(cap);
         touched.tooMany = touched.caps.size() > limit;
         return touched.tooMany;
@@ -145,19 +145,19 @@ Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
     return touched;
 }
 
-bool anyCapTouches(const LightPyramid& pyramid, const ShadowCluster& cluster,
+bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
                    const AdaptedShadow& shadow) {
     bool any = false;
-    forCapsNear(pyramid, PyramidFaces(pyramid), cluster, shadow, [&](std::uint32_t cap) {
-        any = !areApart(pyramid, cornersOf(shadow.caps[cap]));
+    forCapsNear(volume, ClipVolumeFaces(volume), cluster, shadow, [&](std::uint32_t cap) {
+        any = !areApart(volume, cornersOf(shadow.caps[cap]));
         return any;
     });
     return any;
 }
 
-std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
-                                          std::span<const std::uint32_t> touched,
-                                          const AdaptedShadow& shadow, double rounding) {
+std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
+                                                   std::span<const std::uint32_t> touched,
+                                                   const AdaptedShadow& shadow, double rounding) {
     // Ways that meet an edge are undecided, but not from every point.
     constexpr std::array<glm::dvec2, 6> places = {{{0.5, 0.5},
                                                    {0.387, 0.561},
@@ -165,26 +165,26 @@ std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
                                                    {0.271, 0.317},
                                                    {0.717, 0.659},
                                                    {0.441, 0.191}}};
-    const auto& corners = pyramid.corners;
+    const auto& corners = volume.corners;
     for (const glm::dvec2& place : places) {
         const glm::dvec3 start =
             corners[0] + place.x * (corners[1] - corners[0]) + place.y * (corners[3] - corners[0]);
-        const auto layers = layersFrom(start, pyramid.light, touched, shadow, rounding);
-        if (layers) return layers;
+        const auto crossings = crossingsFrom(start, volume.light, touched, shadow, rounding);
+        if (crossings) return crossings;
     }
     return std::nullopt;
 }
 
-Evenness evennessOf(const LightPyramid& pyramid, std::span<const std::uint32_t> touched,
+Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
                     const AdaptedShadow& shadow, double rounding) {
-    const PyramidFaces faces(pyramid);
+    const ClipVolumeFaces faces(volume);
     std::vector<EdgeSign> edges;
     edges.reserve(3 * touched.size());
     for (const std::uint32_t i : touched) {
         const CapRecord& cap = shadow.caps[i];
         const std::array<glm::dvec3, 3> corners = cornersOf(cap);
-        if (mayMeetRectangle(pyramid, faces, corners)) return Evenness::rectangleMet;
-        const int side = certainSide(cap.plane, pyramid.light, rounding);
+        if (mayMeetRectangle(volume, faces, corners)) return Evenness::rectangleMet;
+        const int side = certainSide(cap.plane, volume.light, rounding);
         if (side == 0) return Evenness::uncertain;
         const std::array<glm::vec3, 3> ends = {cap.a, cap.b, cap.c};
         for (std::size_t e = 0; e < 3; ++e) {
@@ -194,7 +194,7 @@ Evenness evennessOf(const LightPyramid& pyramid, std::span<const std::uint32_t> 
                 {forward ? ends[e] : ends[f], forward ? ends[f] : ends[e], forward ? side : -side});
         }
     }
-    return anySilhouette(edges, pyramid) ? Evenness::outlineMet : Evenness::even;
+    return anySilhouette(edges, volume) ? Evenness::outlineMet : Evenness::even;
 }
 
 } // namespace edgeshade

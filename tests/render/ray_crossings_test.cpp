@@ -1,6 +1,6 @@
-// Layers between a near rectangle and a light: where they are said to be even, every point of the
-// rectangle must be within as many volumes as any other, by counting in the plainest way.
-#include "src/shadow/plan/layers.hpp"
+// RayCrossings between a near rectangle and a light: where they are said to be even, every point of
+// the rectangle must be within as many volumes as any other, by counting in the plainest way.
+#include "src/shadow/plan/ray_crossings.hpp"
 
 #include "src/shadow/silhouette/light_facings.hpp"
 #include "tests/support/small_soups.hpp"
@@ -49,7 +49,7 @@ Soup anySoup(Random& random) {
 
 } // namespace
 
-TEST(Layers, WhereTheyAreEvenEveryPointHasAsMany) {
+TEST(RayCrossings, WhereTheyAreEvenEveryPointHasAsMany) {
     Random random(5);
     std::size_t even = 0, within = 0, uneven = 0;
     for (int i = 0; i < 60'000; ++i) {
@@ -59,8 +59,8 @@ TEST(Layers, WhereTheyAreEvenEveryPointHasAsMany) {
         const glm::dvec3 up = random.inCube() * random.magnitude(-4, -0.5);
         const bool sun = random.below(3) == 0;
         const glm::dvec4 light(glm::dvec3(glm::vec3(3.0 * random.inCube())), !sun);
-        const LightPyramid pyramid{{{corner, corner + right, corner + right + up, corner + up}},
-                                   light};
+        const NearClipVolume pyramid{{{corner, corner + right, corner + right + up, corner + up}},
+                                     light};
         for (const ShadowCluster& cluster : shadow.clusters) {
             const Touched touched = capsTouching(pyramid, cluster, shadow);
             if (touched.caps.empty()) continue;
@@ -68,15 +68,16 @@ TEST(Layers, WhereTheyAreEvenEveryPointHasAsMany) {
                 ++uneven;
                 continue;
             }
-            const auto layers = layersFromSomePoint(pyramid, touched.caps, shadow, dotRounding(23));
-            if (!layers) continue;
+            const auto crossings =
+                crossingsFromSomePoint(pyramid, touched.caps, shadow, dotRounding(23));
+            if (!crossings) continue;
             ++even;
-            within += layers->all() > 0;
+            within += crossings->all() > 0;
             for (int k = 0; k < 4; ++k) {
                 const double s = random.uniform(0, 1), t = random.uniform(0, 1);
                 const glm::dvec3 start = corner + s * right + t * up;
-                ASSERT_EQ(layers->all(), trianglesOnTheWay(shadow, cluster, start, light));
-                ASSERT_EQ(layers->all(), layers->outwards + layers->inwards);
+                ASSERT_EQ(crossings->all(), trianglesOnTheWay(shadow, cluster, start, light));
+                ASSERT_EQ(crossings->all(), crossings->outwards + crossings->inwards);
             }
         }
     }
@@ -86,30 +87,30 @@ TEST(Layers, WhereTheyAreEvenEveryPointHasAsMany) {
     EXPECT_GT(uneven, 3'000u);
 }
 
-TEST(Layers, OfASilhouetteAreUneven) {
+TEST(RayCrossings, OfASilhouetteAreUneven) {
     // One triangle, its edge over the middle of the rectangle.
     const AdaptedShadow shadow = shadowOf({{{0, 1, -5}, {0, 1, 5}, {5, 1, 0}}, {0, 1, 2}});
-    const LightPyramid pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
+    const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
     const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
     EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::outlineMet);
 }
 
-TEST(Layers, OfATriangleThroughTheRectangleAreUneven) {
+TEST(RayCrossings, OfATriangleThroughTheRectangleAreUneven) {
     const AdaptedShadow shadow = shadowOf({{{-9, -1, -9}, {9, -1, -9}, {0, 2, 9}}, {0, 1, 2}});
-    const LightPyramid pyramid{{{{-1, 0, -4}, {1, 0, -4}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
+    const NearClipVolume pyramid{{{{-1, 0, -4}, {1, 0, -4}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
     const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
     EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::rectangleMet);
 }
 
-TEST(Layers, OfALightInATrianglesPlaneAreUncertain) {
+TEST(RayCrossings, OfALightInATrianglesPlaneAreUncertain) {
     const AdaptedShadow shadow = shadowOf({{{-9, 1, -9}, {9, 1, -9}, {0, 1, 9}}, {0, 1, 2}});
-    const LightPyramid pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 1, 0, 1}};
+    const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 1, 0, 1}};
     const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
     EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::uncertain);
-    EXPECT_FALSE(layersFromSomePoint(pyramid, touched.caps, shadow, dotRounding(23)));
+    EXPECT_FALSE(crossingsFromSomePoint(pyramid, touched.caps, shadow, dotRounding(23)));
 }
 
-TEST(Layers, TooManyTrianglesAreNotCounted) {
+TEST(RayCrossings, TooManyTrianglesAreNotCounted) {
     Soup stack;
     for (int i = 0; i < 2000; ++i) {
         const float y = 1.0f + 0.001f * static_cast<float>(i);
@@ -118,7 +119,7 @@ TEST(Layers, TooManyTrianglesAreNotCounted) {
         stack.indices.insert(stack.indices.end(), {first, first + 1, first + 2});
     }
     const AdaptedShadow shadow = shadowOf(stack);
-    const LightPyramid pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
+    const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
     std::size_t touched = 0;
     bool tooMany = false;
     for (const ShadowCluster& cluster : shadow.clusters) {

@@ -16,7 +16,7 @@ struct PairList {
 /// (docs/method.md, C24): every pair that is not listed has multiplicity 0 in all of them,
 /// whichever of its triangles count. Single records are silhouettes in any light but one in their
 /// plane, so none is left out. The vertex shader alone judges what is listed.
-struct Proposal {
+struct SilhouetteList {
     PairList certain;   ///< silhouettes in any light of the ball: multiplicity ±2 if all count
     PairList uncertain; ///< silhouettes in some, maybe
     std::vector<std::int8_t> facings; ///< of caps, see LightFacings
@@ -37,15 +37,15 @@ bool isInSomePlane(const AdaptedShadow& shadow, const PairList& list, const glm:
                    int mantissaBits);
 
 /// How many caps of a cluster may face the light.
-std::uint32_t lightFacingCapCount(const Proposal& proposal, const ShadowCluster& cluster);
+std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster);
 
-/// Whether a cap with this facing, of Proposal::facings, may face the light.
+/// Whether a cap with this facing, of SilhouetteList::facings, may face the light.
 inline bool mayFaceTheLight(std::int8_t facing) {
     return facing >= 0;
 }
 
 /// Fills in `proposal`, whose memory it uses again. `facings` must be those of the shadow.
-void propose(const AdaptedShadow& shadow, const LightFacings& facings, const LightBall& ball,
-             int mantissaBits, Proposal& proposal);
+void listSilhouettes(const AdaptedShadow& shadow, const LightFacings& facings,
+                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal);
 
 } // namespace edgeshade

@@ -1,6 +1,6 @@
-// Proposals (docs/method.md, C24): no record that is left out may have a multiplicity other than 0
-// for any light of the ball.
-#include "src/shadow/silhouette/proposal.hpp"
+// Lists of potential silhouettes (docs/method.md, C24): no record that is left out may have a
+// multiplicity other than 0 for any light of the ball.
+#include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include "tests/support/adapted_chain.hpp"
 #include "tests/support/rounded_arithmetic.hpp"
@@ -17,9 +17,9 @@ using test::Random;
 using test::shadowOf;
 using test::Soup;
 
-Proposal proposalFor(const AdaptedShadow& shadow, const LightBall& ball, int mantissaBits = 23) {
-    Proposal proposal;
-    propose(shadow, LightFacings(shadow), ball, mantissaBits, proposal);
+SilhouetteList listFor(const AdaptedShadow& shadow, const LightBall& ball, int mantissaBits = 23) {
+    SilhouetteList proposal;
+    listSilhouettes(shadow, LightFacings(shadow), ball, mantissaBits, proposal);
     return proposal;
 }
 
@@ -81,8 +81,8 @@ class Listed {
 
 /// Silhouettes that a proposal leaves out, for any way to count that the cluster allows, and pairs
 /// that it wrongly takes for certain ones.
-std::size_t missed(const AdaptedShadow& shadow, const Proposal& proposal, const glm::vec4& light,
-                   std::size_t& checked) {
+std::size_t missed(const AdaptedShadow& shadow, const SilhouetteList& proposal,
+                   const glm::vec4& light, std::size_t& checked) {
     std::size_t wrong = 0;
     for (std::size_t c = 0; c < shadow.clusters.size(); ++c) {
         const ShadowCluster& cluster = shadow.clusters[c];
@@ -107,7 +107,7 @@ std::size_t missed(const AdaptedShadow& shadow, const Proposal& proposal, const 
 
 } // namespace
 
-TEST(Proposal, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
+TEST(SilhouetteList, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
     constexpr std::size_t leftOut = 100'000'000;
     Random random(17);
     std::size_t checked = 0, wrong = 0, all = 0, inNoPlane = 0;
@@ -116,7 +116,7 @@ TEST(Proposal, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
         if (shadow.pairs.empty()) continue;
         for (int ball = 0; ball < 20; ++ball) {
             const LightBall lights = ballFor(shadow, random);
-            const Proposal proposal = proposalFor(shadow, lights);
+            const SilhouetteList proposal = listFor(shadow, lights);
             for (int i = 0; i < 50; ++i) {
                 const glm::vec4 light = lightIn(lights, random);
                 wrong += missed(shadow, proposal, light, checked);
@@ -146,7 +146,7 @@ std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
         if (shadow.pairs.empty()) continue;
         for (int i = 0; i < 20; ++i) {
             const LightBall ball = ballFor(shadow, random);
-            const Proposal proposal = proposalFor(shadow, ball, 16);
+            const SilhouetteList proposal = listFor(shadow, ball, 16);
             const glm::vec4 lightAt = lightIn(ball, random);
             const typename Shaders::vec4 light(lightAt);
             std::vector<bool> certain(shadow.pairs.size()), uncertain(shadow.pairs.size());
@@ -176,14 +176,14 @@ std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
     return wrong;
 }
 
-TEST(Proposal, LeavesOutNoSilhouetteOnADeviceOf16Bits) {
+TEST(SilhouetteList, LeavesOutNoSilhouetteOnADeviceOf16Bits) {
     using rounded_arithmetic::Rounding;
     EXPECT_EQ(missedWith16Bits<Rounding::nearest>(18, 1'000'000), 0u);
     EXPECT_EQ(missedWith16Bits<Rounding::towardsZero>(19, 1'000'000), 0u);
     EXPECT_EQ(missedWith16Bits<Rounding::down>(20, 1'000'000), 0u);
 }
 
-TEST(Proposal, OfALightAtRestIsNextToWhatItMust) {
+TEST(SilhouetteList, OfALightAtRestIsNextToWhatItMust) {
     // A closed ball: the records that are listed are those with a multiplicity.
     Soup ball;
     constexpr int rings = 40, sectors = 80;
@@ -204,27 +204,26 @@ TEST(Proposal, OfALightAtRestIsNextToWhatItMust) {
     std::size_t silhouettes = 0;
     for (const PairRecord& pair : shadow.pairs)
         silhouettes += test::multiplicityOf(pair, light, test::countAll) != 0;
-    const std::size_t listed = proposalFor(shadow, {light, 0.0f}).size();
+    const std::size_t listed = listFor(shadow, {light, 0.0f}).size();
     EXPECT_EQ(listed, silhouettes);
     EXPECT_LT(10 * listed, shadow.pairs.size());
-    const std::size_t ofBall = proposalFor(shadow, {light, 0.05f}).size();
+    const std::size_t ofBall = listFor(shadow, {light, 0.05f}).size();
     EXPECT_GT(ofBall, listed);
     EXPECT_LT(5 * ofBall, shadow.pairs.size());
 }
 
-TEST(Proposal, KeepsMoreWhereFloatsHaveFewerBits) {
+TEST(SilhouetteList, KeepsMoreWhereFloatsHaveFewerBits) {
     const AdaptedShadow shadow = shadowOf(test::cube());
     // Next to the plane of a face, nearer than 16 bits tell.
     const LightBall ball{{0.5f, 1.00001f, 3.0f, 1.0f}, 0.0f};
-    EXPECT_GT(proposalFor(shadow, ball, 16).size(), proposalFor(shadow, ball, 23).size());
+    EXPECT_GT(listFor(shadow, ball, 16).size(), listFor(shadow, ball, 23).size());
 }
 
-TEST(Proposal, OfWhatIsNotFiniteLeavesNothingOut) {
+TEST(SilhouetteList, OfWhatIsNotFiniteLeavesNothingOut) {
     const AdaptedShadow shadow = shadowOf(test::cube());
     const float infinity = std::numeric_limits<float>::infinity();
     for (const float value : {infinity, std::numeric_limits<float>::quiet_NaN()})
-        EXPECT_EQ(proposalFor(shadow, {{value, value, -value, 1}, 0.0f}).size(),
-                  shadow.pairs.size());
+        EXPECT_EQ(listFor(shadow, {{value, value, -value, 1}, 0.0f}).size(), shadow.pairs.size());
 }
 
 TEST(LightTrack, MakesNothingAnewForALightAtRest) {

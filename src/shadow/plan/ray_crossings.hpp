@@ -9,24 +9,24 @@
 
 namespace edgeshade {
 
-/// Where more triangles than these stand in a pyramid, counting them is not worth it.
+/// Where more triangles than these stand in a volume, counting them is not worth it.
 inline constexpr std::size_t mostTouched = 512;
 
-/// Caps of one cluster that may meet a pyramid: all that do, and few others.
+/// Caps of one cluster that may meet a volume: all that do, and few others.
 struct Touched {
     std::vector<std::uint32_t> caps; ///< ascending
     bool tooMany = false;            ///< there may be more
 };
-Touched capsTouching(const LightPyramid& pyramid, const ShadowCluster& cluster,
+Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
                      const AdaptedShadow& shadow, std::size_t limit = mostTouched);
 
 /// Whether any of them may: separated as well as areApart() can.
-bool anyCapTouches(const LightPyramid& pyramid, const ShadowCluster& cluster,
+bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
                    const AdaptedShadow& shadow);
 
 /// How many triangles of a cluster a way to the light crosses, each by the sign that its plane has
 /// (docs/method.md, C13): a prism that is turned inside out by its plane's sign counts -1.
-struct Layers {
+struct RayCrossings {
     int lightFacing = 0; ///< what is counted of triangles with sign 1
     int facingAway = 0;  ///< with sign -1
     // By the corners, whatever the plane's sign is:
@@ -36,26 +36,26 @@ struct Layers {
     int all() const { return lightFacing + facingAway; }
 };
 
-/// The layers between a point of the pyramid's rectangle and its light. `touched`: the caps that
+/// The crossings between a point of the volume's rectangle and its light. `touched`: the caps that
 /// meet it. Nothing where rounding may decide: a light next to a triangle's plane, for instance.
 /// `rounding`: of the shaders' dot products, dotRounding().
-std::optional<Layers> layersFromSomePoint(const LightPyramid& pyramid,
-                                          std::span<const std::uint32_t> touched,
-                                          const AdaptedShadow& shadow, double rounding);
+std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
+                                                   std::span<const std::uint32_t> touched,
+                                                   const AdaptedShadow& shadow, double rounding);
 
-/// Whether the number of layers between a rectangle and a light may differ from point to point.
+/// Whether the number of crossings between a rectangle and a light may differ from point to point.
 enum class Evenness {
     even,         ///< it is the same
     rectangleMet, ///< a triangle may cross the rectangle itself
-    outlineMet,   ///< a silhouette edge may cross the pyramid
+    outlineMet,   ///< a silhouette edge may cross the volume
     uncertain,    ///< rounding may decide
 };
 
-/// Whether the layers are the same for every point of the rectangle: the volume's boundary, made of
-/// the triangles and of silhouettes drawn out away from the light, doesn't meet it. A silhouette
-/// that crosses the rectangle does so behind an edge that is within the pyramid; and with every
+/// Whether the crossings are the same for every point of the rectangle: the volume's boundary, made
+/// of the triangles and of silhouettes drawn out away from the light, doesn't meet it. A silhouette
+/// that crosses the rectangle does so behind an edge that is within the volume; and with every
 /// triangle on such an edge being touched as well, their signs alone tell which edges those are.
-Evenness evennessOf(const LightPyramid& pyramid, std::span<const std::uint32_t> touched,
+Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
                     const AdaptedShadow& shadow, double rounding);
 
 } // namespace edgeshade

@@ -1,4 +1,4 @@
-#include "src/shadow/silhouette/proposal.hpp"
+#include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,14 +63,14 @@ bool isInSomePlane(const AdaptedShadow& shadow, const PairList& list, const glm:
     });
 }
 
-std::uint32_t lightFacingCapCount(const Proposal& proposal, const ShadowCluster& cluster) {
+std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster) {
     const auto first = proposal.facings.begin() + cluster.caps.first;
     return static_cast<std::uint32_t>(
         std::count_if(first, first + cluster.caps.count, mayFaceTheLight));
 }
 
-void propose(const AdaptedShadow& shadow, const LightFacings& facings, const LightBall& ball,
-             int mantissaBits, Proposal& proposal) {
+void listSilhouettes(const AdaptedShadow& shadow, const LightFacings& facings,
+                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal) {
     facings.find(ball, mantissaBits, proposal.facings);
     Appender certain(proposal.certain, shadow.pairs.size());
     Appender uncertain(proposal.uncertain, shadow.pairs.size());
