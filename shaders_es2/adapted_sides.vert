@@ -69,7 +69,7 @@ void main() {
     vec4 p = pushed ? pushedTo(u_end, end, u_light) : vec4(end, 1.0);
     vec4 clip = rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, p));
 #ifdef CAP
-    if (!back) clip.z = clip.w; // at infinity, as cap_corner.glsl has it
+    if (!back) clip = movedToInfinity(clip);
 #endif
     // A useless vertex makes its triangle a point, which covers no pixel.
     gl_Position = abs(multiplicity) == u_times ? clip : vec4(0.0);

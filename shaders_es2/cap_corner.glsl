@@ -47,7 +47,5 @@ void emitCap(float v, float facing, vec3 a, vec3 b, vec3 c, vec4 light) {
     shifted = front && u_frontCapAtInfinity > 0.5;
     drawn = drawn && (front || u_frontCapAtInfinity > 0.5);
 #endif
-    // At infinity the front cap fails the depth test wherever its surface is visible or hidden,
-    // and never fights with that surface for depth.
-    gl_Position = drawn ? vec4(clip.xy, shifted ? clip.w : clip.z, clip.w) : vec4(0.0);
+    gl_Position = drawn ? (shifted ? movedToInfinity(clip) : clip) : vec4(0.0);
 }

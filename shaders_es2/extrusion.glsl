@@ -20,6 +20,13 @@ vec4 clipPosition(mat4 matrix, vec4 p) {
     return matrix[0] * p.x + matrix[1] * p.y + matrix[2] * p.z + matrix[3] * p.w;
 }
 
+// A front cap's vertex, moved along its line of sight to the far plane (docs/method.md, C10): there it
+// fails the depth test wherever its surface is visible or hidden, and never fights with that surface
+// for depth.
+vec4 movedToInfinity(vec4 clip) {
+    return vec4(clip.xy, clip.w, clip.w);
+}
+
 // 1 / 65536. Moves such a vertex by the same share of its distance.
 const float leastDepthShare = 0.0000152587890625;
 
