@@ -81,15 +81,15 @@ void sortAlongCurve(TriangleCluster& cluster, const WeldedMesh& mesh) {
         cluster.triangles[i] = order[i].second;
 }
 
-std::vector<Box> partsOf(const TriangleCluster& cluster, const WeldedMesh& mesh) {
-    std::vector<Box> parts;
+std::vector<Box> leavesOf(const TriangleCluster& cluster, const WeldedMesh& mesh) {
+    std::vector<Box> leaves;
     for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
-        if (i % leafTriangles == 0) parts.emplace_back();
+        if (i % leafTriangles == 0) leaves.emplace_back();
         const Box box = boxOf(mesh, mesh.triangles[cluster.triangles[i]]);
-        parts.back().add(box.low);
-        parts.back().add(box.high);
+        leaves.back().add(box.low);
+        leaves.back().add(box.high);
     }
-    return parts;
+    return leaves;
 }
 
 /// Gives the clusters their triangles' edges, in linear time.

@@ -253,7 +253,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
     // A box between eye and light.
     appendShell(boxAround({1, 1.5, -0.5}, 0.1), shadow.caps);
     shadow.clusters[0].caps.count = 36;
-    shadow.clusters[0].parts.count = 2;
+    shadow.clusters[0].leaves.count = 2;
     shadow.leaves.push_back(cluster.bounds);
     draws = planVolumes(shadow, view).drawn;
     ASSERT_EQ(draws.size(), 1u);

@@ -1,5 +1,7 @@
 #include "src/viewer/orbit.hpp"
 
+#include "src/shadow/geometry/frustum.hpp"
+
 #include <gtest/gtest.h>
 
 namespace edgeshade::viewer {
