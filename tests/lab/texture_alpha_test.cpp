@@ -35,7 +35,7 @@ struct Fixture {
             image.rgba[4 * static_cast<std::size_t>(i) + 3] =
                 static_cast<std::uint8_t>(255 * i / (texels - 1));
         loaded.images.emplace(0, std::make_shared<const Image>(std::move(image)));
-        triangle.material = static_cast<std::uint32_t>(batch.groups.front().material);
+        triangle.material = static_cast<std::uint32_t>(batch.groups.back().material);
     }
 
     /// At a texture coordinate along the row, 0 to 4.
