@@ -33,10 +33,10 @@ struct Viewer::Parts {
             : capabilities(capabilities_), layout(settings.layout),
               renderers(settings, capabilities_) {}
 
-        VolumeTintPass& tintOf(const RenderSettings& settings) {
-            if (!tint || tintMethod != settings.multiplicity)
-                tint = std::make_unique<VolumeTintPass>(settings, capabilities);
-            tintMethod = settings.multiplicity;
+        VolumeTintPass& tintOf(const RenderSettings& drawn) {
+            if (!tint || tintMethod != drawn.multiplicity)
+                tint = std::make_unique<VolumeTintPass>(drawn, capabilities);
+            tintMethod = drawn.multiplicity;
             return *tint;
         }
 
