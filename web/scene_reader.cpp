@@ -23,7 +23,7 @@ void enter(const emscripten::val& onStage, LoadStage stage) {
 } // namespace
 
 std::string SceneReader::nameOfImage(int image) const {
-    return loaded_.document.where("images[" + std::to_string(image) + "]");
+    return loaded_.document->where("images[" + std::to_string(image) + "]");
 }
 
 std::string SceneReader::read(const std::string& name, const std::string& variant,
@@ -33,15 +33,15 @@ std::string SceneReader::read(const std::string& name, const std::string& varian
             name, std::nullopt, ReadingLimits(), [&](LoadStage stage) { enter(onStage, stage); },
             variant);
         enter(onStage, LoadStage::images);
-        memory_ = loaded_.document.memory;
-        choice_.emplace(loaded_.document, loaded_.scene);
+        memory_ = loaded_.document->memory;
+        choice_.emplace(*loaded_.document, loaded_.scene);
     });
 }
 
 std::string SceneReader::wantedImages() const {
     auto wanted = nlohmann::ordered_json::array();
     for (const int image : choice_->wanted()) {
-        const auto& source = loaded_.document.json["images"].at(static_cast<std::size_t>(image));
+        const auto& source = loaded_.document->json["images"].at(static_cast<std::size_t>(image));
         const bool named = source.contains("uri") && source["uri"].is_string();
         wanted.push_back(
             {{"image", image}, {"uri", named ? source["uri"].get<std::string>() : ""}});
@@ -52,7 +52,7 @@ std::string SceneReader::wantedImages() const {
 emscripten::val SceneReader::webpOf(int image) {
     webp_.clear();
     try {
-        Bytes bytes = encodedImageBytes(loaded_.document, image);
+        Bytes bytes = encodedImageBytes(*loaded_.document, image);
         if (imageTypeOf(bytes) == "image/webp") {
             requireStillWebp(bytes, nameOfImage(image));
             webp_ = std::move(bytes);
@@ -82,7 +82,7 @@ std::string SceneReader::decideImage(int image, const std::string& problem) {
             if (!problem.empty()) throw InputError(nameOfImage(image) + ": " + problem);
             if (!room_.rgba.empty())
                 return std::make_shared<const Image>(std::exchange(room_, Image()));
-            decodeImage(loaded_.document, image, memory_); // as the page will, which draws it
+            decodeImage(*loaded_.document, image, memory_); // as the page will, which draws it
             return nullptr;
         });
     });
@@ -107,7 +107,7 @@ std::string SceneReader::warnings() const {
 }
 
 std::string SceneReader::variants() const {
-    return nlohmann::ordered_json(variantNames(loaded_.document)).dump();
+    return nlohmann::ordered_json(variantNames(*loaded_.document)).dump();
 }
 
 } // namespace edgeshade::web

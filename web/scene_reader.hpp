@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/image/image_choice.hpp"
 #include "src/scene/load.hpp"
 
 #include <emscripten/val.h>

@@ -119,12 +119,12 @@ Bytes imagesAlone(const LoadedScene& loaded) {
     for (const Material& material : loaded.scene.materials) {
         if (material.image < 0 || loaded.images.contains(material.image)) continue;
         if (!json.contains("images"))
-            json["images"] = Json(loaded.document.json["images"].size(),
+            json["images"] = Json(loaded.document->json["images"].size(),
                                   {{"uri", "data:application/octet-stream;base64,AA=="}});
         const auto image = static_cast<std::size_t>(material.image);
         if (json["images"].at(image).contains("bufferView")) continue;
         const std::size_t view =
-            appendView(json, binary, encodedImageBytes(loaded.document, material.image));
+            appendView(json, binary, encodedImageBytes(*loaded.document, material.image));
         json["images"].at(image) = {{"bufferView", view}, {"mimeType", "image/png"}};
     }
     if (!binary.empty()) json["buffers"] = Json::array({{{"byteLength", binary.size()}}});
@@ -132,10 +132,10 @@ Bytes imagesAlone(const LoadedScene& loaded) {
 }
 
 Bytes documentFor(const LoadedScene& loaded) {
-    const Json& json = loaded.document.json;
+    const Json& json = loaded.document->json;
     if (!json.contains("animations") || json["animations"].empty()) return imagesAlone(loaded);
     Warnings ofImages; // those that are drawn are known to be sound
-    return packedGlb(loaded.document, loaded.scene, {}, Encoding::none, loaded.settings, ofImages);
+    return packedGlb(*loaded.document, loaded.scene, {}, Encoding::none, loaded.settings, ofImages);
 }
 
 std::vector<char> charactersOf(const std::string& text) {
@@ -151,7 +151,7 @@ std::string textOf(const std::vector<char>& characters) {
 Bytes toTransfer(const LoadedScene& loaded) {
     Bytes bytes;
     Writer writer(bytes);
-    writer(charactersOf(loaded.document.path.string()), documentFor(loaded), loaded.scene.batches,
+    writer(charactersOf(loaded.document->path.string()), documentFor(loaded), loaded.scene.batches,
            loaded.scene.animatedNodes, loaded.scene.materials, loaded.settings);
     for (const auto& shadow : loaded.adapted)
         transfer(writer, *shadow);
@@ -185,7 +185,7 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
         loaded.images[index] = std::make_shared<const Image>(std::move(image));
     }
     reader(warnings);
-    loaded.document = parseGltf(document, textOf(characters));
+    loaded.document = std::make_shared<const GltfDocument>(parseGltf(document, textOf(characters)));
     for (std::size_t i = 0; i < warnings; ++i) {
         reader(characters);
         loaded.scene.warnings.add(textOf(characters));

@@ -1,5 +1,7 @@
 #include "src/cli/caster_variants.hpp"
 
+#include "preprocess/gltf/gltf_document.hpp"
+
 #include <algorithm>
 
 namespace edgeshade::cli {
@@ -10,7 +12,7 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
     const auto found = std::find_if(others_.begin(), others_.end(),
                                     [&](const auto& other) { return other->settings == wanted; });
     if (found != others_.end()) return *found;
-    LoadedScene other = loadScene(path_, wanted, own_.document.memory.limits(), {}, own_.variant);
+    LoadedScene other = loadScene(path_, wanted, own_.document->memory.limits(), {}, own_.variant);
     other.images = own_.images; // the same pixels, kept once
     return others_.emplace_back(std::make_shared<const LoadedScene>(std::move(other)));
 }

@@ -73,7 +73,7 @@ void App::fitToWindow() {
 }
 
 void App::show(const std::filesystem::path& path, LoadedScene loaded) {
-    std::vector<std::string> variants = variantNames(loaded.document);
+    std::vector<std::string> variants = variantNames(*loaded.document);
     variants.insert(variants.begin(), "");
     const auto shown = std::find(variants.begin(), variants.end(), loaded.variant);
     const auto index =

@@ -3,15 +3,11 @@
 #include "preprocess/reading/texture_sources.hpp"
 #include "preprocess/scene/scene.hpp"
 #include "src/image/decode.hpp"
+#include "src/image/scene_images.hpp"
 
 #include <functional>
-#include <map>
-#include <memory>
 
 namespace edgeshade {
-
-/// Decoded images by their index in glTF.
-using SceneImages = std::map<int, std::shared_ptr<const Image>>;
 
 /// Decides which images a scene is drawn with: of each texture that its surfaces sample the best
 /// one that can be decoded. Others of the file are never asked for.

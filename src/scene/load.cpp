@@ -2,7 +2,9 @@
 
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/mesh/caster_simplification.hpp"
+#include "preprocess/packing/shadow_extension.hpp"
 #include "preprocess/reading/flatten.hpp"
+#include "src/image/image_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,22 +30,22 @@ LoadedScene readScene(const std::filesystem::path& path,
                       const std::function<void(LoadStage)>& onStage, const std::string& variant) {
     if (onStage) onStage(LoadStage::read);
     LoadedScene loaded;
-    loaded.document = readGltf(path, limits);
+    loaded.document = std::make_shared<const GltfDocument>(readGltf(path, limits));
     loaded.variant = variant;
-    const auto header = readShadowHeader(loaded.document);
+    const auto header = readShadowHeader(*loaded.document);
     loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
     if (onStage) onStage(LoadStage::flatten);
-    loaded.scene = flattenScene(loaded.document, loaded.settings.weldTolerance, variant);
+    loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, variant);
     return loaded;
 }
 
 void addShadows(LoadedScene& loaded) {
-    const auto header = readShadowHeader(loaded.document);
+    const auto header = readShadowHeader(*loaded.document);
     const bool fits = header && header->settings == loaded.settings;
     if (fits && loaded.variant.empty()) {
-        readCasters(loaded.document, *header, loaded.scene);
+        readCasters(*loaded.document, *header, loaded.scene);
         if (header->encoding != Encoding::none)
-            loaded.shadows = readShadows(loaded.document, *header, loaded.scene);
+            loaded.shadows = readShadows(*loaded.document, *header, loaded.scene);
     } else {
         simplifyCasters(loaded.scene, loaded.settings.casterError);
         if (header && !fits)
@@ -59,7 +61,7 @@ LoadedScene loadScene(const std::filesystem::path& path,
                       const std::function<void(LoadStage)>& onStage, const std::string& variant) {
     LoadedScene loaded = readScene(path, wanted, limits, onStage, variant);
     if (onStage) onStage(LoadStage::images);
-    loaded.images = decodeImages(loaded.document, loaded.scene);
+    loaded.images = decodeImages(*loaded.document, loaded.scene);
     if (onStage) onStage(LoadStage::shadows);
     addShadows(loaded);
     return loaded;
@@ -68,8 +70,8 @@ LoadedScene loadScene(const std::filesystem::path& path,
 std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image) {
     const auto found = loaded.images.find(image);
     if (found != loaded.images.end()) return found->second;
-    MemoryBudget memory = loaded.document.memory;
-    return std::make_shared<const Image>(decodeImage(loaded.document, image, memory));
+    MemoryBudget memory = loaded.document->memory;
+    return std::make_shared<const Image>(decodeImage(*loaded.document, image, memory));
 }
 
 namespace {

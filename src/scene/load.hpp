@@ -1,17 +1,21 @@
 #pragma once
 
-#include "preprocess/packing/shadow_extension.hpp"
+#include "preprocess/base/limits.hpp"
 #include "preprocess/volumes/adapted_data.hpp"
-#include "src/image/image_choice.hpp"
+#include "preprocess/volumes/shadow_data.hpp"
+#include "src/image/scene_images.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 
 namespace edgeshade {
 
+struct GltfDocument;
+
 /// A scene on the CPU, ready for the GPU.
 struct LoadedScene {
-    GltfDocument document;
+    std::shared_ptr<const GltfDocument> document; ///< null: the scene comes from no file
     Scene scene;
     SceneImages images; ///< of the materials' images those whose pixels are at hand
     std::vector<std::shared_ptr<const AdaptedShadow>> adapted; ///< one a batch

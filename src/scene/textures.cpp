@@ -1,5 +1,7 @@
 #include "src/scene/textures.hpp"
 
+#include "src/image/decode.hpp"
+
 #include <array>
 #include <GLES2/gl2.h>
 

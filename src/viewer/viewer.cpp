@@ -222,7 +222,8 @@ Viewer::~Viewer() = default;
 
 void Viewer::show(LoadedScene scene) {
     Parts& parts = *parts_;
-    std::optional<Animation> animation = readAnimation(scene.document, scene.scene.warnings);
+    std::optional<Animation> animation;
+    if (scene.document) animation = readAnimation(*scene.document, scene.scene.warnings);
     std::optional<GpuScene> uploaded;
     if (parts.gpu)
         uploaded =

@@ -11,7 +11,7 @@ namespace {
 LoadedScene read(const GltfBuilder& gltf, bool castMasked) {
     GltfDocument document = parseGltf(gltf.glb(), "extreme.glb");
     LoadedScene result = loaded(flattenScene(document, 0.0), castMasked);
-    result.document = std::move(document);
+    result.document = std::make_shared<const GltfDocument>(std::move(document));
     return result;
 }
 

@@ -1,5 +1,6 @@
 #include "web/scene_transfer.hpp"
 
+#include "preprocess/gltf/gltf_document.hpp"
 #include "src/scene/load.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -39,9 +40,9 @@ TEST(SceneTransfer, PicturesInUseGoAlong) {
         SCOPED_TRACE(animated);
         const LoadedScene scene = transferred(animated);
         EXPECT_EQ(scene.scene.triangleCount(), 24u);
-        ASSERT_EQ(scene.document.json["images"].size(), 3u);
+        ASSERT_EQ(scene.document->json["images"].size(), 3u);
         for (const int image : {0, 2})
-            EXPECT_EQ(encodedImageBytes(scene.document, image), withMark(smallPng(), image));
+            EXPECT_EQ(encodedImageBytes(*scene.document, image), withMark(smallPng(), image));
     }
 }
 

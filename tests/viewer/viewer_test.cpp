@@ -260,8 +260,8 @@ LoadedScene movingScene(const std::string& path, const std::vector<float>& value
         {{"channels", {{{"sampler", 0}, {"target", {{"node", animatedNode}, {"path", path}}}}}},
          {"samplers", {{{"input", times}, {"output", gltf.addArray(values, 3)}}}}}};
     LoadedScene loaded;
-    loaded.document = parseGltf(gltf.glb(), "moving.glb");
-    loaded.scene = flattenScene(loaded.document, 0.0);
+    loaded.document = std::make_shared<const GltfDocument>(parseGltf(gltf.glb(), "moving.glb"));
+    loaded.scene = flattenScene(*loaded.document, 0.0);
     loaded.adapted = buildAdapted(loaded.scene, false);
     return loaded;
 }
@@ -285,7 +285,7 @@ TEST_F(Animated, ABatchIsWhereItsNodeIsAndSoIsItsShadow) {
     const Pixels half = picture();
     LoadedScene there = movingScene("translation", {1, 1, 0, 1, 1, 0});
     Warnings none;
-    const auto pose = poseAt(readAnimation(there.document, none).value(), there.scene, 0.0);
+    const auto pose = poseAt(readAnimation(*there.document, none).value(), there.scene, 0.0);
     for (std::size_t b = 0; b < pose.size(); ++b)
         there.scene.batches[b].worldFromBatch = pose[b].value();
     EXPECT_EQ(differing(half, plain(there.scene)), 0u);
