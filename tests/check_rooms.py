@@ -30,8 +30,9 @@ GL = ("GLES2/", "EGL/", "GLFW/", "emscripten")
 JSON = ("nlohmann/", "tiny_gltf.h")
 PURE = ROOMS[:9]                      # neither GL nor JSON
 NO_GL = ROOMS[:13]
-# tinygltf's model is for who reads documents; others see JSON at most.
-TINYGLTF = ("preprocess/gltf", "preprocess/reading")
+# Nor do these see JSON: what draws and what judges know nothing of files.
+NO_FILES = PURE + ("src/gl",) + tuple(
+    room for room in ROOMS if room.startswith(("src/render/", "src/lab", "src/bench", "src/plot")))
 
 INCLUDE = re.compile(r'^\s*#include\s+(?:"([^"]+)"|<([^>]+)>)', re.M)
 
@@ -114,7 +115,7 @@ def faults(includes):
                 way = f"{path} sees <{library}>" + ("" if header == path else f" by {header}")
                 if here in NO_GL and library.startswith(GL):
                     yield way + f"; {here} knows nothing of GL."
-                if here in PURE and library.startswith(JSON):
+                if here in NO_FILES and library.startswith(JSON):
                     yield way + f"; {here} knows nothing of files."
 
 
