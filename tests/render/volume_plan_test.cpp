@@ -373,6 +373,15 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
     EXPECT_GT(withoutBackCaps, 100u);
 }
 
+TEST(VolumePlan, CastersWithHolesTakeNoFans) {
+    const auto draws = planFor(clusterAt({0, 0, -5}, 0.5, false, true), {2, 9, -3, 1});
+    ASSERT_EQ(draws.size(), 1u);
+    EXPECT_EQ(draws[0].caps, CapsNeeded::seenThrough);
+    EXPECT_TRUE(draws[0].frontCaps);
+    EXPECT_FALSE(draws[0].nearDiscard);
+    EXPECT_FALSE(draws[0].fannedCaps);
+}
+
 TEST(VolumePlan, EndsHaveTheEyeAndAllThatIsVisibleOnTheLightsSide) {
     Random random(12);
     std::size_t ends = 0;
