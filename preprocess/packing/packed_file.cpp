@@ -43,21 +43,23 @@ Json fallbackBuffer(Json buffer) {
 }
 
 /// Lets views end with their buffer. What goes past it can't be read and would go on in the bytes
-/// of another once buffers are joined. Throws InputError where the view's length says what is
-/// compressed.
+/// of another once buffers are joined; a view wholly past it begins in its last word, as aligned as
+/// it was. Throws InputError where the view's length says what is compressed.
 void cutViews(const GltfDocument& document, Json& json) {
     for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
         Json& view = json["bufferViews"][i];
         const Json& buffer = json["buffers"][view["buffer"].get<std::size_t>()];
         const auto end = buffer["byteLength"].get<std::uint64_t>();
-        const auto offset = std::min(view.value("byteOffset", std::uint64_t{0}), end);
-        if (view["byteLength"].get<std::uint64_t>() <= end - offset) continue;
+        const auto length = view["byteLength"].get<std::uint64_t>();
+        auto offset = view.value("byteOffset", std::uint64_t{0});
+        if (offset <= end && length <= end - offset) continue;
+        if (offset > end) offset = end - end % 4;
         if (document.decodedViews[i])
             throw InputError(document.where("bufferViews[") + std::to_string(i) +
                              "] ends past buffer " + view["buffer"].dump() + ", which has " +
                              std::to_string(end) + " bytes.");
-        if (offset != 0) view["byteOffset"] = offset;
-        view["byteLength"] = end - offset;
+        view["byteOffset"] = offset;
+        view["byteLength"] = std::min(length, end - offset);
     }
 }
 
