@@ -119,9 +119,9 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
     const ExactTriangle surface(oracle.triangles()[own]);
     const Vector point = origin + nearest->t * direction;
     const glm::dvec3 roundedPoint = ray.at(nearest->t.convert_to<double>());
-    const Vector fromViewer =
-        question.frustum.orthographic ? Vector(question.frustum.forward()) : surface.a;
-    const int eyeSide = -signOf(dot(surface.normal, fromViewer));
+    const glm::dvec4& eye = oracle.eye();
+    const int eyeSide =
+        signOf(dot(surface.normal, Vector(glm::dvec3(eye)) - Rational(eye.w) * surface.a));
     verdict.answer.surface = true;
     for (std::size_t i = 0; i < question.lights.size(); ++i) {
         const glm::dvec4 light = oracle.lightFromEye(i);

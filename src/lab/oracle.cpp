@@ -180,21 +180,23 @@ PixelRay pixelRay(const Question& question, double x, double y) {
 }
 
 Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
-    : question_(question), alpha_(alpha),
-      triangles_(eyeTriangles(*question.scene, question.frustum.position(), question.castMasked)),
+    : question_(question), position_(question.frustum.position()),
+      eye_(fromPosition(question.frustum.eye())), alpha_(alpha),
+      triangles_(eyeTriangles(*question.scene, position_, question.castMasked)),
       tree_(std::make_unique<Tree>(triangles_)) {}
 
 Oracle::~Oracle() = default;
 
+glm::dvec4 Oracle::fromPosition(const glm::dvec4& point) const {
+    return {glm::dvec3(point) - position_ * point.w, point.w};
+}
+
 glm::dvec4 Oracle::lightFromEye(std::size_t light) const {
-    const glm::dvec4& position = question_.lights[light].position;
-    return {glm::dvec3(position) - question_.frustum.position() * position.w, position.w};
+    return fromPosition(question_.lights[light].position);
 }
 
 double Oracle::eyeSide(const EyeTriangle& triangle) const {
-    const glm::dvec3 normal = normalOf(triangle);
-    return question_.frustum.orthographic ? -glm::dot(normal, question_.frustum.forward())
-                                          : -glm::dot(normal, triangle.a);
+    return glm::dot(normalOf(triangle), glm::dvec3(eye_) - triangle.a * eye_.w);
 }
 
 double Oracle::rangeOf(std::size_t light) const {

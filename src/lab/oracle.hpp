@@ -107,8 +107,10 @@ class Oracle {
 
     /// The light relative to the camera's position, homogeneous.
     glm::dvec4 lightFromEye(std::size_t light) const;
-    /// Which side of the triangle its viewer is on, by the order of its corners; as large as
-    /// normalOf() times a distance, or a direction of length 1.
+    /// Where lines of sight come from, likewise: Frustum::eye().
+    const glm::dvec4& eye() const { return eye_; }
+    /// Which side of the triangle that is on, by the order of its corners; as large as normalOf()
+    /// times a distance, or a direction of length 1.
     double eyeSide(const EyeTriangle& triangle) const;
     /// Its range; infinite for suns.
     double rangeOf(std::size_t light) const;
@@ -122,7 +124,12 @@ class Oracle {
     bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError,
                    const glm::dvec4& light, bool& certain) const;
 
+    /// A homogeneous point of the world relative to the camera's position.
+    glm::dvec4 fromPosition(const glm::dvec4& point) const;
+
     Question question_;
+    glm::dvec3 position_; ///< the camera's
+    glm::dvec4 eye_;
     AlphaLookup alpha_;
     std::vector<EyeTriangle> triangles_;
     std::unique_ptr<Tree> tree_;

@@ -52,8 +52,7 @@ std::size_t Renderers::mapBytes() const {
 std::size_t Renderers::volumeBytes() const {
     std::size_t total = 0;
     for (const auto& [key, renderer] : renderers_)
-        if (renderer && renderer->volumes())
-            total += renderer->volumes()->sideBytes() + renderer->volumes()->capBytes();
+        if (renderer && renderer->volumes()) total += renderer->volumes()->bytes();
     return total;
 }
 

@@ -75,8 +75,7 @@ class Renderer {
 
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() +
-               (volumes_ ? volumes_->sideBytes() + volumes_->capBytes() : 0);
+        return mapBytes() + maskBytes() + (volumes_ ? volumes_->bytes() : 0);
     }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or

@@ -1,6 +1,7 @@
 #include "src/render/frame/volume_tint_pass.hpp"
 
 #include "src/gl/scissor.hpp"
+#include "src/render/volumes/stencil_count.hpp"
 #include "src/render/volumes/volume_counter.hpp"
 
 #include <GLES2/gl2.h>
@@ -23,9 +24,7 @@ void VolumeTintPass::draw(GpuScene& scene, const FrameView& view, const FramePla
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glEnable(GL_STENCIL_TEST);
-    glStencilMask(0xFF);
-    glClearStencil(0);
-    glClear(GL_STENCIL_BUFFER_BIT);
+    clearStencil();
     // From near to far, slices claim the pixels that show what they hold: larger numbers first, so
     // that GEQUAL leaves out what a nearer one has.
     for (std::size_t s = plan.slices.size(); s-- > 0 && light < plan.slices[s].lights.size();) {

@@ -63,6 +63,7 @@ class VolumeRenderer {
     // Memory on the GPU beyond the scene's:
     virtual std::size_t sideBytes() const { return 0; }
     virtual std::size_t capBytes() const { return 0; }
+    std::size_t bytes() const { return sideBytes() + capBytes(); }
 };
 
 } // namespace edgeshade

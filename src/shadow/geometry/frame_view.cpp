@@ -17,11 +17,9 @@ constexpr double orthographicMargin = 1e-2;
 /// The depths of all of the scene, with some room.
 DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
     if (bounds.empty()) return {1.0, 2.0};
-    DepthRange range;
-    for (int corner = 0; corner < 8; ++corner)
-        range.add(depthOf(frustum, bounds.corner(corner)));
+    const Interval depths = depthsOf(frustum, bounds);
     const double margin = orthographicMargin * std::max(bounds.diagonal(), 1e-9);
-    return {range.nearest - margin, range.farthest + margin};
+    return {depths.low - margin, depths.high + margin};
 }
 
 /// Where a point light needs casters to be cut, see FrameLight::cut.

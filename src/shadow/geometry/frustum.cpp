@@ -24,6 +24,11 @@ void requireFinite(const glm::dmat4& matrix, const std::string& name) {
                 fail("The " + name + " matrix has a number that is not finite.");
 }
 
+/// By how much a view matrix makes lengths longer; a mirroring one, too.
+double scaleOf(const glm::dmat4& viewFromWorld) {
+    return std::cbrt(std::abs(glm::determinant(glm::dmat3(viewFromWorld))));
+}
+
 bool isNear(const glm::dvec4& value, const glm::dvec4& wanted) {
     return glm::length(value - wanted) <= tolerance;
 }
@@ -54,12 +59,11 @@ glm::dmat4 rigidView(const glm::dmat4& viewFromWorld) {
         fail("The camera's matrix is no view matrix: its last row, the numbers 4, 8, 12 and 16, is "
              "not 0, 0, 0, 1.");
     const glm::dmat3 turn(viewFromWorld);
-    const double determinant = glm::determinant(turn);
-    const double scale = std::cbrt(std::abs(determinant));
+    const double scale = scaleOf(viewFromWorld);
     if (!(scale > 0.0)) fail("The camera's matrix is singular.");
-    if (determinant < 0.0) fail("The camera's matrix mirrors the world.");
+    if (glm::determinant(turn) < 0.0) fail("The camera's matrix mirrors the world.");
     // Gram-Schmidt takes out what rounding has left; more than that is no turn.
-    glm::dvec3 right = glm::row(turn, 0) / scale, up = glm::row(turn, 1) / scale;
+    const glm::dvec3 right = glm::row(turn, 0) / scale, up = glm::row(turn, 1) / scale;
     const glm::dvec3 backward = glm::row(turn, 2) / scale;
     const glm::dvec3 z = glm::normalize(backward);
     const glm::dvec3 y = glm::normalize(up - glm::dot(up, z) * z);
@@ -87,7 +91,7 @@ Frustum frustumOf(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromVie
         fail("The projection is neither perspective nor orthographic: its last row is not (0, 0, "
              "-1, 0), nor (0, 0, 0, 1).");
     // The camera's scale goes with what is measured in scene units.
-    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(viewFromWorld))));
+    const double scale = scaleOf(viewFromWorld);
     for (glm::length_t axis = 0; axis < 2; ++axis) {
         const glm::dvec4 row = glm::row(clipFromView, axis) / unit;
         const double slope = row[axis];
@@ -107,9 +111,7 @@ Frustum frustumOf(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromVie
 
 Frustum standingBack(Frustum frustum, const Box& box) {
     if (!frustum.orthographic || box.empty()) return frustum;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (int corner = 0; corner < 8; ++corner)
-        nearest = std::min(nearest, depthOf(frustum, box.corner(corner)));
+    const double nearest = depthsOf(frustum, box).low;
     const double wanted = 0.1 * std::max(box.diagonal(), glm::length(frustum.size()));
     if (nearest < wanted) frustum.viewFromWorld[3].z -= wanted - nearest;
     return frustum;
@@ -138,6 +140,13 @@ glm::dmat4 clipFromView(const Frustum& frustum, double near, double far) {
 
 double depthOf(const Frustum& frustum, const glm::dvec3& point) {
     return -(frustum.viewFromWorld * glm::dvec4(point, 1.0)).z;
+}
+
+Interval depthsOf(const Frustum& frustum, const Box& box) {
+    Interval depths;
+    for (int corner = 0; corner < 8; ++corner)
+        depths.add(depthOf(frustum, box.corner(corner)));
+    return depths;
 }
 
 } // namespace edgeshade

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/geometry/interval.hpp"
 
 #include <limits>
 #include <optional>
@@ -54,5 +55,8 @@ glm::dmat4 clipFromView(const Frustum& frustum, double near,
 
 /// Distance along the viewing direction.
 double depthOf(const Frustum& frustum, const glm::dvec3& point);
+
+/// The distances that the box spans, which must not be empty.
+Interval depthsOf(const Frustum& frustum, const Box& box);
 
 } // namespace edgeshade
