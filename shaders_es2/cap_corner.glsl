@@ -1,16 +1,16 @@
-// Emits one corner of a pair of caps: what caps.vert and adapted_caps.vert have in common.
+// Emits one corner of a pair of caps: what caps.vert and plane_pair_caps.vert have in common.
 //
 // Variants: NEAR_DISCARD, the front cap is cut where its triangle was clipped by the near plane;
-// ALPHA_TEST, texture coordinates and alpha for casters with holes, with u_frontCapAtInfinity
+// ALPHA_TEST, texture coordinates and alpha for alpha-tested casters, with u_frontCapAtInfinity
 // saying which front cap is drawn.
 #include "extrusion.glsl"
 
 invariant gl_Position;
 
 #ifdef ALPHA_TEST
-attribute vec4 a_holesA; // xy: texture coordinates, z: the vertex colour's alpha
-attribute vec4 a_holesB;
-attribute vec4 a_holesC;
+attribute vec4 a_alphaCornerA; // xy: texture coordinates, z: the vertex colour's alpha
+attribute vec4 a_alphaCornerB;
+attribute vec4 a_alphaCornerC;
 #endif
 
 uniform mat4 u_clipFromObject;
@@ -21,7 +21,7 @@ varying vec2 v_clipZW;
 #ifdef ALPHA_TEST
 uniform float u_frontCapAtInfinity; // 1: both caps, the front one at infinity; 0: the front one
                                     // alone, where it is
-varying vec3 v_holes;
+varying vec3 v_alphaLookup;
 varying float v_isBack;
 #endif
 
@@ -42,7 +42,7 @@ void emitCap(float v, float facing, vec3 a, vec3 b, vec3 c, vec4 light) {
     bool shifted = front;
     bool drawn = facing != 0.0;
 #ifdef ALPHA_TEST
-    v_holes = isA ? a_holesA.xyz : (isC ? a_holesC.xyz : a_holesB.xyz);
+    v_alphaLookup = isA ? a_alphaCornerA.xyz : (isC ? a_alphaCornerC.xyz : a_alphaCornerB.xyz);
     v_isBack = front ? 0.0 : 1.0;
     shifted = front && u_frontCapAtInfinity > 0.5;
     drawn = drawn && (front || u_frontCapAtInfinity > 0.5);

@@ -17,7 +17,7 @@ uniform sampler2D u_texture;
 uniform float u_alphaScale;
 uniform float u_alphaCutoff; // above any alpha: nothing of the caster is in the depth buffer
 uniform float u_frontCapAtInfinity;
-varying vec3 v_holes;
+varying vec3 v_alphaLookup;
 varying float v_isBack;
 #endif
 #ifdef PROBE
@@ -30,8 +30,8 @@ void main() {
     if (v_clipZW.x < -v_clipZW.y) discard;
 #endif
 #ifdef ALPHA_TEST
-    // Where the caster is solid its front cap counts at infinity, in its holes where it is.
-    float alpha = u_alphaScale * v_holes.z * texture2D(u_texture, v_holes.xy).a;
+    // Where the caster is solid its front cap counts at infinity, in its cutouts where it is.
+    float alpha = u_alphaScale * v_alphaLookup.z * texture2D(u_texture, v_alphaLookup.xy).a;
     bool solid = alpha >= u_alphaCutoff;
     if (v_isBack < 0.5 && solid != (u_frontCapAtInfinity > 0.5)) discard;
 #endif

@@ -1,8 +1,8 @@
-// The plane of the triangle at a fragment, and how coarse_surface.frag stores it for each texel of a
-// coarse mask: three bytes of nearness, one of the direction. Along a plane nearness changes linearly
-// over the picture, so two derivatives tell all of it. It is 1 at the near plane: the inverse of the
-// depth in units of the near plane's distance; ORTHOGRAPHIC, what is left to the far plane, as a share
-// of the depth range.
+// The plane of the triangle at a fragment, and how coarse_surface.frag stores it for each texel of
+// a coarse mask: three bytes of nearness, one of the direction. Along a plane nearness changes
+// linearly over the picture, so two derivatives tell all of it. It is 1 at the near plane: the
+// inverse of the depth in units of the near plane's distance; ORTHOGRAPHIC, what is left to the far
+// plane, as a share of the depth range.
 //
 // Space: the camera's, x right, y up, z the depth along the viewing direction, in units of the near
 // plane's distance; ORTHOGRAPHIC, in scene units, z from the near plane on.

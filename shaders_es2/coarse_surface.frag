@@ -1,5 +1,5 @@
-// Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants ALPHA_TEST,
-// TEXTURED, COLORED and SLICED: see surface.frag.
+// Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants
+// ALPHA_TEST, TEXTURED, COLORED and SLICED: see surface.frag.
 #extension GL_OES_standard_derivatives : enable
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;

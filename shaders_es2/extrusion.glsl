@@ -5,8 +5,8 @@ vec4 toInfinity(vec3 p, vec4 light) {
     return vec4(p.x * light.w - light.x, p.y * light.w - light.y, p.z * light.w - light.z, 0.0);
 }
 
-// p pushed away from the light until the plane `end`, whose inside is where dot(end, (x, 1)) > 0, and
-// where both the light and, nearer to it, p are. The plane at infinity is (0, 0, 0, 1): that is
+// p pushed away from the light until the plane `end`, whose inside is where dot(end, (x, 1)) > 0,
+// and where both the light and, nearer to it, p are. The plane at infinity is (0, 0, 0, 1): that is
 // toInfinity.
 vec4 pushedTo(vec4 end, vec3 p, vec4 light) {
     float height = end.x * p.x + end.y * p.y + end.z * p.z + end.w;
@@ -20,9 +20,9 @@ vec4 clipPosition(mat4 matrix, vec4 p) {
     return matrix[0] * p.x + matrix[1] * p.y + matrix[2] * p.z + matrix[3] * p.w;
 }
 
-// A front cap's vertex, moved along its line of sight to the far plane (docs/method.md, C10): there it
-// fails the depth test wherever its surface is visible or hidden, and never fights with that surface
-// for depth.
+// A front cap's vertex, moved along its line of sight to the far plane (docs/method.md, C10): there
+// it fails the depth test wherever its surface is visible or hidden, and never fights with that
+// surface for depth.
 vec4 movedToInfinity(vec4 clip) {
     return vec4(clip.xy, clip.w, clip.w);
 }

@@ -1,9 +1,9 @@
 // How much of a light reaches a fragment by its shadow map: PCF x PCF texels around it compared
-// with its own distance. MAP_SUN: one flat map; MAP_APART: a cube around a point light, its faces
-// in textures of their own; else a cube map.
+// with its own distance. MAP_DIRECTIONAL: one flat map; MAP_APART: a cube around a point light, its
+// faces in textures of their own; else a cube map.
 #include "shadow_map_distance.glsl"
 
-#ifdef MAP_SUN
+#ifdef MAP_DIRECTIONAL
 uniform mediump sampler2D u_map; // lowp, the default, might lose the last bit of a byte
 #elif defined(MAP_APART)
 uniform mediump sampler2D u_face0; // +x, -x, +y, -y, +z, -z
@@ -34,7 +34,7 @@ float largestAxis(vec3 v) {
     return max(a.x, max(a.y, a.z));
 }
 
-#ifndef MAP_SUN
+#ifndef MAP_DIRECTIONAL
 vec4 texelTowards(vec3 d) {
 #ifdef MAP_APART
     // As a cube map is looked up (GLES 2.0, table 3.21).
@@ -57,7 +57,7 @@ vec4 texelTowards(vec3 d) {
 
 // `normal` and `light` have unit length and lie on the same side of the surface.
 float lightFromMap(vec3 normal, vec3 light) {
-#ifdef MAP_SUN
+#ifdef MAP_DIRECTIONAL
     float texel = u_mapTexel;
 #else
     float texel = u_mapTexel * largestAxis(v_mapPosition);
@@ -71,7 +71,7 @@ float lightFromMap(vec3 normal, vec3 light) {
     float reach = u_mapBias * texel * 0.5 * float(PCF + 1);
     vec3 bias = light * (leastSlope + slope) + normal * max(sine - steepSlope * cosine, 0.0);
     vec3 at = v_mapPosition + u_mapFromWorld * (bias * reach);
-#ifdef MAP_SUN
+#ifdef MAP_DIRECTIONAL
     float own = at.z;
 #else
     // The two axes of the cube's face, so that taps are whole texels apart. Past the face's edge
@@ -89,7 +89,7 @@ float lightFromMap(vec3 normal, vec3 light) {
     for (int j = 0; j < PCF; ++j)
         for (int i = 0; i < PCF; ++i) {
             vec2 tap = vec2(float(i), float(j)) - 0.5 * float(PCF - 1);
-#ifdef MAP_SUN
+#ifdef MAP_DIRECTIONAL
             vec4 stored = texture2D(u_map, at.xy + tap * u_mapStep);
 #else
             vec4 stored = texelTowards(at + tap.x * axisS + tap.y * axisT);

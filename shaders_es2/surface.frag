@@ -1,11 +1,11 @@
 // Base colour times ambient light or, with LIT, times the Lambert term of one light as far as it
 // reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. WITH_AMBIENT,
-// of LIT, both at once, and the ambient share of their sum in alpha. Other variants: MASK,
-// the lit mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials
-// with holes; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: SUN, a light
-// of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the light's shadow
-// map says, with MAP_SUN and PCF as in shadow_map_lookup.glsl; COARSE_MASK, lit as far as a mask of
-// lower resolution says.
+// of LIT, both at once, and the ambient share of their sum in alpha. Other variants: MASK, the lit
+// mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials with
+// cutouts; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: DIRECTIONAL,
+// a light of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the
+// light's shadow map says, with MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl; COARSE_MASK,
+// lit as far as a mask of lower resolution says.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -33,7 +33,7 @@ uniform float u_maskValue;
 uniform float u_diffuse;
 uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
 varying vec3 v_normal;
-#ifdef SUN
+#ifdef DIRECTIONAL
 uniform vec3 u_towardsLight; // of length 1
 #else
 varying vec3 v_towardsLight;
@@ -62,7 +62,7 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 
 #ifdef LIT
 vec3 towardsLight() {
-#ifdef SUN
+#ifdef DIRECTIONAL
     return u_towardsLight;
 #else
     // Scaled before it is squared, so that far-off lights don't overflow.

@@ -1,6 +1,6 @@
-// Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions, so
-// gl_Position is invariant and depends on nothing that a variant changes. Variants LIT, SUN,
-// TEXTURED, COLORED, MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
+// Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
+// so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
+// DIRECTIONAL, TEXTURED, COLORED, MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -17,7 +17,7 @@ attribute vec3 a_normal;
 uniform mat4 u_clipFromObject;
 #ifdef LIT
 uniform mat3 u_normalFromObject;
-#ifndef SUN
+#ifndef DIRECTIONAL
 uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 uniform vec3 u_light;               // the same space
 #endif
@@ -36,7 +36,7 @@ varying vec2 v_texcoord;
 #endif
 #ifdef LIT
 varying vec3 v_normal;
-#ifndef SUN
+#ifndef DIRECTIONAL
 varying vec3 v_towardsLight;
 #endif
 #endif
@@ -59,7 +59,7 @@ void main() {
 #endif
 #ifdef LIT
     v_normal = u_normalFromObject * a_normal;
-#ifndef SUN
+#ifndef DIRECTIONAL
     v_towardsLight = u_light - (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
 #endif
 #endif

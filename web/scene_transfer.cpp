@@ -105,7 +105,7 @@ void transfer(Archive& archive, Maybe<Batch> auto& batch) {
 }
 
 template <class Archive>
-void transfer(Archive& archive, Maybe<AdaptedShadow> auto& shadow) {
+void transfer(Archive& archive, Maybe<PlanePairShadow> auto& shadow) {
     archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.caps, shadow.capTriangles,
             shadow.groups, shadow.clusters, shadow.leaves, shadow.edges, shadow.flatPairs,
             shadow.flatEdges);
@@ -153,7 +153,7 @@ Bytes toTransfer(const LoadedScene& loaded) {
     Writer writer(bytes);
     writer(charactersOf(loaded.document->path.string()), documentFor(loaded), loaded.scene.batches,
            loaded.scene.animatedNodes, loaded.scene.materials, loaded.settings);
-    for (const auto& shadow : loaded.adapted)
+    for (const auto& shadow : loaded.planePairs)
         transfer(writer, *shadow);
     writer(loaded.images.size());
     for (const auto& [index, image] : loaded.images)
@@ -173,9 +173,9 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     reader(characters, document, loaded.scene.batches, loaded.scene.animatedNodes,
            loaded.scene.materials, loaded.settings);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
-        AdaptedShadow shadow;
+        PlanePairShadow shadow;
         transfer(reader, shadow);
-        loaded.adapted.push_back(std::make_shared<const AdaptedShadow>(std::move(shadow)));
+        loaded.planePairs.push_back(std::make_shared<const PlanePairShadow>(std::move(shadow)));
     }
     reader(images);
     for (std::size_t i = 0; i < images; ++i) {

@@ -20,7 +20,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
     Json byCount = Json::object();
     for (const auto& [n, count] : casters.edgesByOppositeCount)
         byCount[std::to_string(n)] = count;
-    const std::size_t publishedCapRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
+    const std::size_t oppositeVertexCapRuns = casters.triangles * VERTICES_PER_CAP_PAIR;
     return {
         {"diagonal", report.diagonal},
         {"triangles", report.triangles},
@@ -32,20 +32,20 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         {"largest_opposite_count", largest},
         {"components", casters.components},
         {"closed_oriented_triangles", casters.closedOrientedTriangles},
-        {"flat_edges_dropped", report.adapted.flatEdges},
-        {"records", report.adapted.records},
+        {"flat_edges_dropped", report.planePairs.flatEdges},
+        {"records", report.planePairs.records},
         {"record_multiplicity", multiplicity},
         // Sides and caps as the GPU holds them, instanced; beside them Equations 6.8 and 6.9.
         {"bytes",
-         {{"sides", report.adapted.sideBytes},
-          {"caps", report.adapted.capBytes},
+         {{"sides", report.planePairs.sideBytes},
+          {"caps", report.planePairs.capBytes},
           {"published_equation", 16 * (2 + largest) * casters.edges + 48 * casters.triangles},
           {"stored", report.storedBytes},
           {"file", report.fileBytes}}},
         {"vertex_runs",
-         {{"sides", report.adapted.sideRuns},
-          {"caps", report.adapted.capRuns},
-          {"published", casters.edges * largest * VERTICES_PER_SIDE + publishedCapRuns}}},
+         {{"sides", report.planePairs.sideRuns},
+          {"caps", report.planePairs.capRuns},
+          {"published", casters.edges * largest * VERTICES_PER_SIDE + oppositeVertexCapRuns}}},
         {"seconds",
          {{"read", report.readSeconds},
           {"simplify", report.build.simplify},
@@ -96,8 +96,8 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
     report.maxMultiplicity = sceneMultiplicity(input.topology);
     for (const BatchTopology& batch : input.topology) {
         report.casters += meshStatistics(batch.mesh.welded, batch.edges);
-        report.adapted += costsOf(
-            buildAdapted(batch.mesh, batch.edges, input.scene.materials, settings.flatTolerance));
+        report.planePairs += costsOf(buildPlanePairs(batch.mesh, batch.edges, input.scene.materials,
+                                                     settings.flatTolerance));
     }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;

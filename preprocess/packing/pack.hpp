@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/packing/shadow_extension.hpp"
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +14,9 @@ struct PackReport {
     std::size_t castingSurfaceTriangles = 0; ///< before casters are simplified, likewise
     CasterSettings settings;
     MeshStatistics casters;
-    AdaptedCosts adapted;
-    int maxMultiplicity = 1; ///< opposite vertices a published record, as `expanded` stores them
+    PlanePairCosts planePairs;
+    int maxMultiplicity =
+        1; ///< opposite vertices a opposite-vertex record, as `expanded` stores them
     std::size_t storedBytes = 0; ///< of shadow data in the file
     std::size_t fileBytes = 0;
     double readSeconds = 0.0;

@@ -17,7 +17,7 @@ namespace edgeshade {
 ///   "encoding": "expanded" | "indexed" | "none",
 ///   "maxMultiplicity": 1..5,        opposite vertices a record
 ///   "weldTolerance": number >= 0, "castMasked": boolean, "casterError": number >= 0,
-///   "flatTolerance": number >= 0, < 45; of adapted records, which are made at load
+///   "flatTolerance": number >= 0, < 45; of plane-pair records, which are made at load
 ///   "batches": [{                   in the order of flattenScene()
 ///     "node": index,                absent: the static nodes
 ///     "positionsHash": "16 hex digits",     of the surfaces that cast, not simplified

@@ -13,11 +13,11 @@ namespace {
 struct Part {
     Box bounds;
     bool closed = false;
-    bool holes = false;
+    bool alphaTested = false;
     std::size_t triangles = 0;
     std::uint64_t place = 0; ///< on the Morton curve
 
-    int kind() const { return closed ? 0 : holes ? 2 : 1; }
+    int kind() const { return closed ? 0 : alphaTested ? 2 : 1; }
 };
 
 /// Two zeros after each of the lowest 21 bits; there are no others.
@@ -44,10 +44,10 @@ std::vector<Part> partsOf(const CasterMesh& mesh, const Components& components,
     std::vector<Part> parts(components.count());
     Box all;
     for (const MaterialCasters& group : mesh.groups) {
-        const bool holes = materials[group.material].alphaMode != AlphaMode::opaque;
+        const bool tested = materials[group.material].alphaMode != AlphaMode::opaque;
         for (std::uint32_t t = group.firstCap; t < group.firstCap + group.capCount; ++t) {
             Part& part = parts[components.ofTriangle[t]];
-            part.holes = part.holes || holes;
+            part.alphaTested = part.alphaTested || tested;
             ++part.triangles;
             for (const std::uint32_t vertex : mesh.welded.triangles[t])
                 part.bounds.add(glm::dvec3(mesh.welded.positions[vertex]));
@@ -58,7 +58,7 @@ std::vector<Part> partsOf(const CasterMesh& mesh, const Components& components,
         all.add(part.bounds.high);
     }
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        parts[i].closed = components.closed[i] && !parts[i].holes;
+        parts[i].closed = components.closed[i] && !parts[i].alphaTested;
         parts[i].place = mortonCode(parts[i].bounds.center(), all);
     }
     return parts;
@@ -135,7 +135,7 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
     for (const std::uint32_t i : order) {
         const Part& part = parts[i];
         if (part.kind() != kind || sizes.back() + part.triangles > clusterTriangles) {
-            clusters.push_back({{}, part.closed, part.holes, 0, {}, {}, {}});
+            clusters.push_back({{}, part.closed, part.alphaTested, 0, {}, {}, {}});
             sizes.push_back(0);
             kind = part.kind();
         }
@@ -148,7 +148,7 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
     for (std::uint32_t t = 0; t < components.ofTriangle.size(); ++t)
         clusters[clusterOf[components.ofTriangle[t]]].triangles.push_back(t);
     for (TriangleCluster& cluster : clusters) {
-        if (!cluster.holes) sortAlongCurve(cluster, mesh.welded);
+        if (!cluster.alphaTested) sortAlongCurve(cluster, mesh.welded);
         cluster.leaves = leavesOf(cluster, mesh.welded);
     }
     addEdges(edges, clusters);

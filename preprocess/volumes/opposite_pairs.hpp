@@ -20,7 +20,7 @@ struct PairedTriangle {
 };
 
 /// Two triangles of an edge, or one: the edge's multiplicity gets w(first) - w(second), see
-/// adapted_data.hpp.
+/// plane_pair_data.hpp.
 struct OppositePair {
     PairedTriangle first;
     std::optional<PairedTriangle> second;

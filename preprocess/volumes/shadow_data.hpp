@@ -18,7 +18,7 @@ struct CasterSettings {
     double weldTolerance = 0.0; ///< scene units
     bool castMasked = false;    ///< MASK and BLEND surfaces cast too
     double casterError = 0.0;   ///< scene units, see simplifyCasters()
-    double flatTolerance = 0.0; ///< degrees, see growPatches(); adapted records alone
+    double flatTolerance = 0.0; ///< degrees, see growPatches(); plane-pair records alone
 
     bool operator==(const CasterSettings&) const = default;
 };

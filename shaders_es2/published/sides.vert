@@ -2,9 +2,9 @@
 // thesis, Algorithm 10).
 //
 // Variants: MAX_MULTIPLICITY 1..5, opposite vertices a record; INSTANCED, records come once an
-// instance and the corner from its own attribute, else from spare components; SIDE_IS_UNIFORM
-// (with INSTANCED), one draw a side; PROBE, for tests: the record's multiplicity as a coloured
-// point instead of its sides; DEGENERATE, for measuring: all is computed, and every vertex ends up at
+// instance and the corner from its own attribute, else from spare components; SIDE_IS_UNIFORM (with
+// INSTANCED), one draw a side; PROBE, for tests: the record's multiplicity as a coloured point
+// instead of its sides; DEGENERATE, for measuring: all is computed, and every vertex ends up at
 // (0,0,0,0).
 #include "record_layout.glsl"
 #include "published/multiplicity.glsl"

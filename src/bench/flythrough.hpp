@@ -25,7 +25,7 @@ class Flythrough {
 };
 
 /// The lights after `share` of a flight during which each draws a small circle that starts where
-/// it stands: a point light of 2 % of the scene's diagonal, a sun of 3 degrees.
+/// it stands: a point light of 2 % of the scene's diagonal, a directional light of 3 degrees.
 std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& bounds, double share);
 
 } // namespace edgeshade::bench

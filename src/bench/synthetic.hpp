@@ -17,8 +17,9 @@ struct SyntheticTask {
                                    60'000, 70'000, 80'000, 90'000};
     std::vector<int> multiplicities{1, 2, 3, 4, 5, 6, 7, 8, 9}; ///< opposite vertices an edge
     int turns = 9; ///< of drawing as many edges as there are: see timesInTurns()
-    MultiplicityMethod method = MultiplicityMethod::referenceEdge; ///< of the published layouts
-    std::optional<gl::Timing> timing;                              ///< nothing: bestTiming()
+    MultiplicityMethod method =
+        MultiplicityMethod::referenceEdge; ///< of the opposite-vertex layouts
+    std::optional<gl::Timing> timing;      ///< nothing: bestTiming()
 };
 
 /// One cell of the table.

@@ -1,6 +1,6 @@
 #include "src/bench/synthetic_layouts.hpp"
 
-#include "src/render/volumes/adapted_volumes.hpp"
+#include "src/render/volumes/plane_pair_volumes.hpp"
 #include "src/render/volumes/published/sides_pass.hpp"
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 namespace edgeshade::bench {
 namespace {
 
-/// The published records (thesis, 6.2.6).
-class PublishedSubject : public SyntheticSubject {
+/// The opposite-vertex records (thesis, 6.2.6).
+class OppositeVertexSubject : public SyntheticSubject {
   public:
-    PublishedSubject(const SyntheticMesh& mesh, int oppositeCount, MultiplicityMethod method,
-                     SidesLayout layout, const gl::Capabilities& capabilities)
+    OppositeVertexSubject(const SyntheticMesh& mesh, int oppositeCount, MultiplicityMethod method,
+                          SidesLayout layout, const gl::Capabilities& capabilities)
         : pass_(method, layout, capabilities.instancing, {"DEGENERATE"}) {
         const int maxMultiplicity =
             recordMultiplicityFor(static_cast<std::uint32_t>(oppositeCount));
@@ -50,23 +50,23 @@ glm::vec4 planeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, a)));
 }
 
-/// Records of one plane or two (preprocess/volumes/adapted_data.hpp), with no flat edges among
+/// Records of one plane or two (preprocess/volumes/plane_pair_data.hpp), with no flat edges among
 /// them.
-class AdaptedSubject : public SyntheticSubject {
+class PlanePairSubject : public SyntheticSubject {
   public:
-    AdaptedSubject(const SyntheticMesh& mesh, SidesLayout layout,
-                   const gl::Capabilities& capabilities)
+    PlanePairSubject(const SyntheticMesh& mesh, SidesLayout layout,
+                     const gl::Capabilities& capabilities)
         : volumes_(SilhouetteChoice::all, layout, capabilities.instancing,
                    capabilities.vertexHighpMantissaBits, {}, {"DEGENERATE"}) {
-        AdaptedShadow shadow;
+        PlanePairShadow shadow;
         for (const Edge& edge : mesh.edges.edges)
             addRecords(mesh, edge, shadow);
         const std::size_t edges = mesh.edges.edges.size();
         pairsPerEdge_ = shadow.pairs.size() / edges;
         singlesPerEdge_ = shadow.singles.size() / edges;
-        buffers_.adapted.emplace(std::make_shared<AdaptedShadow>(std::move(shadow)),
-                                 std::vector<glm::vec4>(), layout);
-        buffers_.adapted->uploadAllPairs();
+        buffers_.planePairs.emplace(std::make_shared<PlanePairShadow>(std::move(shadow)),
+                                    std::vector<glm::vec4>(), layout);
+        buffers_.planePairs->uploadAllPairs();
         for (const VolumeDraw& draw : draws(1))
             volumes_.makeProgram(draw);
     }
@@ -96,7 +96,7 @@ class AdaptedSubject : public SyntheticSubject {
     }
 
     /// Triangles in the light's plane come last, so that those of a pair cancel where they should.
-    static void addRecords(const SyntheticMesh& mesh, const Edge& edge, AdaptedShadow& shadow) {
+    static void addRecords(const SyntheticMesh& mesh, const Edge& edge, PlanePairShadow& shadow) {
         const glm::vec3 &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
         std::vector<glm::vec4> planes;
         for (const Opposite& opposite : mesh.edges.oppositesOf(edge))
@@ -108,7 +108,7 @@ class AdaptedSubject : public SyntheticSubject {
         if (planes.size() % 2 == 1) shadow.singles.push_back({a, b, planes.back()});
     }
 
-    AdaptedVolumes volumes_;
+    PlanePairVolumes volumes_;
     BatchVolumes buffers_;
     std::size_t pairsPerEdge_ = 0;
     std::size_t singlesPerEdge_ = 0;
@@ -119,24 +119,25 @@ class AdaptedSubject : public SyntheticSubject {
 std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
                                               const gl::Capabilities& capabilities) {
     std::vector<SyntheticLayout> layouts;
-    const auto addAdapted = [&](const std::string& name, SidesLayout layout) {
+    const auto addPlanePairs = [&](const std::string& name, SidesLayout layout) {
         layouts.push_back({name, [=](const SyntheticMesh& mesh, int) {
-                               return std::make_unique<AdaptedSubject>(mesh, layout, capabilities);
+                               return std::make_unique<PlanePairSubject>(mesh, layout,
+                                                                         capabilities);
                            }});
     };
-    const auto addPublished = [&](const std::string& name, SidesLayout layout) {
+    const auto addOppositeVertices = [&](const std::string& name, SidesLayout layout) {
         layouts.push_back({name, [=](const SyntheticMesh& mesh, int oppositeCount) {
-                               return std::make_unique<PublishedSubject>(
+                               return std::make_unique<OppositeVertexSubject>(
                                    mesh, oppositeCount, method, layout, capabilities);
                            }});
     };
     if (capabilities.instancing) {
-        addAdapted("adapted", SidesLayout::instanced);
-        addPublished("instanced", SidesLayout::instanced);
-        addPublished("multi-draw", SidesLayout::multiDraw);
+        addPlanePairs("adapted", SidesLayout::instanced);
+        addOppositeVertices("instanced", SidesLayout::instanced);
+        addOppositeVertices("multi-draw", SidesLayout::multiDraw);
     }
-    addAdapted("adapted not-instanced", SidesLayout::notInstanced);
-    addPublished("not-instanced", SidesLayout::notInstanced);
+    addPlanePairs("adapted not-instanced", SidesLayout::notInstanced);
+    addOppositeVertices("not-instanced", SidesLayout::notInstanced);
     return layouts;
 }
 

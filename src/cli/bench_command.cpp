@@ -96,7 +96,7 @@ void benchSynthetic(const BenchOptions& options) {
     task.method = options.settings.multiplicity.value_or(task.method);
     if (task.method == MultiplicityMethod::plane)
         throw Error(ExitStatus::usage, "--multiplicity: with --synthetic it is that of the "
-                                       "published layouts, which have no planes.");
+                                       "opposite-vertex layouts, which have no planes.");
     task.timing = options.timing;
     Countdown countdown;
     const bench::SyntheticReport measured = bench::measureSynthetic(

@@ -18,8 +18,8 @@ const Choices<MultiplicityMethod> multiplicityNames = {
     {"reference-edge", MultiplicityMethod::referenceEdge},
     {"three-edge", MultiplicityMethod::threeEdge},
     {"single-edge", MultiplicityMethod::singleEdge}};
-const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::adapted},
-                                           {"published", VolumeLayout::published}};
+const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::planePairs},
+                                           {"published", VolumeLayout::oppositeVertices}};
 const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
                                                    {"all", SilhouetteChoice::all}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
@@ -102,11 +102,11 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
               "or the published ones of opposite vertices (adapted)");
     addChoice(
         verb, "--silhouette", settings.silhouette, silhouetteNames,
-        "Which adapted records reach the vertex shader: those that can be silhouettes in this "
+        "Which plane-pair records reach the vertex shader: those that can be silhouettes in this "
         "light, or all of them (proposed)");
     addChoice(
         verb, "--instancing", settings.instancing, instancingNames,
-        "A record an instance, a copy for every vertex, or one draw a side, as adapted records "
+        "A record an instance, a copy for every vertex, or one draw a side, as plane-pair records "
         "always have (on where the GL can)");
     verb.add_option_function<std::string>(
             "--depth-slices",
@@ -132,7 +132,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
 }
 
 void resolve(DrawSettings& settings) {
-    const bool published = settings.layout == VolumeLayout::published;
+    const bool published = settings.layout == VolumeLayout::oppositeVertices;
     MultiplicityMethod& method = settings.render.multiplicity;
     method = settings.multiplicity.value_or(published ? MultiplicityMethod::referenceEdge
                                                       : MultiplicityMethod::plane);
@@ -140,7 +140,7 @@ void resolve(DrawSettings& settings) {
         throw Error(ExitStatus::usage, std::string("--multiplicity ") +
                                            nameIn(multiplicityNames, method) + " needs --layout " +
                                            (published ? "adapted." : "published."));
-    const bool planes = volumeLayoutOf(method) == VolumeLayout::adapted;
+    const bool planes = volumeLayoutOf(method) == VolumeLayout::planePairs;
     if (!planes && settings.silhouette == SilhouetteChoice::proposed)
         throw Error(ExitStatus::usage, "--silhouette proposed needs --layout adapted.");
     settings.render.silhouette =

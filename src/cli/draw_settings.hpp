@@ -31,7 +31,7 @@ struct DrawSettings {
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Works out render.multiplicity and render.silhouette from what was typed: adapted records hold
+/// Works out render.multiplicity and render.silhouette from what was typed: plane-pair records hold
 /// planes, published ones opposite vertices, so that layout or method follows from the other.
 /// Throws Error(usage) where they don't go together, and for options that another one makes
 /// meaningless.

@@ -13,8 +13,8 @@ std::string explanationOf(const Renderer& renderer, const FrameView& view) {
     case ShadowMethod::volumes:
         break;
     }
-    if (renderer.volumes()->layout() == VolumeLayout::published)
-        return "published records: every edge and all caps of every light, z-fail";
+    if (renderer.volumes()->layout() == VolumeLayout::oppositeVertices)
+        return "opposite-vertex records: every edge and all caps of every light, z-fail";
     return explain(renderer.plan(), view);
 }
 

@@ -186,7 +186,7 @@ void addCasterChanges(CLI::App& verb, CasterChanges& changes) {
         "Vertices closer than this, in scene units, become one (0: only equal ones)");
     add("--flat-tolerance", "DEG", changes.flatTolerance, flatToleranceEnd,
         "Edges that bend no more than this, in degrees, are taken for flat and cast nothing; of "
-        "adapted records (0: exactly flat ones)");
+        "plane-pair records (0: exactly flat ones)");
     add("--caster-error", "D", changes.casterError, INFINITY,
         "Shadow volumes are those of simplified casters, about this far off, in scene units; what "
         "is drawn stays as it is (0: not simplified)");

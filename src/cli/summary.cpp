@@ -34,8 +34,8 @@ std::string summaryOf(const PackReport& report) {
             << grouped(count) << "\n";
     row("components") << grouped(casters.components) << ", closed and oriented triangles "
                       << grouped(casters.closedOrientedTriangles) << "\n";
-    row("records") << grouped(report.adapted.records) << ", flat edges dropped "
-                   << grouped(report.adapted.flatEdges) << "\n";
+    row("records") << grouped(report.planePairs.records) << ", flat edges dropped "
+                   << grouped(report.planePairs.flatEdges) << "\n";
     row("vertex runs a light") << grouped(json["vertex_runs"]["sides"].get<std::size_t>())
                                << " sides, "
                                << grouped(json["vertex_runs"]["caps"].get<std::size_t>())

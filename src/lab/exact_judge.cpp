@@ -106,7 +106,7 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
         const EyeTriangle& triangle = oracle.triangles()[i];
         if (!triangle.visible) continue;
         const auto hit = intersect(ExactTriangle(triangle), origin, direction);
-        if (!hit || hit->t < near || hit->t <= 0 || oracle.isHole(triangle, hit->u, hit->v))
+        if (!hit || hit->t < near || hit->t <= 0 || oracle.isCutOut(triangle, hit->u, hit->v))
             continue;
         if (nearest && hit->t == nearest->t) verdict.coincident = true;
         if (nearest && hit->t >= nearest->t) continue;

@@ -203,13 +203,13 @@ double Oracle::rangeOf(std::size_t light) const {
     return question_.lights[light].hasRange() ? question_.lights[light].range : infinity;
 }
 
-bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
+bool Oracle::isCutOut(const EyeTriangle& triangle, double u, double v) const {
     const Material& material = question_.scene->materials[triangle.material];
     return material.alphaMode == AlphaMode::mask &&
            alpha_.at(triangle, u, v) < material.alphaCutoff;
 }
 
-bool Oracle::isHoleByFilter(const EyeTriangle& triangle, double x, double y, double depth) const {
+bool Oracle::isCutOutByFilter(const EyeTriangle& triangle, double x, double y, double depth) const {
     const Material& material = question_.scene->materials[triangle.material];
     if (material.alphaMode != AlphaMode::mask || !triangle.visible || !alpha_.range) return false;
     std::array<glm::dvec2, 3> places;
@@ -231,8 +231,8 @@ void Oracle::visitSurfaces(const PixelRay& ray,
         if (!triangle.visible) return false;
         const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
         const bool hit = meeting.inside() && meeting.t >= question_.near &&
-                         !isHole(triangle, meeting.u, meeting.v);
-        // The edge of a hole is texture filtering's matter, which has no error bound.
+                         !isCutOut(triangle, meeting.u, meeting.v);
+        // The edge of a cutout is texture filtering's matter, which has no error bound.
         const bool certain =
             meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
             question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
@@ -299,16 +299,16 @@ Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
 bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError,
                        const glm::dvec4& light, bool& certain) const {
     const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
-    const bool isSun = light.w == 0.0;
-    const double directionError = isSun ? 0.0 : rounding * magnitude(glm::dvec3(light));
+    const bool isDirectional = light.w == 0.0;
+    const double directionError = isDirectional ? 0.0 : rounding * magnitude(glm::dvec3(light));
     bool blocked = false, surelyBlocked = false, sure = true;
-    tree_->traverse(point, towards, isSun ? infinity : 1.0, [&](std::uint32_t i) {
+    tree_->traverse(point, towards, isDirectional ? infinity : 1.0, [&](std::uint32_t i) {
         const EyeTriangle& other = triangles_[i];
         if (i == own || !other.casts) return false;
         const Meeting meeting = intersect(other, point, pointError + directionError, towards);
-        const bool between = meeting.t > 0.0 && (isSun || meeting.t < 1.0);
+        const bool between = meeting.t > 0.0 && (isDirectional || meeting.t < 1.0);
         const bool surelyPlaced = std::abs(meeting.t) > meeting.tError &&
-                                  (isSun || std::abs(meeting.t - 1.0) > meeting.tError);
+                                  (isDirectional || std::abs(meeting.t - 1.0) > meeting.tError);
         if (!meeting.certain() || (meeting.inside() && !surelyPlaced)) sure = false;
         if (!meeting.inside() || !between) return false;
         if (isNearlyCoplanar(triangles_[own], other)) {

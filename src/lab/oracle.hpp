@@ -99,11 +99,11 @@ class Oracle {
 
     const Question& question() const { return question_; }
     const std::vector<EyeTriangle>& triangles() const { return triangles_; }
-    bool isHole(const EyeTriangle& triangle, double u, double v) const;
+    bool isCutOut(const EyeTriangle& triangle, double u, double v) const;
 
-    /// Whether a texture filter may decide if the triangle has a hole at a picture point, which is
+    /// Whether a texture filter may decide if the triangle is cut out at a picture point, which is
     /// at `depth` at the farthest.
-    bool isHoleByFilter(const EyeTriangle& triangle, double x, double y, double depth) const;
+    bool isCutOutByFilter(const EyeTriangle& triangle, double x, double y, double depth) const;
 
     /// The light relative to the camera's position, homogeneous.
     glm::dvec4 lightFromEye(std::size_t light) const;
@@ -112,7 +112,7 @@ class Oracle {
     /// Which side of the triangle that is on, by the order of its corners; as large as normalOf()
     /// times a distance, or a direction of length 1.
     double eyeSide(const EyeTriangle& triangle) const;
-    /// Its range; infinite for suns.
+    /// Its range; infinite for directional lights.
     double rangeOf(std::size_t light) const;
 
   private:

@@ -127,7 +127,7 @@ bool hangsOnFilter(const Oracle& oracle, const std::optional<Oracle::Hit>& visib
     const PixelRay ray = pixelRay(oracle.question(), center.x, center.y);
     const std::vector<std::uint32_t> met = oracle.candidates(ray.origin, ray.direction, false);
     return std::any_of(met.begin(), met.end(), [&](std::uint32_t triangle) {
-        return oracle.isHoleByFilter(oracle.triangles()[triangle], center.x, center.y, depth);
+        return oracle.isCutOutByFilter(oracle.triangles()[triangle], center.x, center.y, depth);
     });
 }
 

@@ -17,7 +17,8 @@ inline constexpr double coarsestGrid = 1.0 / 16.0;
 /// * another surface, hidden by less than the two change in depth over `grid`, has another answer;
 /// * the answer changes as the visible surface is moved in depth by no more than its own depth
 ///   changes over `grid`, or as its corners are moved that far (it turns over to the light);
-/// * the texture filter may decide whether there is a hole (AlphaLookup::range), whatever the grid.
+/// * the texture filter may decide whether there is a cutout (AlphaLookup::range), whatever the
+/// grid.
 bool isTie(const Oracle& oracle, int x, int y, const Verdict& verdict, double grid);
 
 } // namespace edgeshade::lab

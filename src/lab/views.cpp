@@ -94,7 +94,7 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
             view.light = point(inBox());
             break;
         case 2:
-            kind = "outside, grazing sun";
+            kind = "outside, grazing directional light";
             view.light = sun(draw.direction(0.02, 0.15));
             break;
         case 3: {

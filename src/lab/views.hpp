@@ -16,9 +16,10 @@ struct LabView {
 };
 
 /// `count` views around and inside the scene, in turn: from outside with a light above; from
-/// inside with a light inside; from outside with a grazing sun; from outside with a light close to
-/// a surface; from inside with a sun; close to a surface with a light outside. The same scene and
-/// count give the same views. `height`: of orthographic ones, in scene units; nothing: perspective.
+/// inside with a light inside; from outside with a grazing directional light; from outside with a
+/// light close to a surface; from inside with a directional light; close to a surface with a light
+/// outside. The same scene and count give the same views. `height`: of orthographic ones, in scene
+/// units; nothing: perspective.
 std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovDegrees,
                               double aspect, std::optional<double> height = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/scene/adapted_buffers.hpp"
+#include "src/scene/plane_pair_buffers.hpp"
 #include "src/scene/shadow_buffers.hpp"
 
 #include <compare>
@@ -10,13 +10,14 @@ namespace edgeshade {
 
 /// What shadow volumes are drawn from.
 enum class VolumeLayout {
-    adapted,   ///< records that hold what the scene requires: preprocess/volumes/adapted_data.hpp
-    published, ///< one global multiplicity, every edge, opposite vertices: the baseline
+    planePairs,       ///< records that hold what the scene requires:
+                      ///< preprocess/volumes/plane_pair_data.hpp
+    oppositeVertices, ///< one global multiplicity, every edge, opposite vertices: the baseline
 };
 
 /// Which records are on the GPU, and how they reach the vertex shader.
 struct VolumeRecords {
-    VolumeLayout volumes = VolumeLayout::adapted;
+    VolumeLayout volumes = VolumeLayout::planePairs;
     SidesLayout layout = SidesLayout::instanced;
 
     auto operator<=>(const VolumeRecords&) const = default;
@@ -24,14 +25,16 @@ struct VolumeRecords {
 
 /// One batch's shadow data on the GPU, in one of the layouts or several.
 struct BatchVolumes {
-    std::optional<AdaptedBuffers> adapted;
-    std::optional<ShadowBuffers> published;
+    std::optional<PlanePairBuffers> planePairs;
+    std::optional<ShadowBuffers> oppositeVertices;
 
     std::size_t sideBytes() const {
-        return (adapted ? adapted->sideBytes() : 0) + (published ? published->sideBytes() : 0);
+        return (planePairs ? planePairs->sideBytes() : 0) +
+               (oppositeVertices ? oppositeVertices->sideBytes() : 0);
     }
     std::size_t capBytes() const {
-        return (adapted ? adapted->capBytes() : 0) + (published ? published->capBytes() : 0);
+        return (planePairs ? planePairs->capBytes() : 0) +
+               (oppositeVertices ? oppositeVertices->capBytes() : 0);
     }
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 };

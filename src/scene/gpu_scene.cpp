@@ -3,7 +3,7 @@
 namespace edgeshade {
 namespace {
 
-/// What of a batch casts, welded; found anew only where casters may have holes.
+/// What of a batch casts, welded; found anew only where casters may be alpha-tested.
 struct HoleSource {
     Casters casters;
     CasterMesh mesh;
@@ -16,29 +16,29 @@ std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& bat
     return source;
 }
 
-void addAdapted(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
+void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
     for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
-        const auto& shadow = loaded.adapted[i];
+        const auto& shadow = loaded.planePairs[i];
         const auto source = holeSource(loaded, batch);
-        gpu.batches[i].volumes.adapted.emplace(
+        gpu.batches[i].volumes.planePairs.emplace(
             shadow,
-            source ? capHoles(batch, source->casters, source->mesh, *shadow)
+            source ? alphaCorners(batch, source->casters, source->mesh, *shadow)
                    : std::vector<glm::vec4>(),
             layout);
     }
 }
 
-void addPublished(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
+void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
     std::vector<BatchShadow> made;
     if (loaded.shadows.empty()) made = buildShadows(loaded.scene, loaded.settings.castMasked);
     const std::vector<BatchShadow>& shadows = loaded.shadows.empty() ? made : loaded.shadows;
     for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
         const auto source = holeSource(loaded, batch);
-        gpu.batches[i].volumes.published = uploadShadow(
+        gpu.batches[i].volumes.oppositeVertices = uploadShadow(
             shadows[i],
-            source ? capHoles(batch, source->casters, source->mesh) : std::vector<glm::vec4>(),
+            source ? alphaCorners(batch, source->casters, source->mesh) : std::vector<glm::vec4>(),
             layout);
     }
 }
@@ -83,10 +83,10 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
 void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records) {
     if (gpu.batches.empty()) return;
     const BatchVolumes& there = gpu.batches.front().volumes;
-    if (records.volumes == VolumeLayout::adapted && !there.adapted)
-        addAdapted(gpu, loaded, records.layout);
-    if (records.volumes == VolumeLayout::published && !there.published)
-        addPublished(gpu, loaded, records.layout);
+    if (records.volumes == VolumeLayout::planePairs && !there.planePairs)
+        addPlanePairs(gpu, loaded, records.layout);
+    if (records.volumes == VolumeLayout::oppositeVertices && !there.oppositeVertices)
+        addOppositeVertices(gpu, loaded, records.layout);
 }
 
 } // namespace edgeshade

@@ -52,8 +52,8 @@ void addShadows(LoadedScene& loaded) {
             loaded.scene.warnings.add("The file was packed with other caster settings; its shadow "
                                       "data are made anew.");
     }
-    loaded.adapted =
-        buildAdapted(loaded.scene, loaded.settings.castMasked, loaded.settings.flatTolerance);
+    loaded.planePairs =
+        buildPlanePairs(loaded.scene, loaded.settings.castMasked, loaded.settings.flatTolerance);
 }
 
 LoadedScene loadScene(const std::filesystem::path& path,
@@ -77,8 +77,8 @@ std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image) {
 namespace {
 
 /// (u, v, alpha of the vertex colour, 0) of a corner of a welded triangle.
-glm::vec4 holesAt(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
-                  std::size_t triangle, std::size_t corner) {
+glm::vec4 alphaCornerAt(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
+                        std::size_t triangle, std::size_t corner) {
     const std::uint32_t vertex = casters.indices[3 * mesh.welded.source[triangle] + corner];
     // Rounded as the surfaces' colours are.
     const float alpha = std::round(batch.colors[vertex].a * 255.0f) / 255.0f;
@@ -87,32 +87,33 @@ glm::vec4 holesAt(const Batch& batch, const Casters& casters, const CasterMesh& 
 
 } // namespace
 
-std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters,
-                                const CasterMesh& mesh) {
-    std::vector<glm::vec4> holes;
-    holes.reserve(3 * mesh.welded.triangles.size());
+std::vector<glm::vec4> alphaCorners(const Batch& batch, const Casters& casters,
+                                    const CasterMesh& mesh) {
+    std::vector<glm::vec4> alphas;
+    alphas.reserve(3 * mesh.welded.triangles.size());
     for (std::size_t t = 0; t < mesh.welded.triangles.size(); ++t) {
         const Triangle& triangle = mesh.welded.triangles[t];
         std::array<std::size_t, 3> corners = {0, 1, 2};
         std::sort(corners.begin(), corners.end(),
                   [&](std::size_t a, std::size_t b) { return triangle[a] < triangle[b]; });
         for (const std::size_t corner : corners)
-            holes.push_back(holesAt(batch, casters, mesh, t, corner));
+            alphas.push_back(alphaCornerAt(batch, casters, mesh, t, corner));
     }
-    return holes;
+    return alphas;
 }
 
-std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
-                                const AdaptedShadow& shadow) {
-    std::vector<glm::vec4> holes;
-    const bool needed = std::any_of(shadow.clusters.begin(), shadow.clusters.end(),
-                                    [](const ShadowCluster& cluster) { return cluster.holes; });
-    if (!needed) return holes;
-    holes.reserve(3 * shadow.capTriangles.size());
+std::vector<glm::vec4> alphaCorners(const Batch& batch, const Casters& casters,
+                                    const CasterMesh& mesh, const PlanePairShadow& shadow) {
+    std::vector<glm::vec4> alphas;
+    const bool needed =
+        std::any_of(shadow.clusters.begin(), shadow.clusters.end(),
+                    [](const ShadowCluster& cluster) { return cluster.alphaTested; });
+    if (!needed) return alphas;
+    alphas.reserve(3 * shadow.capTriangles.size());
     for (const std::uint32_t triangle : shadow.capTriangles)
         for (std::size_t corner = 0; corner < 3; ++corner)
-            holes.push_back(holesAt(batch, casters, mesh, triangle, corner));
-    return holes;
+            alphas.push_back(alphaCornerAt(batch, casters, mesh, triangle, corner));
+    return alphas;
 }
 
 } // namespace edgeshade

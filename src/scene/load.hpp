@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/base/limits.hpp"
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
 #include "src/image/scene_images.hpp"
 
@@ -18,8 +18,9 @@ struct LoadedScene {
     std::shared_ptr<const GltfDocument> document; ///< null: the scene comes from no file
     Scene scene;
     SceneImages images; ///< of the materials' images those whose pixels are at hand
-    std::vector<std::shared_ptr<const AdaptedShadow>> adapted; ///< one a batch
-    std::vector<BatchShadow> shadows; ///< the published layout where the file has it; or empty
+    std::vector<std::shared_ptr<const PlanePairShadow>> planePairs; ///< one a batch
+    std::vector<BatchShadow>
+        shadows; ///< the opposite-vertex layout where the file has it; or empty
     CasterSettings settings;
     std::string variant = {}; ///< as it was asked for, KHR_materials_variants; empty: none
 };
@@ -52,13 +53,14 @@ void addShadows(LoadedScene& loaded);
 /// InputError.
 std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image);
 
-/// What tells the holes of a batch's published caps: three vec4s a cap, one a corner of the sorted
-/// triangle, (u, v, alpha of the vertex colour, 0).
-std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters, const CasterMesh& mesh);
+/// What tells the cutouts of a batch's opposite-vertex caps: three vec4s a cap, one a corner of the
+/// sorted triangle, (u, v, alpha of the vertex colour, 0).
+std::vector<glm::vec4> alphaCorners(const Batch& batch, const Casters& casters,
+                                    const CasterMesh& mesh);
 
-/// The same of adapted caps, in their order and of their corners as they are wound; empty where
-/// nothing has holes.
-std::vector<glm::vec4> capHoles(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
-                                const AdaptedShadow& shadow);
+/// The same of plane-pair caps, in their order and of their corners as they are wound; empty where
+/// nothing is alpha-tested.
+std::vector<glm::vec4> alphaCorners(const Batch& batch, const Casters& casters,
+                                    const CasterMesh& mesh, const PlanePairShadow& shadow);
 
 } // namespace edgeshade

@@ -19,20 +19,21 @@ std::vector<BatchVolumes> uploadGroup(const Scene& scene, const CasterSettings& 
     for (std::size_t i = 0; i < topology.size(); ++i) {
         const auto& [casters, mesh, edges] = topology[i];
         const Batch& batch = scene.batches[i];
-        const bool holes = settings.castMasked;
+        const bool alphaTested = settings.castMasked;
         BatchVolumes& volumes = group.emplace_back();
-        if (records.volumes == VolumeLayout::adapted) {
-            auto shadow = std::make_shared<const AdaptedShadow>(
-                buildAdapted(mesh, edges, scene.materials, settings.flatTolerance));
-            volumes.adapted.emplace(
-                shadow, holes ? capHoles(batch, casters, mesh, *shadow) : std::vector<glm::vec4>(),
-                records.layout);
+        if (records.volumes == VolumeLayout::planePairs) {
+            auto shadow = std::make_shared<const PlanePairShadow>(
+                buildPlanePairs(mesh, edges, scene.materials, settings.flatTolerance));
+            volumes.planePairs.emplace(shadow,
+                                       alphaTested ? alphaCorners(batch, casters, mesh, *shadow)
+                                                   : std::vector<glm::vec4>(),
+                                       records.layout);
         } else {
             const BatchShadow shadow{
                 buildSides(mesh.welded.positions, edges, recordMultiplicityFor(largest)),
                 buildCaps(mesh.welded), mesh.groups};
-            volumes.published = uploadShadow(
-                shadow, holes ? capHoles(batch, casters, mesh) : std::vector<glm::vec4>(),
+            volumes.oppositeVertices = uploadShadow(
+                shadow, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(),
                 records.layout);
         }
     }

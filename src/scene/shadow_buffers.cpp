@@ -68,26 +68,27 @@ std::size_t ShadowBuffers::sideBytes() const {
 }
 
 std::size_t ShadowBuffers::capBytes() const {
-    return bytesOf(caps) + capHoles.size();
+    return bytesOf(caps) + alphaCorners.size();
 }
 
-PublishedRecords ShadowBuffers::records() const {
-    PublishedRecords records{0, maxMultiplicity, groups};
+OppositeVertexRecords ShadowBuffers::records() const {
+    OppositeVertexRecords records{0, maxMultiplicity, groups};
     for (const RecordChunk& chunk : sides)
         records.sides += static_cast<std::uint32_t>(chunk.recordCount);
     return records;
 }
 
-ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capHoles,
+ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& alphaCorners,
                            SidesLayout layout) {
     ShadowBuffers buffers;
     buffers.maxMultiplicity = shadow.sides.maxMultiplicity;
     buffers.groups = shadow.groups;
     uploadSides(shadow.sides, layout, buffers.sides);
     uploadCaps(shadow.caps, layout, buffers.caps);
-    if (!capHoles.empty())
-        buffers.capHoles = gl::vertexBuffer<glm::vec4>(
-            layout == SidesLayout::notInstanced ? copiedForEveryVertex(capHoles) : capHoles);
+    if (!alphaCorners.empty())
+        buffers.alphaCorners = gl::vertexBuffer<glm::vec4>(layout == SidesLayout::notInstanced
+                                                               ? copiedForEveryVertex(alphaCorners)
+                                                               : alphaCorners);
     return buffers;
 }
 

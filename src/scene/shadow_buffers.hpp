@@ -2,7 +2,7 @@
 
 #include "preprocess/volumes/shadow_data.hpp"
 #include "src/gl/objects.hpp"
-#include "src/shadow/plan/published/published_draws.hpp"
+#include "src/shadow/plan/published/opposite_vertex_draws.hpp"
 
 #include <vector>
 
@@ -28,18 +28,18 @@ struct ShadowBuffers {
     std::vector<RecordChunk> sides; ///< one when instanced; else as many as keep buffers small
     std::vector<RecordChunk> caps;  ///< likewise
     std::vector<MaterialCasters> groups;
-    gl::Buffer capHoles; ///< three vec4s a cap, copied six times when not instanced; or empty
+    gl::Buffer alphaCorners; ///< three vec4s a cap, copied six times when not instanced; or empty
 
     std::size_t sideBytes() const;
-    std::size_t capBytes() const; ///< with their holes
+    std::size_t capBytes() const; ///< with what tells their cutouts
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 
     /// What is there to be drawn.
-    PublishedRecords records() const;
+    OppositeVertexRecords records() const;
 };
 
-/// Uploads sides and caps; `capHoles` (see scene/load.hpp) may be empty.
-ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& capHoles,
+/// Uploads sides and caps; `alphaCorners` (see scene/load.hpp) may be empty.
+ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& alphaCorners,
                            SidesLayout layout);
 
 } // namespace edgeshade

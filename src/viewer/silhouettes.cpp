@@ -8,7 +8,7 @@ int sideOf(const glm::vec4& plane, const glm::dvec4& light) {
     return (side > 0.0) - (side < 0.0);
 }
 
-void count(const AdaptedShadow& shadow, const glm::dvec4& light, EdgeCounts& counts) {
+void count(const PlanePairShadow& shadow, const glm::dvec4& light, EdgeCounts& counts) {
     counts.edges += shadow.edges;
     counts.records += shadow.pairs.size() + shadow.singles.size();
     for (const PairRecord& pair : shadow.pairs)
@@ -21,8 +21,8 @@ void count(const AdaptedShadow& shadow, const glm::dvec4& light, EdgeCounts& cou
 
 EdgeCounts countEdges(const LoadedScene& loaded, const Light& light) {
     EdgeCounts counts;
-    for (std::size_t i = 0; i < loaded.adapted.size(); ++i)
-        count(*loaded.adapted[i],
+    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
+        count(*loaded.planePairs[i],
               glm::inverse(loaded.scene.batches[i].worldFromBatch) * light.position, counts);
     return counts;
 }

@@ -41,7 +41,7 @@ def wrong(run):
 
 
 def table(results):
-    head = ("| scene | visible pixels | volumes | beyond 1 px, not tied | published records | "
+    head = ("| scene | visible pixels | volumes | beyond 1 px, not tied | opposite-vertex records | "
             + " | ".join(f"map {size}" for size in MAP_SIZES) + " |")
     lines = [head, "|" + " --- |" * (5 + len(MAP_SIZES))]
     for scene, runs in results["scenes"].items():

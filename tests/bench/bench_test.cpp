@@ -15,7 +15,7 @@ using test::pointLight;
 
 LoadedScene yard() {
     const Scene scene = test::yard().scene();
-    return {{}, scene, {}, buildAdapted(scene, false), {}, {}};
+    return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
 }
 
 Setting settingOf(ShadowMethod shadows) {
@@ -71,18 +71,18 @@ TEST(Bench, OnlyVolumesHaveRecordsAndOnlyMapsHaveMaps) {
     task.settings.push_back(settingOf(ShadowMethod::volumes));
     task.settings.back().render.multiplicity = MultiplicityMethod::referenceEdge;
     const Report report = measure(loaded, task, ignore);
-    const Result &adapted = report.results[0], &map = report.results[1], &none = report.results[2],
-                 &volumes = report.results[3];
+    const Result &planePairs = report.results[0], &map = report.results[1],
+                 &none = report.results[2], &volumes = report.results[3];
     const BatchShadow shadow = buildShadows(loaded.scene, false).front();
     const auto side = static_cast<std::size_t>(shadow.sides.maxMultiplicity) * 6;
     EXPECT_EQ(volumes.vertexRuns %
                   (shadow.sides.recordCount() * side + shadow.caps.recordCount() * 6),
               0u)
         << "as many times as there are depth slices";
-    EXPECT_GT(adapted.vertexRuns, 0u);
-    EXPECT_LT(adapted.vertexRuns, volumes.vertexRuns);
-    EXPECT_GT(adapted.sideBytes, 0u);
-    EXPECT_LT(adapted.sideBytes, volumes.sideBytes);
+    EXPECT_GT(planePairs.vertexRuns, 0u);
+    EXPECT_LT(planePairs.vertexRuns, volumes.vertexRuns);
+    EXPECT_GT(planePairs.sideBytes, 0u);
+    EXPECT_LT(planePairs.sideBytes, volumes.sideBytes);
     EXPECT_GT(volumes.sideBytes, 0u);
     EXPECT_EQ(volumes.mapBytes, 0u);
     EXPECT_GT(volumes.stageMs.silhouette, 0.0);

@@ -2,7 +2,7 @@
 // of the same mesh in the same process. `preprocess_throughput SCENE...` prints JSON.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
 
 #include <algorithm>
@@ -47,14 +47,14 @@ Subject subjectOf(const Scene& scene) {
     return subject;
 }
 
-/// Ours: weld, edges, adapted records; published records in place of the last.
+/// Ours: weld, edges, plane-pair records; opposite-vertex records in place of the last.
 Json ours(const Subject& subject, const Scene& scene) {
     BatchTopology topology;
     const double weld =
         secondsOf([&] { topology.mesh = weldCasters(*subject.batch, subject.casters); });
     const double edges = secondsOf([&] { topology.edges = buildEdges(topology.mesh.welded); });
     const double adapted =
-        secondsOf([&] { buildAdapted(topology.mesh, topology.edges, scene.materials); });
+        secondsOf([&] { buildPlanePairs(topology.mesh, topology.edges, scene.materials); });
     const double published = secondsOf([&] {
         buildShadow(topology, recordMultiplicityFor(topology.edges.largestOppositeCount()));
     });

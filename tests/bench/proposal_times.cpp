@@ -27,8 +27,8 @@ struct Found {
 
 Found find(const LoadedScene& loaded, const Light& light, double radius) {
     Found found;
-    for (std::size_t i = 0; i < loaded.adapted.size(); ++i) {
-        const AdaptedShadow& shadow = *loaded.adapted[i];
+    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i) {
+        const PlanePairShadow& shadow = *loaded.planePairs[i];
         const LightFacings facings(shadow);
         const LightBall ball{lightInObject(light, loaded.scene.batches[i].worldFromBatch),
                              static_cast<float>(radius)};
@@ -56,7 +56,7 @@ Json measured(const std::string& path) {
     // Over the scene and to the side, as bench has its light.
     const glm::dvec3 at = bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
     std::size_t pairs = 0, triangles = 0;
-    for (const auto& shadow : loaded.adapted) {
+    for (const auto& shadow : loaded.planePairs) {
         pairs += shadow->pairs.size();
         triangles += shadow->caps.size();
     }

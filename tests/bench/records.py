@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the adapted records leave of the published ones, and proposals of them, beside cube maps, on
+"""What the plane-pair records leave of the published ones, and proposals of them, beside cube maps, on
 every model in ../shared/scenes: the tables of docs/measured/records.md.
 
     tests/bench/records.py           measures, then the tables
@@ -62,10 +62,10 @@ def table(results):
 
 
 def frame_table(results, light):
-    """Times, runs and bytes of published records over those of adapted ones, proposed; for whole
-    frames of all adapted ones too. Above 1 proposed records are better."""
+    """Times, runs and bytes of opposite-vertex records over those of plane-pair ones, proposed; for whole
+    frames of all plane-pair ones too. Above 1 proposed records are better."""
     lines = ["| scene | vertex runs | bytes on the GPU | silhouette stage | rasterise | whole frame "
-             "| whole frame, all adapted records |",
+             "| whole frame, all plane-pair records |",
              "|" + " --- |" * 7]
     ratios = []
     for scene, of in results["scenes"].items():

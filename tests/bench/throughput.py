@@ -12,7 +12,7 @@ from accuracy import NAMES
 from edgeshade_runs import mean, replace_between, results_of, told_of_models
 
 def table(results):
-    lines = ["| scene | triangles | weld, ms | edges, ms | adapted records, ms | million triangles / s "
+    lines = ["| scene | triangles | weld, ms | edges, ms | plane-pair records, ms | million triangles / s "
              "| meshoptimizer: weld, ms | adjacency, ms | million triangles / s | with published "
              "records, ms |",
              "|" + " --- |" * 10]

@@ -146,7 +146,8 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
         explained({"--light", "2,3,2", "--light-range", "0.5"}).find("out of the light's range"),
         std::string::npos);
     EXPECT_NE(explained({"--shadows", "map"}).find("shadow maps"), std::string::npos);
-    EXPECT_NE(explained({"--layout", "published"}).find("published records"), std::string::npos);
+    EXPECT_NE(explained({"--layout", "published"}).find("opposite-vertex records"),
+              std::string::npos);
 }
 
 TEST(Rendering, DrawingTwiceGivesTheSameFile) {

@@ -20,7 +20,7 @@ void readShadowData(const GltfDocument& document) {
     Scene scene = flattenScene(document, header->settings.weldTolerance);
     readCasters(document, *header, scene);
     readShadows(document, *header, scene);
-    buildAdapted(scene, header->settings.castMasked, header->settings.flatTolerance);
+    buildPlanePairs(scene, header->settings.castMasked, header->settings.flatTolerance);
 }
 
 void readAnimationOf(const GltfDocument& document) {

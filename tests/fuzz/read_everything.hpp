@@ -6,7 +6,7 @@
 namespace edgeshade::test {
 
 /// Reads the bytes of a .glb or .gltf as the program would in all of its verbs, short of drawing:
-/// read -> flatten -> weld -> edges -> adapted records, the shadow data of a packed file, its
+/// read -> flatten -> weld -> edges -> plane-pair records, the shadow data of a packed file, its
 /// animation, its images; and packs it again. Limits are small, so that little memory and time are
 /// enough for whatever is accepted.
 ///

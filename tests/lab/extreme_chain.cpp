@@ -1,7 +1,7 @@
 #include "tests/lab/extreme_check.hpp"
-#include "tests/support/adapted_chain.hpp"
 #include "tests/support/emitted_chain.hpp"
 #include "tests/support/open_edges.hpp"
+#include "tests/support/plane_pair_chain.hpp"
 
 namespace edgeshade::test {
 namespace {
@@ -23,9 +23,9 @@ std::size_t openEdgesOfBatch(const BatchTopology& topology, const BatchShadow& s
     return open + !chain.isCycle();
 }
 
-std::size_t openEdgesOfBatch(const BatchTopology& topology, const AdaptedShadow& shadow,
+std::size_t openEdgesOfBatch(const BatchTopology& topology, const PlanePairShadow& shadow,
                              const glm::vec4& light) {
-    const AdaptedSigns signs = signsOf(shadow, light, countAll);
+    const PlanePairSigns signs = signsOf(shadow, light, countAll);
     std::size_t open = openEdges(topology.mesh, topology.edges, shadow, signs);
     const auto& positions = topology.mesh.welded.positions;
     if (positions.size() <= mostChainVertices) open += openClusters(positions, shadow, light);
@@ -43,7 +43,7 @@ std::size_t openEdgesOf(const LoadedScene& scene, const std::vector<Light>& ligh
             const glm::vec4 inBatch = lightInObject(light, scene.scene.batches[b].worldFromBatch);
             open += openEdgesOfBatch<ReferenceEdge>(topology[b], scene.shadows[b], inBatch);
             open += openEdgesOfBatch<ThreeEdge>(topology[b], scene.shadows[b], inBatch);
-            open += openEdgesOfBatch(topology[b], *scene.adapted[b], inBatch);
+            open += openEdgesOfBatch(topology[b], *scene.planePairs[b], inBatch);
         }
     return open;
 }

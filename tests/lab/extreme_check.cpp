@@ -27,16 +27,16 @@ ExtremeOutcome check(const Extreme& extreme) {
     outcome.triangles = scene.scene.triangleCount();
     outcome.openEdges = openEdgesOf(scene, extreme.lights);
     double near = 0.0;
-    const lab::Pictures adapted = drawPictures(extreme, scene, MultiplicityMethod::plane, near);
-    const lab::Pictures published =
+    const lab::Pictures planePairs = drawPictures(extreme, scene, MultiplicityMethod::plane, near);
+    const lab::Pictures oppositeVertices =
         drawPictures(extreme, scene, MultiplicityMethod::referenceEdge, near);
     const lab::Oracle oracle({&scene.scene, scene.settings.castMasked,
                               standingBack(extreme.seen(), worldBounds(scene.scene)), near,
                               extreme.lights, extreme.width, extreme.height},
                              lab::textureAlpha(scene));
     auto answers = lab::traceAll(oracle, {});
-    outcome.adapted = lab::compareWithOracle(oracle, answers, adapted, 8).counts;
-    outcome.published = lab::compareWithOracle(oracle, answers, published, 8).counts;
+    outcome.planePairs = lab::compareWithOracle(oracle, answers, planePairs, 8).counts;
+    outcome.oppositeVertices = lab::compareWithOracle(oracle, answers, oppositeVertices, 8).counts;
     return outcome;
 }
 
@@ -58,9 +58,9 @@ std::string rowOf(const std::string& name, const std::string& provokes, const st
 } // namespace
 
 std::string tableRows(const Extreme& extreme, const ExtremeOutcome& outcome) {
-    return rowOf(extreme.name, extreme.provokes, "adapted", outcome.adapted,
+    return rowOf(extreme.name, extreme.provokes, "adapted", outcome.planePairs,
                  std::to_string(outcome.openEdges)) +
-           "\n" + rowOf("", "", "published", outcome.published, "");
+           "\n" + rowOf("", "", "published", outcome.oppositeVertices, "");
 }
 
 } // namespace edgeshade::test

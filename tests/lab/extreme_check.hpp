@@ -9,9 +9,9 @@ namespace edgeshade::test {
 /// What the checks of one case find.
 struct ExtremeOutcome {
     std::size_t triangles = 0;
-    lab::WrongCounts adapted;
-    lab::WrongCounts published; ///< by reference edges
-    std::size_t openEdges = 0;  ///< over all lights, by planes, reference edges and three edges
+    lab::WrongCounts planePairs;
+    lab::WrongCounts oppositeVertices; ///< by reference edges
+    std::size_t openEdges = 0; ///< over all lights, by planes, reference edges and three edges
 };
 
 ExtremeOutcome check(const Extreme& extreme);

@@ -23,7 +23,7 @@ float part(int i, int count) {
 
 LoadedScene loaded(Scene scene, bool castMasked) {
     LoadedScene result;
-    result.adapted = buildAdapted(scene, castMasked);
+    result.planePairs = buildPlanePairs(scene, castMasked);
     result.shadows = buildShadows(scene, castMasked);
     result.scene = std::move(scene);
     result.settings.castMasked = castMasked;

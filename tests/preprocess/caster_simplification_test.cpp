@@ -2,8 +2,8 @@
 
 #include "preprocess/mesh/mesh_statistics.hpp"
 #include "preprocess/mesh/topology.hpp"
-#include "tests/support/adapted_chain.hpp"
 #include "tests/support/hard_lights.hpp"
+#include "tests/support/plane_pair_chain.hpp"
 #include "tests/support/scene_builder.hpp"
 #include "tests/support/small_soups.hpp"
 
@@ -173,7 +173,8 @@ TEST(CasterSimplification, ChainsOfRandomSoupsStayClosed) {
         const CasterMesh mesh = castersIn(scene);
         fewer += mesh.welded.triangles.size() < before.welded.triangles.size();
         if (mesh.welded.triangles.empty()) continue;
-        const AdaptedShadow shadow = buildAdapted(mesh, buildEdges(mesh.welded), scene.materials);
+        const PlanePairShadow shadow =
+            buildPlanePairs(mesh, buildEdges(mesh.welded), scene.materials);
         const CapRecord& cap = shadow.caps.front();
         const glm::vec4 light = test::randomLight(
             random, {cap.a, cap.b, cap.c}, static_cast<test::LightKind>(i % test::lightKindCount));

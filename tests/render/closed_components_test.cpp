@@ -2,7 +2,7 @@
 // in full elsewhere (docs/method.md, C8 and C9): light and eye inside and outside, in the same and
 // in different components, nested and self-intersecting ones.
 
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -22,7 +22,7 @@ const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 /// Whether every component of the scene's casters but the floor is closed.
 bool isClosedButTheFloor(const Scene& scene) {
     std::size_t open = 0;
-    for (const auto& shadow : buildAdapted(scene, false))
+    for (const auto& shadow : buildPlanePairs(scene, false))
         for (const ShadowCluster& cluster : shadow->clusters)
             open += cluster.closed ? 0 : cluster.caps.count;
     return open == 2;

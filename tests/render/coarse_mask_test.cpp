@@ -214,7 +214,7 @@ TEST(CoarseMask, GoesWithEverythingElse) {
 }
 
 TEST(CoarseMask, PictureAndMaskAgree) {
-    // A white floor under a sun from above: what is lit is 255, what is not 0.
+    // A white floor under a directional light from above: what is lit is 255, what is not 0.
     const Scene scene =
         SceneBuilder().floor(9).quad({-1, 2, 2}, {2, 2, 1}, {1, 2, -2}, {-2, 2, -1}).scene();
     TestView view{{{0, 5, 0}, {1, 0, 0.5}, 70.0}, {sun({0.3, 1, 0.2})}, width, height};
@@ -233,7 +233,7 @@ TEST(CoarseMask, PictureAndMaskAgree) {
 struct Yard {
     explicit Yard(const gl::Capabilities& capabilities, int scale) {
         const Scene scene = test::yard().scene();
-        loaded = {{}, scene, {}, buildAdapted(scene, false), {}, {}};
+        loaded = {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
         view = makeFrameView(loaded.scene, loaded.settings.castMasked,
                              {frustumOf(corner, static_cast<double>(width) / height),
                               width,

@@ -2,9 +2,9 @@
 
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
-#include "tests/support/adapted_probe.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/lights.hpp"
+#include "tests/support/plane_pair_probe.hpp"
 #include "tests/support/probe.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace edgeshade {
 namespace {
 
 constexpr std::size_t lightsPerScene = 100;
-constexpr std::size_t adaptedLightsPerScene = 12; // a map of all edges is made for each
+constexpr std::size_t planePairLightsPerScene = 12; // a map of all edges is made for each
 
 /// Every scene that is at hand: the one that ships and those of ../shared.
 std::vector<std::filesystem::path> scenePaths() {
@@ -68,16 +68,16 @@ Count countOpenInAll(MultiplicityMethod method, const char* name, std::size_t li
     return total;
 }
 
-/// Adapted records: every triangle counted, then the light-facing ones of closed clusters alone.
-Count countOpenAdapted(test::AdaptedProbe& probe, const std::filesystem::path& path,
-                       std::size_t lights) {
+/// Plane-pair records: every triangle counted, then the light-facing ones of closed clusters alone.
+Count countOpenPlanePairs(test::PlanePairProbe& probe, const std::filesystem::path& path,
+                          std::size_t lights) {
     const Scene scene = flattenScene(readGltf(path), 0.0);
     Count count;
     for (const Batch& batch : scene.batches) {
         const CasterMesh mesh = weldCasters(batch, castersOf(batch, scene.materials, true));
         if (mesh.welded.triangles.empty()) continue;
         const EdgeList edges = buildEdges(mesh.welded);
-        const AdaptedShadow shadow = buildAdapted(mesh, edges, scene.materials);
+        const PlanePairShadow shadow = buildPlanePairs(mesh, edges, scene.materials);
         probe.upload(shadow);
         const bool closed = std::all_of(shadow.clusters.begin(), shadow.clusters.end(),
                                         [](const ShadowCluster& c) { return c.closed; });
@@ -93,10 +93,10 @@ Count countOpenAdapted(test::AdaptedProbe& probe, const std::filesystem::path& p
 }
 
 TEST(ClosedChainOnTheDevice, PlanesNeverOpen) {
-    test::AdaptedProbe probe;
+    test::PlanePairProbe probe;
     std::size_t open = 0;
     for (const auto& path : scenePaths()) {
-        const Count count = countOpenAdapted(probe, path, adaptedLightsPerScene);
+        const Count count = countOpenPlanePairs(probe, path, planePairLightsPerScene);
         std::cout << "[ closed chain ] device, plane, " << path.filename().string() << ": "
                   << count.open << " open of " << count.edges << " edge-light pairs\n";
         open += count.open;

@@ -63,7 +63,8 @@ class BumpyBall {
     std::vector<glm::vec3> points_;
 };
 
-/// To see shadows on: all around, or, where that would keep a sun out, across its way.
+/// To see shadows on: all around, or, where that would keep a directional light out, across its
+/// way.
 Batch screenFor(const Light& light, const glm::dvec3& middle) {
     if (light.position.w != 0.0)
         return SceneBuilder().box({20, 20, 20}, {-20, -20, -20}).scene().batches.front();
@@ -111,14 +112,15 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
         const auto inWorld = [&](const glm::dvec3& p) {
             return glm::dvec3(placing * glm::dvec4(p, 1.0));
         };
-        const bool isSun = i % 4 == 3;
+        const bool isDirectional = i % 4 == 3;
         const glm::dvec3 middle = inWorld({0, 0, 0});
         const glm::dvec3 away = glm::normalize(random.inCube());
-        const Light light = isSun ? sun(away) : pointLight(middle + random.uniform(3, 9) * away);
+        const Light light =
+            isDirectional ? sun(away) : pointLight(middle + random.uniform(3, 9) * away);
         loaded.scene.batches.push_back(screenFor(light, middle));
-        loaded.adapted = buildAdapted(loaded.scene, false);
+        loaded.planePairs = buildPlanePairs(loaded.scene, false);
         const glm::dvec3 point = inWorld(ball.point(random));
-        const glm::dvec3 shone = isSun ? -away : point - glm::dvec3(light.position);
+        const glm::dvec3 shone = isDirectional ? -away : point - glm::dvec3(light.position);
         const glm::dvec3 eye = point + random.uniform(0.6, 3.0) * glm::normalize(shone);
         const glm::dvec3 to = random.below(2) ? middle : eye + random.inCube();
         const Camera camera{eye, to, random.uniform(30, 100)};
@@ -134,7 +136,7 @@ TEST_P(FannedCaps, CoverWhatTrianglesDo) {
 
         const PlanView planned = planView(view, view.slices.back(), light, placing);
         bool allowed = false;
-        for (const ClusterPlan& draw : planVolumes(*loaded.adapted[0], planned).drawn)
+        for (const ClusterPlan& draw : planVolumes(*loaded.planePairs[0], planned).drawn)
             allowed = allowed || (draw.fannedCaps && (draw.frontCaps || draw.backCaps));
         const Drawn proposed = drawnWith(SilhouetteChoice::proposed, GetParam(), loaded, view);
         const Drawn all = drawnWith(SilhouetteChoice::all, GetParam(), loaded, view);

@@ -42,7 +42,7 @@ std::unique_ptr<Planned> planned(const Scene& scene, const Camera& camera,
     result->view =
         makeFrameView(scene, castMasked, {frustumOf(camera, 1.0), 64, 64, lights, depth});
     if (change) change(result->view);
-    const auto shadows = buildAdapted(scene, castMasked);
+    const auto shadows = buildPlanePairs(scene, castMasked);
     std::vector<PlacedShadow> casters;
     for (std::size_t i = 0; i < shadows.size(); ++i)
         casters.push_back({i, shadows[i], scene.batches[i].worldFromBatch});

@@ -82,8 +82,8 @@ TEST(KnownShadows, BoxOverFloorUnderSidewaysPointLight) {
     }
 }
 
-// A sun towards (1, 1, 0) moves a point at height h by -h in x: the box from height 2 to 4 shades
-// x from -1 - 4 to 1 - 2, z from -1 to 1.
+// A directional light towards (1, 1, 0) moves a point at height h by -h in x: the box from height 2
+// to 4 shades x from -1 - 4 to 1 - 2, z from -1 to 1.
 TEST(KnownShadows, BoxOverFloorUnderSun) {
     const auto scene = SceneBuilder().floor(8).box({-1, 2, -1}, {1, 4, 1});
     const auto mask = maskOf(scene, above(40, 7), sun({1, 1, 0}));

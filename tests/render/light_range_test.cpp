@@ -98,7 +98,7 @@ TEST(LightReach, IsEmptyWhereTheBallMissesTheView) {
     EXPECT_FALSE(reaches(lamp({0, 0, -110}, 9.0)));  // behind all that is visible
     EXPECT_TRUE(reaches(lamp({0, 0, -110}, 12.0)));
     EXPECT_TRUE(reaches({{20, 0, -10, 1}}));     // without a range
-    EXPECT_TRUE(reaches({{0, 0, 1, 0}, 0.001})); // a sun has none
+    EXPECT_TRUE(reaches({{0, 0, 1, 0}, 0.001})); // a directional light has none
     view.slices[0] = {0.1, 5.0};
     EXPECT_FALSE(reaches(lamp({0, 0, -10}, 4.0))); // of a farther slice
 }
@@ -195,7 +195,8 @@ TEST(LightRange, AMapOfALightThatReachesNothingIsEmpty) {
         ASSERT_EQ(mask[i], 0);
 }
 
-// A white floor under a lamp at height 3: 255 * (0.2 + 0.8 * (1 - (3 / range)^4)) in the middle.
+// A white floor under a point light at height 3: 255 * (0.2 + 0.8 * (1 - (3 / range)^4)) in the
+// middle.
 TEST(LightRange, TheWindowWeighsLambertsLaw) {
     const Scene scene = SceneBuilder().floor(8).scene();
     const auto middle = [&](const Light& light) {
@@ -211,7 +212,7 @@ TEST(LightRange, TheWindowWeighsLambertsLaw) {
             << range;
     EXPECT_EQ(middle(lamp({0, 3, 0}, 2.9)), 51);
     EXPECT_EQ(middle({{0, 3, 0, 1}}), 255);
-    EXPECT_EQ(middle({{0, 1, 0, 0}, 2.9}), 255) << "a sun has no range";
+    EXPECT_EQ(middle({{0, 1, 0, 0}, 2.9}), 255) << "a directional light has no range";
 }
 
 /// Draws many boxes in rows and says how many vertices their volumes took.
@@ -227,7 +228,8 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
     settings.maskScale = maskScale;
     settings.multiplicity = method;
     settings.layout = bestLayout(context.capabilities());
-    const LoadedScene loaded{{}, builder.scene(), {}, buildAdapted(builder.scene(), false), {}, {}};
+    const LoadedScene loaded{{}, builder.scene(), {}, buildPlanePairs(builder.scene(), false), {},
+                             {}};
     const FrameView view = makeFrameView(
         loaded.scene, loaded.settings.castMasked,
         {frustumOf({{0, 6, 14}, {0, 0, 0}, 60.0}, static_cast<double>(width) / height),

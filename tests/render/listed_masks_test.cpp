@@ -35,7 +35,7 @@ class Pair {
         : loaded_{{}, twoBatches(), {}, {}, {}, {}}, context_({width, height}),
           all_(settingsFor(SilhouetteChoice::all, layout), context_.capabilities()),
           proposed_(settingsFor(SilhouetteChoice::proposed, layout), context_.capabilities()) {
-        loaded_.adapted = buildAdapted(loaded_.scene, false);
+        loaded_.planePairs = buildPlanePairs(loaded_.scene, false);
         scene_.emplace(uploadScene(loaded_, all_.settings().records(), context_.capabilities()));
     }
 

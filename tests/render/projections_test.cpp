@@ -61,7 +61,7 @@ TEST(Projections, OffAxisLightWithARange) {
     expectRight(test);
 }
 
-/// Suns shine into the picture, along it, and out of it.
+/// Directional lights shine into the picture, along it, and out of it.
 class Parallel : public testing::TestWithParam<std::tuple<Frustum, Light>> {};
 TEST_P(Parallel, AgreesWithRays) {
     const auto& [frustum, light] = GetParam();

@@ -17,7 +17,7 @@ using test::shadowOf;
 using test::Soup;
 
 /// All triangles on the way, by barycentric coordinates.
-int trianglesOnTheWay(const AdaptedShadow& shadow, const ShadowCluster& cluster,
+int trianglesOnTheWay(const PlanePairShadow& shadow, const ShadowCluster& cluster,
                       const glm::dvec3& start, const glm::dvec4& light) {
     const glm::dvec3 way = glm::dvec3(light) - start * light.w;
     int count = 0;
@@ -53,12 +53,12 @@ TEST(RayCrossings, WhereTheyAreEvenEveryPointHasAsMany) {
     Random random(5);
     std::size_t even = 0, within = 0, uneven = 0;
     for (int i = 0; i < 60'000; ++i) {
-        const AdaptedShadow shadow = shadowOf(anySoup(random));
+        const PlanePairShadow shadow = shadowOf(anySoup(random));
         const glm::dvec3 corner = 3.0 * random.inCube();
         const glm::dvec3 right = random.inCube() * random.magnitude(-4, -0.5);
         const glm::dvec3 up = random.inCube() * random.magnitude(-4, -0.5);
-        const bool sun = random.below(3) == 0;
-        const glm::dvec4 light(glm::dvec3(glm::vec3(3.0 * random.inCube())), !sun);
+        const bool directional = random.below(3) == 0;
+        const glm::dvec4 light(glm::dvec3(glm::vec3(3.0 * random.inCube())), !directional);
         const NearClipVolume pyramid{{{corner, corner + right, corner + right + up, corner + up}},
                                      light};
         for (const ShadowCluster& cluster : shadow.clusters) {
@@ -89,21 +89,21 @@ TEST(RayCrossings, WhereTheyAreEvenEveryPointHasAsMany) {
 
 TEST(RayCrossings, OfASilhouetteAreUneven) {
     // One triangle, its edge over the middle of the rectangle.
-    const AdaptedShadow shadow = shadowOf({{{0, 1, -5}, {0, 1, 5}, {5, 1, 0}}, {0, 1, 2}});
+    const PlanePairShadow shadow = shadowOf({{{0, 1, -5}, {0, 1, 5}, {5, 1, 0}}, {0, 1, 2}});
     const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
     const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
     EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::outlineMet);
 }
 
 TEST(RayCrossings, OfATriangleThroughTheRectangleAreUneven) {
-    const AdaptedShadow shadow = shadowOf({{{-9, -1, -9}, {9, -1, -9}, {0, 2, 9}}, {0, 1, 2}});
+    const PlanePairShadow shadow = shadowOf({{{-9, -1, -9}, {9, -1, -9}, {0, 2, 9}}, {0, 1, 2}});
     const NearClipVolume pyramid{{{{-1, 0, -4}, {1, 0, -4}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
     const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
     EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::rectangleMet);
 }
 
 TEST(RayCrossings, OfALightInATrianglesPlaneAreUncertain) {
-    const AdaptedShadow shadow = shadowOf({{{-9, 1, -9}, {9, 1, -9}, {0, 1, 9}}, {0, 1, 2}});
+    const PlanePairShadow shadow = shadowOf({{{-9, 1, -9}, {9, 1, -9}, {0, 1, 9}}, {0, 1, 2}});
     const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 1, 0, 1}};
     const Touched touched = capsTouching(pyramid, shadow.clusters[0], shadow);
     EXPECT_EQ(evennessOf(pyramid, touched.caps, shadow, dotRounding(23)), Evenness::uncertain);
@@ -118,7 +118,7 @@ TEST(RayCrossings, TooManyTrianglesAreNotCounted) {
         const auto first = static_cast<std::uint32_t>(3 * i);
         stack.indices.insert(stack.indices.end(), {first, first + 1, first + 2});
     }
-    const AdaptedShadow shadow = shadowOf(stack);
+    const PlanePairShadow shadow = shadowOf(stack);
     const NearClipVolume pyramid{{{{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}}}, {0, 9, 0, 1}};
     std::size_t touched = 0;
     bool tooMany = false;

@@ -36,7 +36,7 @@ TEST(Shading, LinearFactorsBecomeDisplayValues) {
 }
 
 TEST(Shading, LambertIsTheCosine) {
-    // A sun 60 degrees off: 0.2 + 0.8 * 0.5 = 0.6.
+    // A directional light 60 degrees off: 0.2 + 0.8 * 0.5 = 0.6.
     EXPECT_NEAR(middle({sun({std::sqrt(3.0), 1, 0})}, 0.2f, 1.0f), 153, 2);
 }
 

@@ -188,7 +188,8 @@ TEST(ShadowMap, FacesApartLookTheSame) {
 }
 
 TEST(ShadowMap, WiderKernelsMakeHalfShadows) {
-    // A white floor from above under a sun at the zenith: lit 255, ambient 89, nothing else.
+    // A white floor from above under a directional light at the zenith: lit 255, ambient 89,
+    // nothing else.
     const Scene scene = SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
     for (const Light& light : {pointLight({0.5, 6, 0.3}), sun({0.5, 1, 0.3})}) {
         int between[2] = {};

@@ -2,7 +2,7 @@
 // multiplicity other than 0 for any light of the ball.
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
-#include "tests/support/adapted_chain.hpp"
+#include "tests/support/plane_pair_chain.hpp"
 #include "tests/support/rounded_arithmetic.hpp"
 #include "tests/support/small_soups.hpp"
 #include "tests/support/soup_shadow.hpp"
@@ -17,7 +17,8 @@ using test::Random;
 using test::shadowOf;
 using test::Soup;
 
-SilhouetteList listFor(const AdaptedShadow& shadow, const LightBall& ball, int mantissaBits = 23) {
+SilhouetteList listFor(const PlanePairShadow& shadow, const LightBall& ball,
+                       int mantissaBits = 23) {
     SilhouetteList proposal;
     listSilhouettes(shadow, LightFacings(shadow), ball, mantissaBits, proposal);
     return proposal;
@@ -25,13 +26,13 @@ SilhouetteList listFor(const AdaptedShadow& shadow, const LightBall& ball, int m
 
 /// A ball around or near what casts: its centre on planes, edges and vertices, and a few units in
 /// the last place beside them, as often as anywhere; its radius any, or 0.
-LightBall ballFor(const AdaptedShadow& shadow, Random& random) {
+LightBall ballFor(const PlanePairShadow& shadow, Random& random) {
     const CapRecord& cap =
         shadow.caps[static_cast<std::size_t>(random.below(static_cast<int>(shadow.caps.size())))];
     const glm::dvec3 a(cap.a), b(cap.b), c(cap.c);
     const double size = std::max({glm::length(b - a), glm::length(c - a), 1e-30});
-    const bool sun = random.below(3) == 0;
-    glm::dvec3 at = sun ? glm::dvec3(0.0) : a;
+    const bool directional = random.below(3) == 0;
+    glm::dvec3 at = directional ? glm::dvec3(0.0) : a;
     if (random.below(3) == 0) {
         at += random.inCube() * size * random.magnitude(-2, 4);
     } else {
@@ -39,12 +40,12 @@ LightBall ballFor(const AdaptedShadow& shadow, Random& random) {
         const double t = random.below(3) == 0 ? 0.0 : random.uniform(-2, 2);
         at += s * (b - a) + t * (c - a);
     }
-    if (sun && glm::length(at) > 0.0 && random.below(2)) at = glm::normalize(at);
+    if (directional && glm::length(at) > 0.0 && random.below(2)) at = glm::normalize(at);
     LightBall ball;
-    ball.center = glm::vec4(test::nudged(random, glm::vec3(at)), sun ? 0.0f : 1.0f);
+    ball.center = glm::vec4(test::nudged(random, glm::vec3(at)), directional ? 0.0f : 1.0f);
     if (random.below(3) > 0)
-        ball.radius =
-            static_cast<float>(random.magnitude(-9, 1) * (sun ? glm::length(at) + 1e-6 : size));
+        ball.radius = static_cast<float>(random.magnitude(-9, 1) *
+                                         (directional ? glm::length(at) + 1e-6 : size));
     return ball;
 }
 
@@ -81,7 +82,7 @@ class Listed {
 
 /// Silhouettes that a proposal leaves out, for any way to count that the cluster allows, and pairs
 /// that it wrongly takes for certain ones.
-std::size_t missed(const AdaptedShadow& shadow, const SilhouetteList& proposal,
+std::size_t missed(const PlanePairShadow& shadow, const SilhouetteList& proposal,
                    const glm::vec4& light, std::size_t& checked) {
     std::size_t wrong = 0;
     for (std::size_t c = 0; c < shadow.clusters.size(); ++c) {
@@ -112,7 +113,7 @@ TEST(SilhouetteList, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
     Random random(17);
     std::size_t checked = 0, wrong = 0, all = 0, inNoPlane = 0;
     while (checked < leftOut) {
-        const AdaptedShadow shadow = shadowOf(test::randomSoup(random, 20 + random.below(40)));
+        const PlanePairShadow shadow = shadowOf(test::randomSoup(random, 20 + random.below(40)));
         if (shadow.pairs.empty()) continue;
         for (int ball = 0; ball < 20; ++ball) {
             const LightBall lights = ballFor(shadow, random);
@@ -142,7 +143,7 @@ std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
     Random random(seed);
     std::size_t checked = 0, wrong = 0;
     while (checked < leftOut) {
-        const AdaptedShadow shadow = shadowOf(test::randomSoup(random, 20 + random.below(40)));
+        const PlanePairShadow shadow = shadowOf(test::randomSoup(random, 20 + random.below(40)));
         if (shadow.pairs.empty()) continue;
         for (int i = 0; i < 20; ++i) {
             const LightBall ball = ballFor(shadow, random);
@@ -199,7 +200,7 @@ TEST(SilhouetteList, OfALightAtRestIsNextToWhatItMust) {
             ball.indices.insert(ball.indices.end(), {p, q, p + sectors});
             ball.indices.insert(ball.indices.end(), {q, q + sectors, p + sectors});
         }
-    const AdaptedShadow shadow = shadowOf(ball);
+    const PlanePairShadow shadow = shadowOf(ball);
     const glm::vec4 light(3, 2, 1, 1);
     std::size_t silhouettes = 0;
     for (const PairRecord& pair : shadow.pairs)
@@ -213,14 +214,14 @@ TEST(SilhouetteList, OfALightAtRestIsNextToWhatItMust) {
 }
 
 TEST(SilhouetteList, KeepsMoreWhereFloatsHaveFewerBits) {
-    const AdaptedShadow shadow = shadowOf(test::cube());
+    const PlanePairShadow shadow = shadowOf(test::cube());
     // Next to the plane of a face, nearer than 16 bits tell.
     const LightBall ball{{0.5f, 1.00001f, 3.0f, 1.0f}, 0.0f};
     EXPECT_GT(listFor(shadow, ball, 16).size(), listFor(shadow, ball, 23).size());
 }
 
 TEST(SilhouetteList, OfWhatIsNotFiniteLeavesNothingOut) {
-    const AdaptedShadow shadow = shadowOf(test::cube());
+    const PlanePairShadow shadow = shadowOf(test::cube());
     const float infinity = std::numeric_limits<float>::infinity();
     for (const float value : {infinity, std::numeric_limits<float>::quiet_NaN()})
         EXPECT_EQ(listFor(shadow, {{value, value, -value, 1}, 0.0f}).size(), shadow.pairs.size());
@@ -259,7 +260,7 @@ TEST(LightTrack, AJumpMakesNoBall) {
     track.follow({0, 0, 0, 1});
     EXPECT_TRUE(track.follow({100, 0, 0, 1}));
     EXPECT_EQ(track.ball().radius, 0.0f);
-    // Nor does a sun where a point light was.
+    // Nor does a directional light where a point light was.
     EXPECT_TRUE(track.follow({100, 0, 0, 0}));
     EXPECT_TRUE(track.ball().holds({100, 0, 0, 0}));
 }

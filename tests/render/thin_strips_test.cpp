@@ -1,5 +1,5 @@
 // Sides thinner than the rasteriser's grid: whether they face the eye is decided by the rasteriser
-// alone, so that what counts twice counts as the published records do, pixel for pixel.
+// alone, so that what counts twice counts as the opposite-vertex records do, pixel for pixel.
 
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -46,17 +46,17 @@ std::vector<std::uint8_t> maskOf(const Scene& scene, double eyeX, RenderSettings
 }
 
 TEST(ThinStrips, CountTwiceAsPublishedRecordsDo) {
-    RenderSettings published;
-    published.multiplicity = MultiplicityMethod::referenceEdge;
+    RenderSettings oppositeVertices;
+    oppositeVertices.multiplicity = MultiplicityMethod::referenceEdge;
     for (const int segments : {250, 500, 1000})
         for (const double eyeX : {0.137, 0.148, 0.159}) {
             const Scene scene = ridge(segments);
-            const auto wanted = maskOf(scene, eyeX, published);
+            const auto wanted = maskOf(scene, eyeX, oppositeVertices);
             for (const SilhouetteChoice choice :
                  {SilhouetteChoice::all, SilhouetteChoice::proposed}) {
-                RenderSettings adapted;
-                adapted.silhouette = choice;
-                const auto drawn = maskOf(scene, eyeX, adapted);
+                RenderSettings planePairs;
+                planePairs.silhouette = choice;
+                const auto drawn = maskOf(scene, eyeX, planePairs);
                 int different = 0;
                 for (std::size_t i = 0; i < drawn.size(); i += 4)
                     different += drawn[i] != wanted[i] || drawn[i + 3] != wanted[i + 3];

@@ -37,7 +37,7 @@ void appendShell(const Box& box, std::vector<CapRecord>& caps) {
 
 /// The clusters are shells of their bounds.
 VolumePlan planOf(const std::vector<ShadowCluster>& clusters, const PlanView& view) {
-    AdaptedShadow shadow;
+    PlanePairShadow shadow;
     for (ShadowCluster cluster : clusters) {
         cluster.caps = {static_cast<std::uint32_t>(shadow.caps.size()), 12};
         cluster.leaves = {static_cast<std::uint32_t>(shadow.leaves.size()), 1};
@@ -57,7 +57,7 @@ ShadowCluster clusterAt(const glm::dvec3& center, double halfSize, bool closed =
     ShadowCluster cluster;
     cluster.bounds = boxAround(center, halfSize);
     cluster.closed = closed;
-    cluster.holes = holes;
+    cluster.alphaTested = holes;
     return cluster;
 }
 
@@ -109,16 +109,17 @@ TEST(Separation, NeverPartsWhatTouches) {
         const glm::dvec3 corner = 3.0 * random.inCube();
         const glm::dvec3 right = random.inCube() * random.magnitude(-3, 0);
         const glm::dvec3 up = random.inCube() * random.magnitude(-3, 0);
-        const bool sun = random.below(3) == 0;
-        const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-2, 2)), !sun);
+        const bool directional = random.below(3) == 0;
+        const glm::dvec4 light(random.inCube() * (directional ? 1.0 : random.magnitude(-2, 2)),
+                               !directional);
         const NearClipVolume pyramid{{{corner, corner + right, corner + right + up, corner + up}},
                                      light};
         // A point of the hull, and a box that just holds it.
         const double s = random.uniform(0, 1), t = random.uniform(0, 1);
         const glm::dvec3 base = corner + s * right + t * up;
         const double u = random.uniform(0, 1);
-        const glm::dvec3 point =
-            sun ? base + u * 50.0 * glm::dvec3(light) : glm::mix(base, glm::dvec3(light), u);
+        const glm::dvec3 point = directional ? base + u * 50.0 * glm::dvec3(light)
+                                             : glm::mix(base, glm::dvec3(light), u);
         const double size = random.magnitude(-4, 0);
         const glm::dvec3 offset = size * random.inCube();
         EXPECT_FALSE(areApart(pyramid, boxAround(point + offset, size * 1.0001)));
@@ -131,7 +132,7 @@ TEST(Separation, NeverPartsWhatTouches) {
         // What the quick test keeps apart, the slow one does.
         const std::array other = {4.0 * random.inCube(), 4.0 * random.inCube(),
                                   4.0 * random.inCube()};
-        EXPECT_TRUE(sun || !faces.separate(other) || areApart(pyramid, other));
+        EXPECT_TRUE(directional || !faces.separate(other) || areApart(pyramid, other));
         quick += faces.separate(other);
         slow += areApart(pyramid, other);
         apart += areApart(pyramid, boxAround(4.0 * random.inCube(), size));
@@ -167,7 +168,7 @@ TEST(VolumePlan, AShadowsOutlineOverTheNearRectangleTakesCaps) {
     EXPECT_EQ(draw.caps, CapsNeeded::outlineMet);
     EXPECT_FALSE(draw.frontCaps) << "it is above the eye, out of view";
     EXPECT_EQ(draw.counted, Counted::lightFacing);
-    // A sun within the plane of a face says nothing of that.
+    // A directional light within the plane of a face says nothing of that.
     EXPECT_EQ(onlyDraw(clusterAt({1, 5, 0}, 1), {0, 1, 0, 0}).caps, CapsNeeded::uncertain);
 }
 
@@ -204,7 +205,7 @@ TEST(VolumePlan, BetweenTheInsideAndTheOutsideItSealsTheLightOff) {
 
 TEST(VolumePlan, ComponentsThatOneCrossesEachWayCountInFull) {
     // The eye is within one box, the light within another: their winding numbers must not be added.
-    AdaptedShadow shadow;
+    PlanePairShadow shadow;
     appendShell(boxAround({0, 0, 0}, 3), shadow.caps);
     appendShell(boxAround({0, 50, 0}, 3), shadow.caps);
     ShadowCluster cluster = clusterAt({0, 25, 0}, 30);
@@ -231,7 +232,7 @@ TEST(VolumePlan, TheNearPlaneWithinItsBoundsCountsInFull) {
 
 TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTriangles) {
     // Two plates, with the eye between them and the light beside it.
-    AdaptedShadow shadow;
+    PlanePairShadow shadow;
     Box left, right;
     left.add({-20, -20, -20});
     left.add({-19, 20, 20});
@@ -268,7 +269,7 @@ TEST(VolumePlan, WithinItsBoundsButBetweenItsTrianglesItTakesNoCapsAndHalfTheTri
 
 TEST(VolumePlan, ANearPlaneJustBeforeItTakesNoCapsAndHalfTheTriangles) {
     // As fitted near planes are: the rectangle reaches into the bounds, beside the triangles.
-    AdaptedShadow shadow;
+    PlanePairShadow shadow;
     ShadowCluster cluster = clusterAt({0, 0, -1}, 0.5);
     cluster.caps = {0, 1};
     cluster.leaves = {0, 1};
@@ -290,9 +291,10 @@ TEST(VolumePlan, WithHolesItAlwaysTakesCaps) {
 }
 
 TEST(VolumePlan, WhatCannotCastIntoTheViewIsLeftOut) {
-    EXPECT_TRUE(planFor(clusterAt({0, 0, 10}, 1), {0, 50, 10, 1}).empty());     // behind the eye
-    EXPECT_TRUE(planFor(clusterAt({50, 0, -10}, 1), {0, 0, -10, 1}).empty());   // to the right
-    EXPECT_TRUE(planFor(clusterAt({50, 0, -10}, 1), {-1, 0, 0, 0}).empty());    // of a sun
+    EXPECT_TRUE(planFor(clusterAt({0, 0, 10}, 1), {0, 50, 10, 1}).empty());   // behind the eye
+    EXPECT_TRUE(planFor(clusterAt({50, 0, -10}, 1), {0, 0, -10, 1}).empty()); // to the right
+    EXPECT_TRUE(
+        planFor(clusterAt({50, 0, -10}, 1), {-1, 0, 0, 0}).empty()); // of a directional light
     EXPECT_TRUE(planFor(clusterAt({0, 0, -200}, 1), {0, 0, 10, 1}).empty());    // beyond all
     EXPECT_EQ(planFor(clusterAt({50, 0, -10}, 1), {90, 0, -10, 1}).size(), 1u); // from outside in
     EXPECT_EQ(planFor(clusterAt({0, 0, 10}, 1), {0, 0, 50, 1}).size(), 1u);
@@ -318,8 +320,9 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
     const FrameView view = viewAlongZ();
     std::size_t leftOut = 0, withoutCaps = 0, inShadow = 0, sealed = 0, withoutBackCaps = 0;
     for (int i = 0; i < 30'000; ++i) {
-        const bool sun = random.below(3) == 0;
-        const glm::dvec4 light(random.inCube() * (sun ? 1.0 : random.magnitude(-1, 2)), !sun);
+        const bool directional = random.below(3) == 0;
+        const glm::dvec4 light(random.inCube() * (directional ? 1.0 : random.magnitude(-1, 2)),
+                               !directional);
         const ShadowCluster cluster =
             clusterAt(random.inCube() * random.magnitude(-1, 2), random.magnitude(-2, 1));
         const std::vector<ShadowCluster> clusters = {cluster};
@@ -330,7 +333,8 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         const glm::dvec3 of = cluster.bounds.center() +
                               random.inCube() * (0.5 * (cluster.bounds.high - cluster.bounds.low));
         const double away = random.magnitude(-3, 3);
-        const glm::dvec3 point = of + away * (sun ? -glm::dvec3(light) : of - glm::dvec3(light));
+        const glm::dvec3 point =
+            of + away * (directional ? -glm::dvec3(light) : of - glm::dvec3(light));
         const double depth = -point.z, reach = depth * std::tan(glm::radians(30.0));
         const bool inView =
             depth > 0.1 && depth < 100.0 && std::abs(point.x) < reach && std::abs(point.y) < reach;
@@ -338,8 +342,8 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         EXPECT_FALSE(!plan.leftOut.empty() && inView);
         // Whether the middle of the near plane sees the light through the box.
         const glm::dvec3 near(0, 0, -0.1);
-        const glm::dvec3 towards = sun ? glm::dvec3(light) : glm::dvec3(light) - near;
-        double enter = 0.0, leave = sun ? 1e30 : 1.0;
+        const glm::dvec3 towards = directional ? glm::dvec3(light) : glm::dvec3(light) - near;
+        double enter = 0.0, leave = directional ? 1e30 : 1.0;
         for (glm::length_t axis = 0; axis < 3; ++axis) {
             const double a = (cluster.bounds.low[axis] - near[axis]) / towards[axis];
             const double b = (cluster.bounds.high[axis] - near[axis]) / towards[axis];
@@ -348,20 +352,20 @@ TEST(VolumePlan, NoShadowInViewIsLeftOutAndNoEyeInAShadowGoesWithoutCaps) {
         }
         if (plan.fullyShadowedBy) {
             ++sealed;
-            EXPECT_TRUE((enter == 0.0) != (leave == (sun ? 1e30 : 1.0)));
+            EXPECT_TRUE((enter == 0.0) != (leave == (directional ? 1e30 : 1.0)));
         }
         if (draws.empty()) continue;
         withoutCaps += !draws[0].zFail();
         // What it crosses of the shell, from outside and from inside.
         const int in = enter <= leave && enter > 0.0;
-        const int out = enter <= leave && leave < (sun ? 1e30 : 1.0);
+        const int out = enter <= leave && leave < (directional ? 1e30 : 1.0);
         inShadow += in + out > 0 && !draws[0].zFail();
         if (draws[0].zFail()) {
             const glm::dvec3 infinite = of - glm::dvec3(light);
             const double wide = -infinite.z * std::tan(glm::radians(30.0));
             const bool shown = std::abs(infinite.x) < wide && std::abs(infinite.y) < wide;
-            withoutBackCaps += !sun && !draws[0].backCaps;
-            EXPECT_FALSE(!sun && !draws[0].backCaps && shown);
+            withoutBackCaps += !directional && !draws[0].backCaps;
+            EXPECT_FALSE(!directional && !draws[0].backCaps && shown);
             continue;
         }
         EXPECT_EQ(draws[0].start, draws[0].counted == Counted::all ? in + out : out);
@@ -395,8 +399,8 @@ TEST(VolumePlan, EndsHaveTheEyeAndAllThatIsVisibleOnTheLightsSide) {
         glm::dmat4 placed(1.0);
         placed[0] = {-2, 0.3, 0, 0};
         placed[3] = {random.uniform(-5, 5), 1, 2, 1};
-        const bool sun = random.below(3) == 0;
-        const Light light{glm::dvec4(30.0 * random.inCube(), !sun)};
+        const bool directional = random.below(3) == 0;
+        const Light light{glm::dvec4(30.0 * random.inCube(), !directional)};
         const PlanView here = planView(view, view.slices[0], light, placed);
         for (const glm::dvec4& end : here.ends) {
             ++ends;
@@ -458,7 +462,7 @@ TEST(VolumePlan, BackCapsAreNoFansAroundALightWithinTheCluster) {
     const glm::dvec4 light(0, 0, -20, 1);
     const auto drawWithBounds = [&](const Box& bounds) {
         // A shell whose silhouette crosses the way from the near rectangle to the light.
-        AdaptedShadow shadow;
+        PlanePairShadow shadow;
         appendShell(boxAround({0.5, 0, -10}, 0.5), shadow.caps);
         ShadowCluster cluster;
         cluster.bounds = bounds;

@@ -31,7 +31,8 @@ Pictures pictures(const Scene& scene, const FrameRequest& request, bool castMask
                   RenderSettings settings = {}, const Change& change = {}) {
     const gl::HeadlessContext context(test::testPicture(request.width, request.height));
     settings.layout = bestLayout(context.capabilities());
-    const LoadedScene loaded{{}, scene, {}, buildAdapted(scene, castMasked), {}, {0.0, castMasked}};
+    const LoadedScene loaded{
+        {}, scene, {}, buildPlanePairs(scene, castMasked), {}, {0.0, castMasked}};
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     VolumeTintPass tint(settings, context.capabilities());

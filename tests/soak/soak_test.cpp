@@ -44,7 +44,7 @@ void expectFlat(const char* what, int times, Step step) {
 TEST(Soak, TwentyThousandFrames) {
     const gl::HeadlessContext context(testPicture(width, height));
     const Scene scene = yard().scene();
-    const LoadedScene loaded{{}, scene, {}, buildAdapted(scene, false), {}, {}};
+    const LoadedScene loaded{{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
     const Box bounds = worldBounds(scene);
     const bench::Flythrough flight(bounds, 50.0, double(width) / height);
     const std::vector<Light> lights = {pointLight({2, 4, 1}), sun({0.4, 1, 0.3})};

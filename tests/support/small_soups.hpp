@@ -33,7 +33,7 @@ inline Soup latticeSoup() {
     return soup;
 }
 
-/// A point or a sun on the same lattice. Within a rapidcheck property.
+/// A point or a directional light on the same lattice. Within a rapidcheck property.
 inline glm::vec4 latticeLight() {
     const auto p = integers(3, -3, 4);
     return {p[0], p[1], p[2], integers(1, 0, 2).front()};

@@ -23,7 +23,7 @@ constexpr int height = 120;
 
 LoadedScene yardScene() {
     const Scene scene = test::yard().scene();
-    return {{}, scene, {}, buildAdapted(scene, false), {}, {}};
+    return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
 }
 
 /// A viewer with the yard in a context of its own, without handles.
@@ -262,7 +262,7 @@ LoadedScene movingScene(const std::string& path, const std::vector<float>& value
     LoadedScene loaded;
     loaded.document = std::make_shared<const GltfDocument>(parseGltf(gltf.glb(), "moving.glb"));
     loaded.scene = flattenScene(*loaded.document, 0.0);
-    loaded.adapted = buildAdapted(loaded.scene, false);
+    loaded.planePairs = buildPlanePairs(loaded.scene, false);
     return loaded;
 }
 

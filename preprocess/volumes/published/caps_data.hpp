@@ -7,8 +7,8 @@
 
 namespace edgeshade {
 
-/// The published caps-data, instanced form (thesis, 6.2.6): a record a triangle of three vec4s
-/// A < B < C with w = 0; 48 bytes a record.
+/// The opposite-vertex caps-data, instanced form (thesis, 6.2.6): a record a triangle of three
+/// vec4s A < B < C with w = 0; 48 bytes a record.
 struct CapsData {
     static constexpr std::size_t vectorsPerRecord = 3;
     std::vector<glm::vec4> records;

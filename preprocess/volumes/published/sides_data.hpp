@@ -7,7 +7,7 @@
 
 namespace edgeshade {
 
-/// The published sides-data, instanced form (thesis, 6.2.6): a record an edge of
+/// The opposite-vertex sides-data, instanced form (thesis, 6.2.6): a record an edge of
 /// 2 + maxMultiplicity vec4s, A and B with w = 0, then opposite vertices with w = ORDER_* of
 /// shaders_es2/record_layout.glsl. 16 * (2 + maxMultiplicity) bytes a record.
 struct SidesData {

@@ -103,7 +103,7 @@ CoarseMaskLookup CoarseMask::lookup(const FrameView& view, const DepthSlice& sli
         lookup.light = glm::vec4(inView);
         return lookup;
     }
-    // A sun's direction is scaled so that no double leaves the range of floats.
+    // A directional light's direction is scaled so that no double leaves the range of floats.
     const double unit =
         light.position.w != 0.0
             ? slice.near

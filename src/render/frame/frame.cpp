@@ -15,13 +15,13 @@ namespace {
 /// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
 constexpr double sliceOverlap = 1.0001;
 
-/// Published records are counted behind surfaces alone, where a far plane at a finite depth cuts
-/// volumes (docs/method.md, C33).
+/// Opposite-vertex records are counted behind surfaces alone, where a far plane at a finite depth
+/// cuts volumes (docs/method.md, C33).
 void requireCountable(const RenderSettings& settings, const FrameView& view) {
     const auto records = settings.records();
-    if (view.frustum.orthographic && records && records->volumes == VolumeLayout::published)
+    if (view.frustum.orthographic && records && records->volumes == VolumeLayout::oppositeVertices)
         throw Error(ExitStatus::unavailable,
-                    "Published records can't be counted in an orthographic picture; "
+                    "Opposite-vertex records can't be counted in an orthographic picture; "
                     "'--multiplicity plane' can.");
 }
 
@@ -74,7 +74,7 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
     glEnable(GL_DEPTH_TEST);
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
-        const Pass pass{scene, view, view.slices[s], plan_.slices[s], s == 0, clock};
+        const SlicePass pass{scene, view, view.slices[s], plan_.slices[s], s == 0, clock};
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
         drawDepthAndAmbient(pass);
         if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
@@ -152,10 +152,10 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
 
 bool Renderer::cutsToVisible() const {
     const auto records = settings_.records();
-    return !records || records->volumes != VolumeLayout::published;
+    return !records || records->volumes != VolumeLayout::oppositeVertices;
 }
 
-void Renderer::drawDepthAndAmbient(const Pass& pass) {
+void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     const Light* light =
         pass.plan.withAmbient ? &pass.view.lights[*pass.plan.first].light : nullptr;
     std::optional<ShadowMapLookup> map;
@@ -186,7 +186,7 @@ void Renderer::drawDepthAndAmbient(const Pass& pass) {
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
 }
 
-void Renderer::drawShadow(const Pass& pass) {
+void Renderer::drawShadow(const SlicePass& pass) {
     const gl::ScissorScope cut(pass.plan.lights[*pass.plan.first].reach);
     count(pass, *pass.plan.first, 0);
     const StageScope stage(pass.clock, FrameStage::lit);
@@ -197,7 +197,7 @@ void Renderer::drawShadow(const Pass& pass) {
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.
-void Renderer::drawCoarseSurfaces(const Pass& pass) {
+void Renderer::drawCoarseSurfaces(const SlicePass& pass) {
     const StageScope stage(pass.clock, FrameStage::volumes);
     const gl::FramebufferKeeper keeper;
     coarse_->bindSurfaces();
@@ -213,7 +213,7 @@ void Renderer::drawCoarseSurfaces(const Pass& pass) {
     glViewport(0, 0, pass.view.width, pass.view.height);
 }
 
-void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex) {
+void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) {
     const Light& light = pass.view.lights[lightIndex].light;
     const LightPlan& plan = pass.plan.lights[lightIndex];
     const gl::ScissorScope cut(plan.reach);
@@ -244,7 +244,7 @@ void Renderer::drawShadowedLight(const Pass& pass, std::size_t lightIndex) {
 }
 
 /// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.
-void Renderer::countAndMark(const Pass& pass, std::size_t light) {
+void Renderer::countAndMark(const SlicePass& pass, std::size_t light) {
     const LightPlan& plan = pass.plan.lights[light];
     std::optional<gl::FramebufferKeeper> keeper;
     std::optional<gl::ScissorScope> cut;
@@ -273,7 +273,7 @@ void Renderer::setCounting() {
     glStencilFunc(GL_ALWAYS, 0, 0xFF);
 }
 
-void Renderer::count(const Pass& pass, std::size_t light, std::size_t group) {
+void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group) {
     const StageScope stage(pass.clock, FrameStage::volumes);
     const CountPlan& plan = pass.plan.lights[light].counts[group];
     setCounting();
@@ -281,7 +281,7 @@ void Renderer::count(const Pass& pass, std::size_t light, std::size_t group) {
     vertexRuns_ += plan.vertexRuns();
 }
 
-ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
+ShadowMapLookup Renderer::drawMap(const SlicePass& pass, const Light& light) {
     const StageScope stage(pass.clock, FrameStage::map);
     const ShadowMapLookup map = maps_->draw(pass.scene, pass.view.bounds, light);
     vertexRuns_ += maps_->vertexRuns();
@@ -290,7 +290,7 @@ ShadowMapLookup Renderer::drawMap(const Pass& pass, const Light& light) {
     return map;
 }
 
-SurfaceShading Renderer::shadingOf(const Pass& pass, const Light* light) const {
+SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) const {
     SurfaceShading shading;
     shading.mask = pass.view.mask;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
@@ -301,7 +301,7 @@ SurfaceShading Renderer::shadingOf(const Pass& pass, const Light* light) const {
     return shading;
 }
 
-void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map) {
+void Renderer::drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
@@ -315,7 +315,7 @@ void Renderer::drawLit(const Pass& pass, const Light& light, const ShadowMapLook
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
 }
 
-void Renderer::drawBlended(const Pass& pass) {
+void Renderer::drawBlended(const SlicePass& pass) {
     struct Item {
         double distance;
         const SurfaceChunk* chunk;

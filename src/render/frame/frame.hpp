@@ -84,7 +84,7 @@ class Renderer {
 
   private:
     /// One depth slice of one frame.
-    struct Pass {
+    struct SlicePass {
         const GpuScene& scene;
         const FrameView& view;
         const DepthSlice& slice;
@@ -101,19 +101,19 @@ class Renderer {
     /// Draws all volumes into one pixel, which leaves its stencil in disorder.
     void countInOnePixel(const FramePlan& plan, const GpuScene& scene, const FrameView& view);
 
-    void drawDepthAndAmbient(const Pass& pass);
-    void drawCoarseSurfaces(const Pass& pass);
-    void drawShadowedLight(const Pass& pass, std::size_t light);
+    void drawDepthAndAmbient(const SlicePass& pass);
+    void drawCoarseSurfaces(const SlicePass& pass);
+    void drawShadowedLight(const SlicePass& pass, std::size_t light);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
-    void drawShadow(const Pass& pass);
+    void drawShadow(const SlicePass& pass);
     /// By the light, or by nothing.
-    SurfaceShading shadingOf(const Pass& pass, const Light* light) const;
-    void countAndMark(const Pass& pass, std::size_t light);
+    SurfaceShading shadingOf(const SlicePass& pass, const Light* light) const;
+    void countAndMark(const SlicePass& pass, std::size_t light);
     void setCounting();
-    void count(const Pass& pass, std::size_t light, std::size_t group);
-    ShadowMapLookup drawMap(const Pass& pass, const Light& light);
-    void drawLit(const Pass& pass, const Light& light, const ShadowMapLookup* map);
-    void drawBlended(const Pass& pass);
+    void count(const SlicePass& pass, std::size_t light, std::size_t group);
+    ShadowMapLookup drawMap(const SlicePass& pass, const Light& light);
+    void drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map);
+    void drawBlended(const SlicePass& pass);
     void restoreAlpha(const GpuScene& scene, const FrameView& view);
     /// Returns vertex runs.
     std::size_t drawSurfaces(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,

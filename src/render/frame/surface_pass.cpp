@@ -13,9 +13,9 @@ namespace edgeshade {
 namespace {
 
 /// Of length 1; scaled first, so that no double under- or overflows.
-glm::vec3 directionOf(const glm::dvec4& sun) {
+glm::vec3 directionOf(const glm::dvec4& light) {
     const glm::dvec3 scaled =
-        glm::dvec3(sun) / std::max({std::abs(sun.x), std::abs(sun.y), std::abs(sun.z)});
+        glm::dvec3(light) / std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
     return glm::vec3(glm::normalize(scaled));
 }
 
@@ -113,7 +113,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.colored = chunk.colored;
     variant.lit = shading.light.has_value();
     variant.withAmbient = variant.lit && shading.withAmbient;
-    variant.sun = variant.lit && shading.light->position.w == 0.0;
+    variant.directional = variant.lit && shading.light->position.w == 0.0;
     variant.ranged = variant.lit && shading.light->hasRange();
     variant.mask = shading.mask;
     variant.sliced = std::isfinite(shading.farthest);
@@ -136,14 +136,14 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.colored) defines.push_back("COLORED");
     if (variant.lit) defines.push_back("LIT");
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
-    if (variant.sun) defines.push_back("SUN");
+    if (variant.directional) defines.push_back("DIRECTIONAL");
     if (variant.ranged) defines.push_back("RANGED");
     if (variant.mask) defines.push_back("MASK");
     if (variant.sliced) defines.push_back("SLICED");
     if (variant.map) {
         defines.push_back("MAP");
         defines.push_back("PCF " + std::to_string(pcf_));
-        if (*variant.map == ShadowMapKind::sun) defines.push_back("MAP_SUN");
+        if (*variant.map == ShadowMapKind::directional) defines.push_back("MAP_DIRECTIONAL");
         if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
     }
     if (variant.coarse) defines.push_back("COARSE_MASK");

@@ -56,7 +56,7 @@ class SurfacePass {
         bool colored; ///< has colours at its vertices
         bool lit;
         bool withAmbient;  ///< with ambient light, too
-        bool sun;          ///< lit by a light of one direction
+        bool directional;  ///< lit by a light of one direction
         bool ranged;       ///< lit by a light that doesn't reach everywhere
         bool mask;         ///< draws the lit mask
         bool sliced;       ///< has a farthest depth
@@ -65,8 +65,8 @@ class SurfacePass {
         bool orthographic; ///< looks it up or draws it for such a picture
 
         auto key() const {
-            return std::tie(alphaMode, map, textured, colored, lit, withAmbient, sun, ranged, mask,
-                            sliced, coarse, planes, orthographic);
+            return std::tie(alphaMode, map, textured, colored, lit, withAmbient, directional,
+                            ranged, mask, sliced, coarse, planes, orthographic);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

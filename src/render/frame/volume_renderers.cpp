@@ -1,8 +1,8 @@
 #include "src/render/frame/volume_renderers.hpp"
 
 #include "preprocess/base/error.hpp"
-#include "src/render/volumes/adapted_volumes.hpp"
-#include "src/render/volumes/published/published_volumes.hpp"
+#include "src/render/volumes/plane_pair_volumes.hpp"
+#include "src/render/volumes/published/opposite_vertex_volumes.hpp"
 
 namespace edgeshade {
 
@@ -14,12 +14,12 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
                     "This GL has no instanced drawing; '--instancing off' does without.");
     const auto records = settings.records();
     if (!records) return nullptr;
-    if (records->volumes == VolumeLayout::published)
-        return std::make_unique<PublishedVolumes>(settings.multiplicity, settings.layout,
-                                                  capabilities.instancing, tints);
-    return std::make_unique<AdaptedVolumes>(settings.silhouette, settings.layout,
-                                            capabilities.instancing,
-                                            capabilities.vertexHighpMantissaBits, tints);
+    if (records->volumes == VolumeLayout::oppositeVertices)
+        return std::make_unique<OppositeVertexVolumes>(settings.multiplicity, settings.layout,
+                                                       capabilities.instancing, tints);
+    return std::make_unique<PlanePairVolumes>(settings.silhouette, settings.layout,
+                                              capabilities.instancing,
+                                              capabilities.vertexHighpMantissaBits, tints);
 }
 
 } // namespace edgeshade

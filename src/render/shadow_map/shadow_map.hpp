@@ -16,9 +16,9 @@ struct ShadowMapSettings {
 };
 
 enum class ShadowMapKind {
-    point,      ///< a cube map
-    pointApart, ///< six textures for a cube's faces, where the GL can't hold them in one
-    sun,        ///< one parallel projection
+    point,       ///< a cube map
+    pointApart,  ///< six textures for a cube's faces, where the GL can't hold them in one
+    directional, ///< one parallel projection
 };
 
 /// A light's finished map, with what a receiver needs to look itself up in it.

@@ -40,7 +40,7 @@ gl::Program& ShadowMapPass::program(const Variant& variant) {
     auto found = programs_.find(variant);
     if (found == programs_.end()) {
         std::vector<std::string> defines;
-        if (variant.kind == ShadowMapKind::sun) defines.push_back("MAP_SUN");
+        if (variant.kind == ShadowMapKind::directional) defines.push_back("MAP_DIRECTIONAL");
         if (variant.alphaTest) defines.push_back("ALPHA_TEST");
         found =
             programs_
@@ -56,7 +56,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
         throw Error(ExitStatus::unavailable,
                     "A shadow map needs the scene's bounds, and this view has none.");
     const gl::FramebufferKeeper keeper;
-    const ShadowMapKind kind = light.position.w == 0.0 ? ShadowMapKind::sun
+    const ShadowMapKind kind = light.position.w == 0.0 ? ShadowMapKind::directional
                                : settings_.facesApart  ? ShadowMapKind::pointApart
                                                        : ShadowMapKind::point;
     const ShadowMapTarget& map = target(kind);
@@ -114,7 +114,7 @@ void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view
         for (const SurfaceChunk& chunk : batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
             if (!isOpaque(material) && !masksCast) continue;
-            // A map can hold holes; BLEND surfaces, which only cast when asked to, are whole.
+            // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.
             gl::Program& variant = program({view.kind, material.alphaMode == AlphaMode::mask});
             variant.use();
             variant.set("u_clipFromObject", glm::mat4(clipFromMap * mapFromObject));

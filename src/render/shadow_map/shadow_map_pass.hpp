@@ -10,8 +10,8 @@
 namespace edgeshade {
 
 /// Draws shadow maps (Williams 1978), the method that shadow volumes are measured against: six
-/// faces of a cube around a point light, one parallel projection for a sun. One map of each kind is
-/// kept, and drawn anew only for another light or where something has moved.
+/// faces of a cube around a point light, one parallel projection for a directional light. One map
+/// of each kind is kept, and drawn anew only for another light or where something has moved.
 class ShadowMapPass {
   public:
     /// Throws Error(unavailable) if the maps are larger than the GL allows.

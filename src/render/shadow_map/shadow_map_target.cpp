@@ -12,7 +12,7 @@ namespace edgeshade {
 namespace {
 
 std::size_t faceCount(ShadowMapKind kind) {
-    return kind == ShadowMapKind::sun ? 1 : 6;
+    return kind == ShadowMapKind::directional ? 1 : 6;
 }
 
 GLenum faceTarget(ShadowMapKind kind, std::size_t face) {
@@ -54,7 +54,7 @@ ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabil
     : kind_(kind), size_(size) {
     std::optional<gl::Texture> whole;
     if (kind != ShadowMapKind::pointApart) whole = makeMapTexture(kind, size);
-    if (!whole && kind == ShadowMapKind::sun) throw tooLarge(size);
+    if (!whole && kind == ShadowMapKind::directional) throw tooLarge(size);
     if (whole) {
         textures_.push_back(std::move(*whole));
     } else {

@@ -86,12 +86,12 @@ ShadowMapView sunView(const glm::dvec3& towards, const Box& bounds,
     const bool vertical = std::hypot(back.x, back.z) < 1e-9;
     const glm::dvec3 right =
         vertical ? glm::dvec3(1, 0, 0) : glm::normalize(glm::cross({0, 1, 0}, back));
-    const glm::dmat3 worldFromSun(right, glm::cross(back, right), back);
+    const glm::dmat3 worldFromLight(right, glm::cross(back, right), back);
 
     const glm::dvec3 center = bounds.center();
     glm::dvec3 half(0.0);
     for (const glm::dvec3& corner : cornersOf(bounds))
-        half = glm::max(half, glm::abs(glm::transpose(worldFromSun) * (corner - center)));
+        half = glm::max(half, glm::abs(glm::transpose(worldFromLight) * (corner - center)));
     const double smallest = bounds.diagonal() > 0.0 ? 1e-6 * bounds.diagonal() : 1.0;
     half = glm::max(half, glm::dvec3(smallest));
 
@@ -102,10 +102,10 @@ ShadowMapView sunView(const glm::dvec3& towards, const Box& bounds,
     const glm::dvec3 scale(0.5 * share / half.x, 0.5 * share / half.y, -0.49 / half.z);
 
     ShadowMapView view;
-    view.kind = ShadowMapKind::sun;
+    view.kind = ShadowMapKind::directional;
     std::array<glm::dvec4, 3> rows;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const glm::dvec3 direction = scale[axis] * worldFromSun[axis];
+        const glm::dvec3 direction = scale[axis] * worldFromLight[axis];
         rows[static_cast<std::size_t>(axis)] = {direction, 0.5 - glm::dot(direction, center)};
     }
     view.mapFromWorld = fromRows(rows[0], rows[1], rows[2], {0, 0, 0, 1});

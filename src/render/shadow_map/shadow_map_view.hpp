@@ -12,7 +12,8 @@ namespace edgeshade {
 ///
 /// Map space is what the map stores positions in. For a point light it has the world's axes, the
 /// light as its origin and the range as its unit, and a position's distance is its length: the same
-/// on every face of the cube. For a sun xy are texture coordinates and z is the distance.
+/// on every face of the cube. For a directional light xy are texture coordinates and z is the
+/// distance.
 struct ShadowMapView {
     struct Face {
         glm::dmat4 clipFromMap{1.0};

@@ -6,7 +6,7 @@ namespace edgeshade {
 
 /// How a triangle's sign is found (docs/method.md, The closed chain).
 enum class MultiplicityMethod {
-    plane,         ///< its plane, stored once (docs/method.md, C1): adapted records hold these
+    plane,         ///< its plane, stored once (docs/method.md, C1): plane-pair records hold these
     referenceEdge, ///< Milet 2020: one edge decides for the triangle
     threeEdge,     ///< Peciva 2013: three edges must agree
     singleEdge,    ///< Kim 2008: every edge for itself; not robust, the failing baseline
@@ -15,7 +15,8 @@ enum class MultiplicityMethod {
 /// The records that have what the method needs: planes are in adapted ones, opposite vertices in
 /// published ones.
 inline VolumeLayout volumeLayoutOf(MultiplicityMethod method) {
-    return method == MultiplicityMethod::plane ? VolumeLayout::adapted : VolumeLayout::published;
+    return method == MultiplicityMethod::plane ? VolumeLayout::planePairs
+                                               : VolumeLayout::oppositeVertices;
 }
 
 } // namespace edgeshade

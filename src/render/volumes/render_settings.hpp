@@ -9,7 +9,7 @@ namespace edgeshade {
 
 enum class ShadowMethod { volumes, map, none };
 
-/// Which adapted records are offered to the vertex shader, the judge of their multiplicity.
+/// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
 enum class SilhouetteChoice {
     all,
     proposed, ///< those that may be silhouettes, see PotentialSilhouettes
@@ -19,7 +19,7 @@ enum class SilhouetteChoice {
 struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
-    SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of adapted records
+    SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
     SidesLayout layout = SidesLayout::instanced;
     ShadowMapSettings map; ///< where shadows are maps
     int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels

@@ -2,7 +2,7 @@
 
 namespace edgeshade {
 
-void SilhouetteBuffers::upload(const AdaptedShadow& shadow, const SilhouetteList& list) {
+void SilhouetteBuffers::upload(const PlanePairShadow& shadow, const SilhouetteList& list) {
     if (gathered_.contains(list.identity)) return;
     const auto uploaded = [&](const PairList& some) {
         gatherPairs(shadow, some, pairs_);
@@ -13,7 +13,7 @@ void SilhouetteBuffers::upload(const AdaptedShadow& shadow, const SilhouetteList
     gathered.uncertainPairs = uploaded(list.uncertain);
 }
 
-void SilhouetteBuffers::uploadCapsOf(const AdaptedShadow& shadow, const SilhouetteList& list,
+void SilhouetteBuffers::uploadCapsOf(const PlanePairShadow& shadow, const SilhouetteList& list,
                                      std::uint32_t cluster) {
     auto& uploaded = gathered_.find(list.identity)->second.caps;
     if (uploaded.contains(cluster)) return;

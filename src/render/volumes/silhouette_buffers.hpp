@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/scene/adapted_buffers.hpp"
+#include "src/scene/plane_pair_buffers.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include <map>
@@ -8,8 +8,8 @@
 
 namespace edgeshade {
 
-/// The records of potential silhouettes, gathered on the GPU in the forms that AdaptedBuffers has.
-/// They go with their lists (SilhouetteList::identity).
+/// The records of potential silhouettes, gathered on the GPU in the forms that PlanePairBuffers
+/// has. They go with their lists (SilhouetteList::identity).
 class SilhouetteBuffers {
   public:
     /// What is gathered of one list.
@@ -22,9 +22,9 @@ class SilhouetteBuffers {
     explicit SilhouetteBuffers(SidesLayout layout) : layout_(layout) {}
 
     /// Uploads the pairs of a list, if they are not there yet. `shadow`: what it lists records of.
-    void upload(const AdaptedShadow& shadow, const SilhouetteList& list);
+    void upload(const PlanePairShadow& shadow, const SilhouetteList& list);
     /// Uploads the light-facing caps of a cluster too.
-    void uploadCapsOf(const AdaptedShadow& shadow, const SilhouetteList& list,
+    void uploadCapsOf(const PlanePairShadow& shadow, const SilhouetteList& list,
                       std::uint32_t cluster);
 
     /// What was uploaded of a list.

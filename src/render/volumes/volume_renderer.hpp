@@ -27,7 +27,7 @@ struct CasterGroupInSlice {
 
 /// A batch, as a draw needs it.
 struct DrawnBatch {
-    const GpuScene* scene; ///< whose materials say where casters have holes
+    const GpuScene* scene; ///< whose materials say where casters are alpha-tested
     const BatchVolumes& volumes;
     const BatchPlan& plan;
     glm::mat4 clipFromObject;

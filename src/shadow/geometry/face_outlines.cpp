@@ -24,7 +24,7 @@ std::vector<FaceOutlines> outlinesByFace(const Scene& scene, bool castMasked,
         result[face].triangles.push_back(triangle);
     };
     forEachCaster(scene, castMasked, from, [&](const Rays& rays) {
-        const int only = from.sun ? 0 : faceAround(rays);
+        const int only = from.directional ? 0 : faceAround(rays);
         if (only >= 0) {
             const auto face = static_cast<std::size_t>(only);
             add(face, outlineWithin(from.faces[face], rays));

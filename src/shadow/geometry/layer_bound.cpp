@@ -19,8 +19,9 @@ constexpr std::size_t leastWork = 50'000'000;
 constexpr std::size_t workPerTriangle = 40;
 constexpr double rounding = 1e-12;
 
-/// A convex cone of three rays, as seen from the light; for a sun, points (x, y, 1) of the plane
-/// across its direction. `sides` are the planes between neighbouring rays, insides positive.
+/// A convex cone of three rays, as seen from the light; for a directional light, points (x, y, 1)
+/// of the plane across its direction. `sides` are the planes between neighbouring rays, insides
+/// positive.
 struct TriangleCone {
     std::array<glm::dvec3, 3> rays;
     std::array<glm::dvec3, 3> sides;

@@ -29,9 +29,9 @@ struct LayerBound {
 
 /// Bounds the layers around the light by dividing the directions from it into ever smaller cells
 /// until no cell is touched by more than `limit` triangles, more than `limit` cover it wholly, or
-/// it is 1/4096 of a cube's face (of the scene's outline for a sun). Free for scenes of at most
-/// `limit` triangles. Where bounding rectangles in a grid already show that there are few, 8 ms
-/// for 150,000 triangles; else about 0.1 s for them and 3 s for 5 million.
+/// it is 1/4096 of a cube's face (of the scene's outline for a directional light). Free for scenes
+/// of at most `limit` triangles. Where bounding rectangles in a grid already show that there are
+/// few, 8 ms for 150,000 triangles; else about 0.1 s for them and 3 s for 5 million.
 LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light, std::size_t limit);
 
 } // namespace edgeshade

@@ -5,7 +5,8 @@
 namespace edgeshade {
 
 /// Lights whose homogeneous coordinates (docs/method.md, Terms) are no farther from `center` than
-/// `radius`, in an object's space. For point lights a ball; for suns, w = 0, a cone of directions.
+/// `radius`, in an object's space. For point lights a ball; for directional lights, w = 0, a cone
+/// of directions.
 struct LightBall {
     glm::vec4 center{0.0f};
     float radius = 0.0f;

@@ -3,8 +3,8 @@
 namespace edgeshade {
 
 LightView::LightView(const Light& light)
-    : sun(light.position.w == 0.0), position(light.position), faces{glm::dmat3(1.0)} {
-    if (!sun) {
+    : directional(light.position.w == 0.0), position(light.position), faces{glm::dmat3(1.0)} {
+    if (!directional) {
         const auto six = directionFaces();
         faces.assign(six.begin(), six.end());
         return;

@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-/// What a sun's direction may be turned by rounding it to floats, with room to spare.
+/// What a directional light's direction may be turned by rounding it to floats, with room to spare.
 constexpr double leastTurn = 1e-6;
 
 /// What a volume covers of an axis, and how large its coordinates are there.

@@ -7,8 +7,8 @@
 
 namespace edgeshade {
 
-/// The hull of a rectangle and a light: a volume, or for a sun (w = 0) a prism that is drawn out
-/// towards it to infinity.
+/// The hull of a rectangle and a light: a volume, or for a directional light (w = 0) a prism that
+/// is drawn out towards it to infinity.
 struct NearClipVolume {
     std::array<glm::dvec3, 4> corners; ///< of the rectangle, or any parallelogram, in turn
     glm::dvec4 light;                  ///< docs/method.md, Terms
@@ -41,7 +41,8 @@ class ClipVolumeFaces {
         double size;      ///< of the volume's coordinates along it
     };
     void add(const glm::dvec3& normal, const glm::dvec3& point, const glm::dvec4& inside);
-    /// How far a sun that is turned a little leads astray at the farthest of these points' bounds.
+    /// How far a directional light that is turned a little leads astray at the farthest of these
+    /// points' bounds.
     double turnAt(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const;
 
     const NearClipVolume& volume_;

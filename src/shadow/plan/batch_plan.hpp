@@ -7,11 +7,11 @@
 
 namespace edgeshade {
 
-/// What of one batch is drawn. The last three are those of adapted records.
+/// What of one batch is drawn. The last three are those of plane-pair records.
 struct BatchPlan {
     std::size_t batch = 0; ///< its index in the scene
     glm::vec4 light{0.0f}; ///< in its space
-    std::shared_ptr<const AdaptedShadow> shadow = nullptr;
+    std::shared_ptr<const PlanePairShadow> shadow = nullptr;
     VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
     /// Where draws take their pairs from; null: from all, or nothing is drawn. Holds until the next
     /// frame is planned.

@@ -12,7 +12,7 @@ namespace edgeshade {
 /// What a plan is made of: one batch and where it is.
 struct PlacedShadow {
     std::size_t batch = 0; ///< its index in the scene
-    std::shared_ptr<const AdaptedShadow> shadow;
+    std::shared_ptr<const PlanePairShadow> shadow;
     glm::dmat4 worldFromBatch{1.0};
 };
 
@@ -26,7 +26,7 @@ struct CountPlan {
     std::size_t vertexRuns() const;
 };
 
-/// How adapted records are planned.
+/// How plane-pair records are planned.
 struct PlanSettings {
     int mantissaBits = 23;                       ///< of the vertex shader's floats
     PotentialSilhouettes* silhouettes = nullptr; ///< null: all records are drawn

@@ -14,7 +14,7 @@ struct SideRecords {
 
 /// From the first cluster's first record to the last one's last.
 template <class Member>
-RecordRange rangeOver(const AdaptedShadow& shadow, const RecordRange& clusters, Member member) {
+RecordRange rangeOver(const PlanePairShadow& shadow, const RecordRange& clusters, Member member) {
     const RecordRange& first = shadow.clusters[clusters.first].*member;
     const RecordRange& last = shadow.clusters[clusters.end() - 1].*member;
     return {first.first, last.end() - first.first};
@@ -38,7 +38,7 @@ class ClusterDraws {
         like_.counted = how_.counted;
         like_.zFail = how_.zFail();
         end_ = endOf(how_, view);
-        // At infinity all points that a sun pushes there coincide.
+        // At infinity all points that a directional light pushes there coincide.
         verticesPerSide_ = batch.light.w == 0.0f && how_.end < 0 ? 3 : verticesPerQuad;
         like_.faces = !how_.backCaps   ? CapFaces::front
                       : how_.frontCaps ? CapFaces::both
@@ -87,8 +87,8 @@ class ClusterDraws {
                 const MaterialCasters& group = shadow_.groups[g];
                 const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
                 std::optional<std::size_t> alphaTested;
-                if (cluster.holes && !opaque && how_.frontCaps) alphaTested = group.material;
-                if (holesAlone() && !alphaTested) continue;
+                if (cluster.alphaTested && !opaque && how_.frontCaps) alphaTested = group.material;
+                if (cutoutsAlone() && !alphaTested) continue;
                 appendCaps(c, Records::caps, {group.firstCap - cluster.caps.first, group.capCount},
                            alphaTested, draws);
             }
@@ -96,9 +96,9 @@ class ClusterDraws {
     }
 
   private:
-    bool holesAlone() const { return how_.caps == CapsNeeded::holesAlone; }
+    bool cutoutsAlone() const { return how_.caps == CapsNeeded::cutoutsAlone; }
     bool hasCaps() const {
-        return (how_.zFail() || holesAlone()) && (how_.frontCaps || how_.backCaps);
+        return (how_.zFail() || cutoutsAlone()) && (how_.frontCaps || how_.backCaps);
     }
     int faceCount() const { return like_.faces == CapFaces::both ? 2 : 1; }
     bool isFanned(std::uint32_t cluster) const { return fanned_[cluster - how_.clusters.first]; }
@@ -109,9 +109,9 @@ class ClusterDraws {
         draw.shape = Shape::caps;
         draw.records = records;
         draw.range = range;
-        draw.holesAlone = holesAlone();
+        draw.cutoutsAlone = cutoutsAlone();
         draw.verticesPerRecord =
-            verticesPerCap * (faceCount() + (alphaTested && !draw.holesAlone ? 1 : 0));
+            verticesPerCap * (faceCount() + (alphaTested && !draw.cutoutsAlone ? 1 : 0));
         draw.cluster = cluster;
         draw.nearDiscard = how_.nearDiscard;
         draw.alphaTested = alphaTested;
@@ -141,7 +141,7 @@ class ClusterDraws {
 
     /// Whether of a cluster only those caps are drawn that may face the light.
     bool knowsLightFacing(const ShadowCluster& cluster) const {
-        return silhouettes_ && how_.counted == Counted::lightFacing && !cluster.holes;
+        return silhouettes_ && how_.counted == Counted::lightFacing && !cluster.alphaTested;
     }
 
     /// Of the triangles that are drawn for a cluster's caps of one face.
@@ -160,7 +160,7 @@ class ClusterDraws {
         return 2 * records < capCount(cluster);
     }
 
-    const AdaptedShadow& shadow_;
+    const PlanePairShadow& shadow_;
     const SilhouetteList* silhouettes_;
     const ClusterPlan& how_;
     VolumeDraw like_; ///< what all of the draws have in common

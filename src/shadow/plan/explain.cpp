@@ -14,7 +14,7 @@ std::string clustersOf(const RecordRange& clusters) {
     return counted(clusters.count, "cluster") + " from " + std::to_string(clusters.first);
 }
 
-std::size_t trianglesOf(const AdaptedShadow& shadow, const RecordRange& clusters) {
+std::size_t trianglesOf(const PlanePairShadow& shadow, const RecordRange& clusters) {
     std::size_t triangles = 0;
     for (std::uint32_t c = clusters.first; c < clusters.end(); ++c)
         triangles += shadow.clusters[c].caps.count;
@@ -35,10 +35,10 @@ const char* wordsFor(CapsNeeded caps) {
     switch (caps) {
     case CapsNeeded::no:
         return "z-pass without caps";
-    case CapsNeeded::holesAlone:
-        return "z-pass with front caps in the holes of casters";
+    case CapsNeeded::cutoutsAlone:
+        return "z-pass with front caps in the cutouts of casters";
     case CapsNeeded::seenThrough:
-        return "z-fail with caps: casters have holes";
+        return "z-fail with caps: casters are alpha-tested";
     case CapsNeeded::nearPlaneMet:
         return "z-fail with caps: a triangle may cross the near plane";
     case CapsNeeded::outlineMet:
@@ -108,7 +108,7 @@ std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice
     if (twice > 0) text << ", " << twice << " of them for those that count twice";
     if (fans > 0) text << ", " << fans << " of fans that are caps";
     if (caps > 0) text << ", " << counted(caps, "cap");
-    if (tested > 0) text << ", " << tested << " of them with holes";
+    if (tested > 0) text << ", " << tested << " of them alpha-tested";
     return text.str();
 }
 
@@ -117,7 +117,7 @@ std::string explain(const CountPlan& plan) {
     text << "the count starts at " << plan.start.count() << "\n";
     for (std::size_t i = 0; i < plan.batches.size(); ++i) {
         const BatchPlan& batch = plan.batches[i];
-        const AdaptedShadow& shadow = *batch.shadow;
+        const PlanePairShadow& shadow = *batch.shadow;
         text << "batch " << batch.batch << ": " << counted(shadow.caps.size(), "casting triangle")
              << " in " << counted(shadow.clusters.size(), "cluster") << "\n";
         if (const auto& by = batch.volumes.fullyShadowedBy) {

@@ -66,7 +66,7 @@ Crossing crossingOf(const std::array<glm::dvec3, 3>& triangle, const glm::dvec3&
 
 std::optional<RayCrossings> crossingsFrom(const glm::dvec3& start, const glm::dvec4& light,
                                           std::span<const std::uint32_t> touched,
-                                          const AdaptedShadow& shadow, double rounding) {
+                                          const PlanePairShadow& shadow, double rounding) {
     RayCrossings crossings;
     for (const std::uint32_t i : touched) {
         const CapRecord& cap = shadow.caps[i];
@@ -118,7 +118,7 @@ bool anySilhouette(std::vector<EdgeSign>& edges, const NearClipVolume& volume) {
 /// Calls `use` with each cap that its part's box or `faces` don't keep apart, until it says stop.
 template <class Use>
 void forCapsNear(const NearClipVolume& volume, const ClipVolumeFaces& faces,
-                 const ShadowCluster& cluster, const AdaptedShadow& shadow, Use use) {
+                 const ShadowCluster& cluster, const PlanePairShadow& shadow, Use use) {
     const auto isApart = [&](const Box& box) {
         return faces.separate(box) || areApart(volume, box);
     };
@@ -135,7 +135,7 @@ void forCapsNear(const NearClipVolume& volume, const ClipVolumeFaces& faces,
 } // namespace
 
 Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
-                     const AdaptedShadow& shadow, std::size_t limit) {
+                     const PlanePairShadow& shadow, std::size_t limit) {
     Touched touched;
     forCapsNear(volume, ClipVolumeFaces(volume), cluster, shadow, [&](std::uint32_t cap) {
         touched.caps.push_back(cap);
@@ -146,7 +146,7 @@ Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
 }
 
 bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
-                   const AdaptedShadow& shadow) {
+                   const PlanePairShadow& shadow) {
     bool any = false;
     forCapsNear(volume, ClipVolumeFaces(volume), cluster, shadow, [&](std::uint32_t cap) {
         any = !areApart(volume, cornersOf(shadow.caps[cap]));
@@ -157,7 +157,7 @@ bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
 
 std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
                                                    std::span<const std::uint32_t> touched,
-                                                   const AdaptedShadow& shadow, double rounding) {
+                                                   const PlanePairShadow& shadow, double rounding) {
     // Ways that meet an edge are undecided, but not from every point.
     constexpr std::array<glm::dvec2, 6> places = {{{0.5, 0.5},
                                                    {0.387, 0.561},
@@ -176,7 +176,7 @@ std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
 }
 
 Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
-                    const AdaptedShadow& shadow, double rounding) {
+                    const PlanePairShadow& shadow, double rounding) {
     const ClipVolumeFaces faces(volume);
     std::vector<EdgeSign> edges;
     edges.reserve(3 * touched.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/shadow/geometry/separation.hpp"
 
 #include <optional>
@@ -18,11 +18,11 @@ struct Touched {
     bool tooMany = false;            ///< there may be more
 };
 Touched capsTouching(const NearClipVolume& volume, const ShadowCluster& cluster,
-                     const AdaptedShadow& shadow, std::size_t limit = mostTouched);
+                     const PlanePairShadow& shadow, std::size_t limit = mostTouched);
 
 /// Whether any of them may: separated as well as areApart() can.
 bool anyCapTouches(const NearClipVolume& volume, const ShadowCluster& cluster,
-                   const AdaptedShadow& shadow);
+                   const PlanePairShadow& shadow);
 
 /// How many triangles of a cluster a way to the light crosses, each by the sign that its plane has
 /// (docs/method.md, C13): a prism that is turned inside out by its plane's sign counts -1.
@@ -41,7 +41,7 @@ struct RayCrossings {
 /// `rounding`: of the shaders' dot products, dotRounding().
 std::optional<RayCrossings> crossingsFromSomePoint(const NearClipVolume& volume,
                                                    std::span<const std::uint32_t> touched,
-                                                   const AdaptedShadow& shadow, double rounding);
+                                                   const PlanePairShadow& shadow, double rounding);
 
 /// Whether the number of crossings between a rectangle and a light may differ from point to point.
 enum class Evenness {
@@ -56,6 +56,6 @@ enum class Evenness {
 /// that crosses the rectangle does so behind an edge that is within the volume; and with every
 /// triangle on such an edge being touched as well, their signs alone tell which edges those are.
 Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t> touched,
-                    const AdaptedShadow& shadow, double rounding);
+                    const PlanePairShadow& shadow, double rounding);
 
 } // namespace edgeshade

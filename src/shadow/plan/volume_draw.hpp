@@ -32,30 +32,30 @@ struct VolumeDraw {
         uncertainPairs,  ///< of SilhouetteList::uncertain
         caps,            ///< all of a cluster
         lightFacingCaps, ///< of a cluster, those that may face the light
-        publishedSides,
-        publishedCaps,
+        oppositeVertexSides,
+        oppositeVertexCaps,
     };
 
     std::size_t batch = 0;  ///< index in CountPlan::batches
-    std::size_t choice = 0; ///< index in VolumePlan::drawn, which says why; of adapted records
+    std::size_t choice = 0; ///< index in VolumePlan::drawn, which says why; of plane-pair records
     Shape shape = Shape::sides;
     Records records = Records::singles;
     RecordRange range;         ///< of these records
     int verticesPerRecord = 0; ///< vertices that a record runs, of all its faces
-    std::uint32_t cluster = 0; ///< whose fans or caps these are; of adapted records
+    std::uint32_t cluster = 0; ///< whose fans or caps these are; of plane-pair records
     Counted counted = Counted::all;
     Times times = Times::once;
     bool zFail = false;              ///< counted behind surfaces (z-fail), or before them (z-pass)
     glm::vec4 end{0, 0, 0, 1};       ///< of sides: the plane where they end; (0, 0, 0, 1): infinity
     CapFaces faces = CapFaces::both; ///< of fans and caps
     bool nearDiscard = false;        ///< of caps: cut where the near plane cuts casters
-    /// Of caps: their material, whose texture tells where casters have holes. Front caps are drawn
-    /// twice then, at infinity where they are solid, and in the holes where they are.
+    /// Of caps: their material, whose texture tells where casters are alpha-tested. Front caps are
+    /// drawn twice then, at infinity where they are solid, and in the cutouts where they are.
     std::optional<std::size_t> alphaTested;
-    bool holesAlone = false; ///< of these: in the holes alone, front caps
+    bool cutoutsAlone = false; ///< of these: in the cutouts alone, front caps
 
     bool isPair() const { return shape != Shape::caps && records != Records::singles; }
-    /// Whether sides are triangles: those of a sun end at infinity in one point.
+    /// Whether sides are triangles: those of a directional light end at infinity in one point.
     bool isTriangle() const { return verticesPerRecord == 3; }
     std::size_t vertexRuns() const {
         return range.count * static_cast<std::size_t>(verticesPerRecord);

@@ -42,7 +42,7 @@ bool isVolumeOutside(const Box& box, const glm::dvec4& plane, const glm::dvec4& 
 }
 
 /// Whether the view may hold directions from the light to points of the box, which is where back
-/// caps are. A sun has none: its points at infinity are one.
+/// caps are. A directional light has none: its points at infinity are one.
 bool mayBackCapsBeSeen(const Box& box, const PlanView& view) {
     if (view.light.w == 0.0) return false;
     return std::none_of(view.planes.begin(), view.planes.begin() + 4, [&](const glm::dvec4& plane) {
@@ -82,7 +82,7 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
 /// They are 0 outside of its bounds; else their difference is told by the triangles on the way from
 /// near rectangle to light, `touched`. Nothing where that is not 0: everything visible is in its
 /// shadow.
-std::optional<Counted> countedOf(const ShadowCluster& cluster, const AdaptedShadow& shadow,
+std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
                                  const PlanView& view, const Touched& touched) {
     if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
     if (touched.caps.empty() || areOutside(cluster, view)) return Counted::lightFacing;
@@ -101,10 +101,10 @@ std::optional<Counted> countedOf(const ShadowCluster& cluster, const AdaptedShad
 
 /// Whether the cluster needs caps, and where not the count at which the whole near rectangle
 /// starts.
-void decideCaps(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view,
+void decideCaps(const ShadowCluster& cluster, const PlanePairShadow& shadow, const PlanView& view,
                 const Touched& touched, ClusterPlan& draw) {
     draw.caps = CapsNeeded::seenThrough;
-    if (cluster.holes) return;
+    if (cluster.alphaTested) return;
     draw.caps = CapsNeeded::no;
     if (touched.caps.empty()) return;
     draw.caps = CapsNeeded::uncertain;
@@ -186,7 +186,8 @@ std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanV
 /// Where a cluster's volumes lead, along the viewing direction.
 enum class Leading { deeper, nearer, both };
 
-Leading leadingOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, const PlanView& view) {
+Leading leadingOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
+                  const PlanView& view) {
     const glm::dvec4& depthLeft = view.planes.back(); // to the farthest that is visible
     const double ofLight = glm::dot(depthLeft, view.light);
     if (view.light.w == 0.0) return ofLight >= 0.0 ? Leading::deeper : Leading::nearer;
@@ -203,13 +204,13 @@ Leading leadingOf(const ShadowCluster& cluster, const AdaptedShadow& shadow, con
 }
 
 /// What an orthographic picture makes of a cluster that would be counted behind surfaces.
-void keepBeforeFarPlane(const ShadowCluster& cluster, const AdaptedShadow& shadow,
+void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanePairShadow& shadow,
                         const PlanView& view, ClusterPlan& draw) {
     switch (leadingOf(cluster, shadow, view)) {
     case Leading::nearer:
         return;
     case Leading::deeper:
-        draw.caps = cluster.holes ? CapsNeeded::holesAlone : CapsNeeded::no;
+        draw.caps = cluster.alphaTested ? CapsNeeded::cutoutsAlone : CapsNeeded::no;
         return;
     case Leading::both:
         throw Error(ExitStatus::unavailable,
@@ -261,7 +262,7 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
                         : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
 }
 
-VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
+VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view) {
     const bool oneNear = view.fromNear.corners == view.fromNearest.corners;
     VolumePlan plan;
     for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
@@ -288,11 +289,11 @@ VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view) {
         const bool inView =
             std::none_of(view.planes.begin(), view.planes.begin() + 5,
                          [&](const glm::dvec4& p) { return isOutside(cluster.bounds, p); });
-        draw.frontCaps = (draw.zFail() || draw.caps == CapsNeeded::holesAlone) && inView;
+        draw.frontCaps = (draw.zFail() || draw.caps == CapsNeeded::cutoutsAlone) && inView;
         draw.backCaps = draw.zFail() && mayBackCapsBeSeen(cluster.bounds, view);
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
         draw.nearDiscard = draw.zFail() && draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
-        draw.fannedCaps = draw.zFail() && !cluster.holes && !draw.nearDiscard &&
+        draw.fannedCaps = draw.zFail() && !cluster.alphaTested && !draw.nearDiscard &&
                           (!draw.backCaps || isOutsideOf(cluster, view.light));
         appendDraw(plan.drawn, draw);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/view_planes.hpp"
 #include "src/shadow/plan/ray_crossings.hpp"
@@ -19,8 +19,8 @@ enum class Counted {
 /// Why volumes are drawn with caps and counted behind surfaces (z-fail).
 enum class CapsNeeded {
     no,           ///< sides alone, counted before surfaces (z-pass)
-    holesAlone,   ///< z-pass, and front caps in the holes of casters; of orthographic pictures
-    seenThrough,  ///< casters have holes
+    cutoutsAlone, ///< z-pass, and front caps in the cutouts of casters; of orthographic pictures
+    seenThrough,  ///< casters are alpha-tested
     nearPlaneMet, ///< a triangle may cross the near plane
     outlineMet,   ///< a shadow's outline may run through the near rectangle
     uncertain,    ///< rounding may decide, or there are too many triangles to tell
@@ -33,7 +33,7 @@ struct ClusterPlan {
     CapsNeeded caps = CapsNeeded::uncertain;
     int start = 0; ///< without caps: volumes that the whole near rectangle is in
     int end = -1;  ///< without caps: which of PlanView::ends volumes end at; -1: at infinity
-    bool frontCaps = true;   ///< with z-fail or holes: some casters may be in the view
+    bool frontCaps = true;   ///< with z-fail or cutouts: some casters may be in the view
     bool backCaps = true;    ///< with z-fail: at infinity, some of its shadow may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
     bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
@@ -43,7 +43,7 @@ struct ClusterPlan {
                frontCaps == other.frontCaps && backCaps == other.backCaps &&
                nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps;
     }
-    bool zFail() const { return caps != CapsNeeded::no && caps != CapsNeeded::holesAlone; }
+    bool zFail() const { return caps != CapsNeeded::no && caps != CapsNeeded::cutoutsAlone; }
 };
 
 /// Neighbouring clusters that are not drawn.
@@ -95,7 +95,7 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 /// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
 ///   same number of its volumes: none where the hull of rectangle and light is apart from all of
 ///   the cluster's triangles, and elsewhere as many as there are layers in between, see
-///   ray_crossings.hpp. Casters with holes always get caps, since the eye sees volumes through
+///   ray_crossings.hpp. Alpha-tested casters always get caps, since the eye sees volumes through
 ///   them. Such volumes end at a plane beyond everything visible, where there is one for all of the
 ///   cluster;
 /// - with fans for caps, whose triangles join the silhouette edges to the middle of the cluster's
@@ -103,17 +103,17 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 ///   fan and triangles together are closed, so that they cover each direction from the eye (of the
 ///   front caps) or from the light (of the back caps) as often as they wind around eye or light,
 ///   which is never where that is outside of the box. For front caps the box must be beyond the
-///   near plane; casters with holes take none;
+///   near plane; alpha-tested casters take none;
 /// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
 ///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
 ///   C8). Where these certainly differ, the cluster seals the eye off from the light.
 ///
 /// The far plane of an orthographic picture is no infinity: what of a volume is behind it is lost,
 /// and may not be counted behind surfaces. But none of its casters is before the near plane. So
-/// volumes that lead away from the viewer are counted before surfaces, with front caps in the holes
-/// of casters, and those that lead towards the viewer behind them, if need be (docs/method.md,
-/// C33). Throws Error(unavailable) where the light stands among a cluster's depths and it is in
-/// need.
-VolumePlan planVolumes(const AdaptedShadow& shadow, const PlanView& view);
+/// volumes that lead away from the viewer are counted before surfaces, with front caps in the
+/// cutouts of casters, and those that lead towards the viewer behind them, if need be
+/// (docs/method.md, C33). Throws Error(unavailable) where the light stands among a cluster's depths
+/// and it is in need.
+VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view);
 
 } // namespace edgeshade

@@ -37,7 +37,7 @@ constexpr float longestNormal = 1.0f + 1e-5f;
 
 } // namespace
 
-LightFacings::LightFacings(const AdaptedShadow& shadow) : count_(shadow.caps.size()) {
+LightFacings::LightFacings(const PlanePairShadow& shadow) : count_(shadow.caps.size()) {
     const std::size_t size = (count_ + lanes - 1) / lanes * lanes;
     for (auto* component : {&x_, &y_, &z_, &w_})
         component->resize(size, 0.0f);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/shadow/geometry/light_ball.hpp"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ constexpr float dotUnderflow(int mantissaBits) {
 class LightFacings {
   public:
     /// The planes of the batch's caps.
-    explicit LightFacings(const AdaptedShadow& shadow);
+    explicit LightFacings(const PlanePairShadow& shadow);
 
     /// By cap. `mantissaBits`: of the vertex shader's floats.
     void find(const LightBall& ball, int mantissaBits, std::vector<std::int8_t>& facings) const;

@@ -23,7 +23,7 @@ void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene) {
     std::erase_if(sources_, unused);
 }
 
-const SilhouetteList& PotentialSilhouettes::of(const std::shared_ptr<const AdaptedShadow>& shadow,
+const SilhouetteList& PotentialSilhouettes::of(const std::shared_ptr<const PlanePairShadow>& shadow,
                                                std::size_t index, const glm::vec4& light) {
     auto source = sources_.find(shadow.get());
     if (source == sources_.end())

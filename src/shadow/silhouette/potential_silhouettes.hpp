@@ -20,14 +20,14 @@ class PotentialSilhouettes {
 
     /// The list of a batch for the light with that index, which is in the batch's space. It stays
     /// where it is until the next frame begins.
-    const SilhouetteList& of(const std::shared_ptr<const AdaptedShadow>& shadow, std::size_t index,
-                             const glm::vec4& light);
+    const SilhouetteList& of(const std::shared_ptr<const PlanePairShadow>& shadow,
+                             std::size_t index, const glm::vec4& light);
 
     std::size_t made() const { return made_; } ///< lists, since the beginning
 
   private:
     struct Source { ///< one for a batch
-        std::shared_ptr<const AdaptedShadow> shadow;
+        std::shared_ptr<const PlanePairShadow> shadow;
         LightFacings facings;
         std::size_t lastFrame = 0;
     };
@@ -41,8 +41,8 @@ class PotentialSilhouettes {
     std::shared_ptr<const int> scene_;
     std::size_t frame_ = 0;
     std::size_t made_ = 0;
-    std::map<const AdaptedShadow*, Source> sources_; ///< which keep their keys alive
-    std::map<std::pair<const AdaptedShadow*, std::size_t>, Entry> entries_;
+    std::map<const PlanePairShadow*, Source> sources_; ///< which keep their keys alive
+    std::map<std::pair<const PlanePairShadow*, std::size_t>, Entry> entries_;
 };
 
 } // namespace edgeshade

@@ -47,7 +47,7 @@ class Appender {
 
 } // namespace
 
-void gatherPairs(const AdaptedShadow& shadow, const PairList& list,
+void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records) {
     records.clear();
     records.reserve(list.pairs.size());
@@ -55,7 +55,7 @@ void gatherPairs(const AdaptedShadow& shadow, const PairList& list,
         records.push_back(shadow.pairs[pair]);
 }
 
-bool isInSomePlane(const AdaptedShadow& shadow, const PairList& list, const glm::vec4& light,
+bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
                    int mantissaBits) {
     return std::any_of(list.pairs.begin(), list.pairs.end(), [&](std::uint32_t pair) {
         return mayBeIn(shadow.pairs[pair].plane0, light, mantissaBits) ||
@@ -69,7 +69,7 @@ std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCl
         std::count_if(first, first + cluster.caps.count, mayFaceTheLight));
 }
 
-void listSilhouettes(const AdaptedShadow& shadow, const LightFacings& facings,
+void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal) {
     facings.find(ball, mantissaBits, proposal.facings);
     Appender certain(proposal.certain, shadow.pairs.size());

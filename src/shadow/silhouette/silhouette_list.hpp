@@ -8,7 +8,7 @@ namespace edgeshade {
 
 /// Some of a batch's pairs.
 struct PairList {
-    std::vector<std::uint32_t> pairs;   ///< of AdaptedShadow::pairs, ascending
+    std::vector<std::uint32_t> pairs;   ///< of PlanePairShadow::pairs, ascending
     std::vector<RecordRange> ofCluster; ///< ranges of `pairs`, by cluster
 };
 
@@ -28,12 +28,12 @@ struct SilhouetteList {
 };
 
 /// The listed records themselves; `records` is emptied first.
-void gatherPairs(const AdaptedShadow& shadow, const PairList& list,
+void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records);
 
 /// Whether the light may be in the plane of a listed triangle, as floats of so many mantissa bits
 /// round. If not, every listed pair of which both triangles cast has multiplicity 0 or ±2.
-bool isInSomePlane(const AdaptedShadow& shadow, const PairList& list, const glm::vec4& light,
+bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
                    int mantissaBits);
 
 /// How many caps of a cluster may face the light.
@@ -45,7 +45,7 @@ inline bool mayFaceTheLight(std::int8_t facing) {
 }
 
 /// Fills in `proposal`, whose memory it uses again. `facings` must be those of the shadow.
-void listSilhouettes(const AdaptedShadow& shadow, const LightFacings& facings,
+void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal);
 
 } // namespace edgeshade

@@ -26,11 +26,11 @@ const gl::Program& CapsPass::use(const CapsVariant& variant) const {
     return program;
 }
 
-void CapsPass::draw(const ShadowBuffers& shadow, const RecordRange& caps, bool holes) const {
+void CapsPass::draw(const ShadowBuffers& shadow, const RecordRange& caps, bool alphaTested) const {
     const bool copied = layout_ == SidesLayout::notInstanced;
     const std::size_t copies = copied ? VERTICES_PER_CAP_PAIR : 1;
     const std::size_t recordBytes = CapsData::vectorsPerRecord * sizeof(glm::vec4) * copies;
-    const std::size_t holeBytes = 3 * sizeof(glm::vec4) * copies;
+    const std::size_t cornerBytes = 3 * sizeof(glm::vec4) * copies;
     for (const RecordChunk& chunk : shadow.caps) {
         const std::size_t first = std::max<std::size_t>(chunk.firstRecord, caps.first);
         const std::size_t end =
@@ -40,7 +40,7 @@ void CapsPass::draw(const ShadowBuffers& shadow, const RecordRange& caps, bool h
         if (!copied) binding.add(corners_, 2, GL_FLOAT, false, sizeof(glm::vec2), 0, false);
         binding.addRecords(chunk.buffer, CapsData::vectorsPerRecord,
                            (first - chunk.firstRecord) * recordBytes, !copied);
-        if (holes) binding.addRecords(shadow.capHoles, 3, first * holeBytes, !copied);
+        if (alphaTested) binding.addRecords(shadow.alphaCorners, 3, first * cornerBytes, !copied);
         const auto count = static_cast<int>(end - first);
         if (copied)
             glDrawArrays(GL_TRIANGLES, 0, count * VERTICES_PER_CAP_PAIR);

@@ -23,8 +23,8 @@ class CapsPass {
     /// The program of such a variant, in use.
     const gl::Program& use(const CapsVariant& variant) const;
 
-    /// Draws some caps of a batch by the program that is in use. `holes`: it tests alpha.
-    void draw(const ShadowBuffers& shadow, const RecordRange& caps, bool holes) const;
+    /// Draws some caps of a batch by the program that is in use. `alphaTested`: it tests alpha.
+    void draw(const ShadowBuffers& shadow, const RecordRange& caps, bool alphaTested) const;
 
   private:
     MultiplicityMethod method_;

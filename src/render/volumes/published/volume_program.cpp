@@ -45,7 +45,7 @@ gl::Program makeCapsProgram(MultiplicityMethod method, SidesLayout layout,
     if (variant.alphaTest) defines.push_back("ALPHA_TEST");
     std::vector<std::string> attributes = {"a_capA", "a_capB", "a_capC"};
     if (variant.alphaTest)
-        attributes.insert(attributes.end(), {"a_holesA", "a_holesB", "a_holesC"});
+        attributes.insert(attributes.end(), {"a_alphaCornerA", "a_alphaCornerB", "a_alphaCornerC"});
     return {shaders::caps_vert, shaders::caps_frag, defines,
             withCorner(layout, std::move(attributes), extraAttributes)};
 }

@@ -14,31 +14,31 @@
 
 namespace edgeshade {
 
-/// Variants of the programs for adapted records.
-struct AdaptedSidesVariant {
+/// Variants of the programs for plane-pair records.
+struct PlanePairSidesVariant {
     bool pair = false; ///< records of two planes
-    bool sun = false;
+    bool directional = false;
     bool cap = false; ///< fans of caps in place of sides
 
-    auto operator<=>(const AdaptedSidesVariant&) const = default;
+    auto operator<=>(const PlanePairSidesVariant&) const = default;
 };
 
 /// The programs. `extraDefines` and `extraAttributes` are for tests and debug views.
-gl::Program makeAdaptedSidesProgram(const AdaptedSidesVariant& variant,
-                                    const std::vector<std::string>& extraDefines = {},
-                                    const std::vector<std::string>& extraAttributes = {});
-gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
-                                   const std::vector<std::string>& extraDefines = {},
-                                   const std::vector<std::string>& extraAttributes = {});
+gl::Program makePlanePairSidesProgram(const PlanePairSidesVariant& variant,
+                                      const std::vector<std::string>& extraDefines = {},
+                                      const std::vector<std::string>& extraAttributes = {});
+gl::Program makePlanePairCapsProgram(bool nearDiscard, bool alphaTest,
+                                     const std::vector<std::string>& extraDefines = {},
+                                     const std::vector<std::string>& extraAttributes = {});
 
-/// Draws shadow volumes from adapted records: edges with the planes of their triangles.
-class AdaptedVolumes : public VolumeRenderer {
+/// Draws shadow volumes from plane-pair records: edges with the planes of their triangles.
+class PlanePairVolumes : public VolumeRenderer {
   public:
     /// `instancing` must be there unless the layout is notInstanced. `mantissaBits`: of the vertex
     /// shader's floats. `tints`: for debug views; `defines`: of all shaders, for measuring.
-    AdaptedVolumes(SilhouetteChoice choice, SidesLayout layout,
-                   std::optional<gl::Instancing> instancing, int mantissaBits,
-                   std::optional<VolumeTints> tints = {}, std::vector<std::string> defines = {});
+    PlanePairVolumes(SilhouetteChoice choice, SidesLayout layout,
+                     std::optional<gl::Instancing> instancing, int mantissaBits,
+                     std::optional<VolumeTints> tints = {}, std::vector<std::string> defines = {});
 
     void beginFrame(const GpuScene& scene) override;
     CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
@@ -48,7 +48,7 @@ class AdaptedVolumes : public VolumeRenderer {
     /// Makes the program of such a draw, if it is not there yet.
     void makeProgram(const VolumeDraw& draw);
 
-    VolumeLayout layout() const override { return VolumeLayout::adapted; }
+    VolumeLayout layout() const override { return VolumeLayout::planePairs; }
     const PotentialSilhouettes* silhouettes() const override {
         return silhouettes_ ? &*silhouettes_ : nullptr;
     }
@@ -56,7 +56,7 @@ class AdaptedVolumes : public VolumeRenderer {
     std::size_t capBytes() const override { return gathered_.capBytes(); }
 
   private:
-    void upload(const VolumeDraw& draw, const BatchPlan& plan, AdaptedBuffers& buffers);
+    void upload(const VolumeDraw& draw, const BatchPlan& plan, PlanePairBuffers& buffers);
     const gl::Buffer& bufferOf(const VolumeDraw& draw, const DrawnBatch& batch) const;
     /// The program, in use, with what all variants need.
     const gl::Program& sidesProgram(const VolumeDraw& draw, const DrawnBatch& batch) const;
@@ -67,7 +67,7 @@ class AdaptedVolumes : public VolumeRenderer {
     /// Records as quads or, of their first three corners, as triangles.
     void drawRecords(const VolumeDraw& draw, const DrawnBatch& batch, bool triangles) const;
     void drawCapRecords(const CapBuffers& buffers, bool copied, const RecordRange& caps,
-                        CapFaces faces, bool holes) const;
+                        CapFaces faces, bool alphaTested) const;
 
     std::optional<gl::Instancing> instancing_;
     int mantissaBits_;
@@ -79,7 +79,7 @@ class AdaptedVolumes : public VolumeRenderer {
     gl::Buffer capCorners_;      ///< instanced: 0..5
     gl::Buffer quadIndices_;     ///< of one quad; not instanced: of as many as 16 bits reach
     gl::Buffer triangleIndices_; ///< the same of their first triangles
-    std::map<AdaptedSidesVariant, gl::Program> sides_;
+    std::map<PlanePairSidesVariant, gl::Program> sides_;
     std::map<std::pair<bool, bool>, gl::Program> caps_; ///< by near discard, alpha test
 };
 

@@ -1,6 +1,6 @@
-#include "src/render/volumes/published/published_volumes.hpp"
+#include "src/render/volumes/published/opposite_vertex_volumes.hpp"
 
-#include "src/render/drawing/cap_holes.hpp"
+#include "src/render/drawing/cap_alpha_test.hpp"
 
 namespace edgeshade {
 namespace {
@@ -16,13 +16,13 @@ CapsVariant variantOf(const VolumeDraw& draw) {
 
 } // namespace
 
-PublishedVolumes::PublishedVolumes(MultiplicityMethod method, SidesLayout layout,
-                                   std::optional<gl::Instancing> instancing,
-                                   std::optional<VolumeTints> tints)
+OppositeVertexVolumes::OppositeVertexVolumes(MultiplicityMethod method, SidesLayout layout,
+                                             std::optional<gl::Instancing> instancing,
+                                             std::optional<VolumeTints> tints)
     : tints_(tints), sides_(method, layout, instancing, definesOf(tints)),
       caps_(method, layout, instancing, definesOf(tints)) {}
 
-CountPlan PublishedVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
+CountPlan OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
     CountPlan plan;
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const GpuBatch& batch = scene.batches[i];
@@ -30,27 +30,27 @@ CountPlan PublishedVolumes::plan(const GpuScene& scene, const CasterGroupInSlice
         plan.batches.push_back(
             {.batch = i, .light = lightInObject(casters.source().light, batch.worldFromBatch)});
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
-        appendPublishedDraws(volumes.published->records(), plan.batches.size() - 1,
-                             casters.view.nearestDepths[i] <= casters.slice.near, scene.materials,
-                             plan.draws.once);
+        appendOppositeVertexDraws(volumes.oppositeVertices->records(), plan.batches.size() - 1,
+                                  casters.view.nearestDepths[i] <= casters.slice.near,
+                                  scene.materials, plan.draws.once);
     }
     return plan;
 }
 
-void PublishedVolumes::prepare(const CountPlan& plan, GpuScene& scene,
-                               const CasterGroupInSlice& casters) {
+void OppositeVertexVolumes::prepare(const CountPlan& plan, GpuScene& scene,
+                                    const CasterGroupInSlice& casters) {
     for (const VolumeDraw& draw : plan.draws.once) {
         const std::size_t batch = plan.batches[draw.batch].batch;
         if (draw.shape == VolumeDraw::Shape::caps)
             caps_.prepare(variantOf(draw));
         else
             sides_.prepare(scene.volumesOf(batch, casters.source(), layout(), casters.group)
-                               .published->maxMultiplicity);
+                               .oppositeVertices->maxMultiplicity);
     }
 }
 
-void PublishedVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
-    const ShadowBuffers& shadow = *batch.volumes.published;
+void OppositeVertexVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
+    const ShadowBuffers& shadow = *batch.volumes.oppositeVertices;
     if (draw.shape == VolumeDraw::Shape::sides) {
         setCommon(sides_.use(shadow.maxMultiplicity), draw, batch);
         sides_.draw(shadow);
@@ -62,15 +62,15 @@ void PublishedVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) con
         caps_.draw(shadow, draw.range, false);
         return;
     }
-    setCapHoles(program, batch.scene->materials[*draw.alphaTested], batch.scene->textures);
+    setCapAlphaTest(program, batch.scene->materials[*draw.alphaTested], batch.scene->textures);
     for (const float atInfinity : {1.0f, 0.0f}) {
         program.set("u_frontCapAtInfinity", atInfinity);
         caps_.draw(shadow, draw.range, true);
     }
 }
 
-void PublishedVolumes::setCommon(const gl::Program& program, const VolumeDraw& draw,
-                                 const DrawnBatch& batch) const {
+void OppositeVertexVolumes::setCommon(const gl::Program& program, const VolumeDraw& draw,
+                                      const DrawnBatch& batch) const {
     program.set("u_light", batch.plan.light);
     program.set("u_clipFromObject", batch.clipFromObject);
     if (tints_) program.set("u_tint", tints_->of(draw));

@@ -1,22 +1,23 @@
-#include "src/shadow/plan/published/published_draws.hpp"
+#include "src/shadow/plan/published/opposite_vertex_draws.hpp"
 
 #include "shaders_es2/record_layout.glsl"
 
 namespace edgeshade {
 
-void appendPublishedDraws(const PublishedRecords& published, std::size_t index, bool nearDiscard,
-                          const std::vector<Material>& materials, std::vector<VolumeDraw>& draws) {
+void appendOppositeVertexDraws(const OppositeVertexRecords& published, std::size_t index,
+                               bool nearDiscard, const std::vector<Material>& materials,
+                               std::vector<VolumeDraw>& draws) {
     VolumeDraw like;
     like.batch = index;
     like.zFail = true;
     if (published.sides > 0) {
         VolumeDraw& draw = draws.emplace_back(like);
-        draw.records = VolumeDraw::Records::publishedSides;
+        draw.records = VolumeDraw::Records::oppositeVertexSides;
         draw.range = {0, published.sides};
         draw.verticesPerRecord = published.maxMultiplicity * VERTICES_PER_SIDE;
     }
     like.shape = VolumeDraw::Shape::caps;
-    like.records = VolumeDraw::Records::publishedCaps;
+    like.records = VolumeDraw::Records::oppositeVertexCaps;
     like.verticesPerRecord = VERTICES_PER_CAP_PAIR;
     like.nearDiscard = nearDiscard;
     bool afterOpaque = false;

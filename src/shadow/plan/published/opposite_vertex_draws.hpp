@@ -6,8 +6,8 @@
 
 namespace edgeshade {
 
-/// What a batch has of published records.
-struct PublishedRecords {
+/// What a batch has of opposite-vertex records.
+struct OppositeVertexRecords {
     std::uint32_t sides = 0; ///< records
     int maxMultiplicity = 1;
     std::vector<MaterialCasters> groups = {}; ///< ranges of caps
@@ -16,7 +16,8 @@ struct PublishedRecords {
 /// Appends the draws of one batch: every side and every cap, z-fail. Adjoining groups of opaque
 /// casters are drawn as one. `index`: of the batch in the plan; `nearDiscard`: some caster may
 /// cross the near plane.
-void appendPublishedDraws(const PublishedRecords& published, std::size_t index, bool nearDiscard,
-                          const std::vector<Material>& materials, std::vector<VolumeDraw>& draws);
+void appendOppositeVertexDraws(const OppositeVertexRecords& published, std::size_t index,
+                               bool nearDiscard, const std::vector<Material>& materials,
+                               std::vector<VolumeDraw>& draws);
 
 } // namespace edgeshade

@@ -6,20 +6,20 @@
 
 namespace edgeshade {
 
-/// Draws shadow volumes from published records: edges with the opposite vertices of their
+/// Draws shadow volumes from opposite-vertex records: edges with the opposite vertices of their
 /// triangles. Every edge and every cap of every batch is drawn, z-fail.
-class PublishedVolumes : public VolumeRenderer {
+class OppositeVertexVolumes : public VolumeRenderer {
   public:
     /// `instancing` must be there unless the layout is notInstanced. `tints`: for debug views.
-    PublishedVolumes(MultiplicityMethod method, SidesLayout layout,
-                     std::optional<gl::Instancing> instancing,
-                     std::optional<VolumeTints> tints = {});
+    OppositeVertexVolumes(MultiplicityMethod method, SidesLayout layout,
+                          std::optional<gl::Instancing> instancing,
+                          std::optional<VolumeTints> tints = {});
 
     CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
     void prepare(const CountPlan& plan, GpuScene& scene,
                  const CasterGroupInSlice& casters) override;
     void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
-    VolumeLayout layout() const override { return VolumeLayout::published; }
+    VolumeLayout layout() const override { return VolumeLayout::oppositeVertices; }
 
   private:
     void setCommon(const gl::Program& program, const VolumeDraw& draw,

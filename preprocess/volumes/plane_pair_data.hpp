@@ -80,22 +80,22 @@ struct RecordRange {
 /// cluster by cluster.
 struct ShadowCluster {
     Box bounds;
-    bool closed = false; ///< every component of it
-    bool holes = false;  ///< some casters are not opaque
+    bool closed = false;      ///< every component of it
+    bool alphaTested = false; ///< some casters are not opaque
     std::uint32_t components = 1;
     RecordRange pairs, singles, caps;
-    RecordRange groups; ///< of AdaptedShadow::groups
-    RecordRange leaves; ///< of AdaptedShadow::leaves: each holds the next leafTriangles caps
+    RecordRange groups; ///< of PlanePairShadow::groups
+    RecordRange leaves; ///< of PlanePairShadow::leaves: each holds the next leafTriangles caps
 };
 
 /// One batch.
-struct AdaptedShadow {
+struct PlanePairShadow {
     std::vector<PairRecord> pairs; ///< cluster after cluster, closed ones first; as singles, caps
     std::vector<std::array<PlaneOf, 2>> pairPlanes; ///< what PairRecord's planes are, by pair
     std::vector<SingleRecord> singles;
     std::vector<CapRecord> caps;
     std::vector<std::uint32_t> capTriangles; ///< which of CasterMesh's triangles each cap is
-    std::vector<MaterialCasters> groups; ///< ranges of caps; clusters without holes have one each
+    std::vector<MaterialCasters> groups;     ///< ranges of caps; opaque clusters have one each
     std::vector<ShadowCluster> clusters;
     std::vector<Box> leaves;   ///< boxes around neighbouring caps
     std::size_t edges = 0;     ///< all, flat ones too
@@ -103,8 +103,8 @@ struct AdaptedShadow {
     std::size_t flatEdges = 0; ///< edges of which nothing is left
 };
 
-/// What adapted records take; sums over batches with +=.
-struct AdaptedCosts {
+/// What plane-pair records take; sums over batches with +=.
+struct PlanePairCosts {
     std::size_t records = 0;
     std::size_t flatEdges = 0;
     std::size_t sideBytes = 0; ///< on the GPU, instanced
@@ -114,17 +114,17 @@ struct AdaptedCosts {
     std::size_t sideRuns = 0;
     std::size_t capRuns = 0; ///< of all caps; volumes that the eye is outside of are drawn without
 
-    AdaptedCosts& operator+=(const AdaptedCosts& other);
+    PlanePairCosts& operator+=(const PlanePairCosts& other);
 };
-AdaptedCosts costsOf(const AdaptedShadow& shadow);
+PlanePairCosts costsOf(const PlanePairShadow& shadow);
 
-/// Builds the records of one batch. `materials` tell which casters have holes; `flatTolerance`:
-/// degrees, see trianglePlanes().
-AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
-                           const std::vector<Material>& materials, double flatTolerance = 0.0);
+/// Builds the records of one batch. `materials` tell which casters are alpha-tested;
+/// `flatTolerance`: degrees, see trianglePlanes().
+PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
+                                const std::vector<Material>& materials, double flatTolerance = 0.0);
 
 /// The whole pipeline for every batch of a scene: weld, edges, records.
-std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene, bool castMasked,
-                                                               double flatTolerance = 0.0);
+std::vector<std::shared_ptr<const PlanePairShadow>>
+buildPlanePairs(const Scene& scene, bool castMasked, double flatTolerance = 0.0);
 
 } // namespace edgeshade

@@ -1,5 +1,5 @@
 // Caps of the shadow volumes from records of a triangle and its plane
-// (preprocess/volumes/adapted_data.hpp).
+// (preprocess/volumes/plane_pair_data.hpp).
 //
 // Variants: those of cap_corner.glsl; PROBE, for tests.
 #include "plane_side.glsl"

@@ -1,15 +1,15 @@
-#include "tests/support/adapted_probe.hpp"
+#include "tests/support/plane_pair_probe.hpp"
 
 #include <numeric>
 
 namespace edgeshade::test {
 
-AdaptedProbe::AdaptedProbe()
-    : pairsProgram_(makeAdaptedSidesProgram({true, false}, {"PROBE"}, {"a_pixel"})),
-      singlesProgram_(makeAdaptedSidesProgram({false, false}, {"PROBE"}, {"a_pixel"})),
-      capsProgram_(makeAdaptedCapsProgram(false, false, {"PROBE"}, {"a_pixel"})) {}
+PlanePairProbe::PlanePairProbe()
+    : pairsProgram_(makePlanePairSidesProgram({true, false}, {"PROBE"}, {"a_pixel"})),
+      singlesProgram_(makePlanePairSidesProgram({false, false}, {"PROBE"}, {"a_pixel"})),
+      capsProgram_(makePlanePairCapsProgram(false, false, {"PROBE"}, {"a_pixel"})) {}
 
-void AdaptedProbe::upload(const AdaptedShadow& shadow) {
+void PlanePairProbe::upload(const PlanePairShadow& shadow) {
     pairCount_ = shadow.pairs.size();
     singleCount_ = shadow.singles.size();
     capCount_ = shadow.caps.size();
@@ -18,15 +18,15 @@ void AdaptedProbe::upload(const AdaptedShadow& shadow) {
     caps_ = gl::vertexBuffer<CapRecord>(shadow.caps);
 }
 
-AdaptedSigns AdaptedProbe::signs(const glm::vec4& light, const glm::vec2& counted) {
+PlanePairSigns PlanePairProbe::signs(const glm::vec4& light, const glm::vec2& counted) {
     return {draw(pairsProgram_, pairs_, {3, 3, 4, 4}, pairCount_, light, counted),
             draw(singlesProgram_, singles_, {3, 3, 4}, singleCount_, light, counted),
             draw(capsProgram_, caps_, {3, 3, 3, 4}, capCount_, light, counted)};
 }
 
-std::vector<int> AdaptedProbe::draw(gl::Program& program, const gl::Buffer& records,
-                                    const std::vector<int>& components, std::size_t count,
-                                    const glm::vec4& light, const glm::vec2& counted) {
+std::vector<int> PlanePairProbe::draw(gl::Program& program, const gl::Buffer& records,
+                                      const std::vector<int>& components, std::size_t count,
+                                      const glm::vec4& light, const glm::vec2& counted) {
     program.use();
     program.set("u_light", light);
     program.set("u_counted", counted);

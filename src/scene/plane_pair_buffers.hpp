@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/gl/objects.hpp"
 #include "src/scene/shadow_buffers.hpp"
 #include "src/shadow/plan/volume_draw.hpp"
@@ -12,34 +12,35 @@
 
 namespace edgeshade {
 
-/// Floats of records on the GPU: those of the structs in adapted_data.hpp, when copied for every
+/// Floats of records on the GPU: those of the structs in plane_pair_data.hpp, when copied for every
 /// vertex with the corner's number in front.
 inline constexpr std::size_t pairFloats = sizeof(PairRecord) / sizeof(float);
 inline constexpr std::size_t singleFloats = sizeof(SingleRecord) / sizeof(float);
 inline constexpr std::size_t capFloats = sizeof(CapRecord) / sizeof(float);
 
 /// One cluster's caps, or some of them. Copied for every vertex, all front caps come first, then
-/// all back caps; `holes` in the same order.
+/// all back caps; `alphaCorners` in the same order.
 struct CapBuffers {
     std::uint32_t count = 0;
     gl::Buffer records;
-    gl::Buffer holes; ///< three vec4s a cap, see capHoles(); or empty
+    gl::Buffer alphaCorners; ///< three vec4s a cap, see alphaCorners(); or empty
 };
 
 /// Uploads records as they are, or a copy for every vertex; nothing where there are none.
 gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout);
-CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> holes,
+CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> alphaCorners,
                       SidesLayout layout);
 
-/// One batch's adapted shadow data on the GPU. Pairs, and caps cluster by cluster, are uploaded
+/// One batch's plane-pair shadow data on the GPU. Pairs, and caps cluster by cluster, are uploaded
 /// where a plan draws them: most never are.
-class AdaptedBuffers {
+class PlanePairBuffers {
   public:
-    /// `capHoles`: three vec4s a cap, in its order of corners; empty where none has holes.
-    AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow, std::vector<glm::vec4> capHoles,
-                   SidesLayout layout);
+    /// `alphaCorners`: three vec4s a cap, in its order of corners; empty where none is
+    /// alpha-tested.
+    PlanePairBuffers(std::shared_ptr<const PlanePairShadow> shadow,
+                     std::vector<glm::vec4> alphaCorners, SidesLayout layout);
 
-    const std::shared_ptr<const AdaptedShadow>& shadow() const { return shadow_; }
+    const std::shared_ptr<const PlanePairShadow>& shadow() const { return shadow_; }
     /// Uploads all pairs, or a cluster's caps, if they are not there yet.
     void uploadAllPairs();
     void uploadCapsOf(std::size_t cluster);
@@ -57,8 +58,8 @@ class AdaptedBuffers {
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 
   private:
-    std::shared_ptr<const AdaptedShadow> shadow_;
-    std::vector<glm::vec4> capHoles_;
+    std::shared_ptr<const PlanePairShadow> shadow_;
+    std::vector<glm::vec4> alphaCorners_;
     SidesLayout layout_;
     std::optional<gl::Buffer> pairs_;
     gl::Buffer singles_;

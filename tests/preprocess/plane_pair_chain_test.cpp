@@ -1,7 +1,7 @@
-// The closed chain (docs/method.md) of adapted records: whatever the signs are, what sides and
+// The closed chain (docs/method.md) of plane-pair records: whatever the signs are, what sides and
 // caps of a cluster emit must have no boundary, with every triangle counted and, in closed ones,
 // with one facing alone.
-#include "tests/support/adapted_chain.hpp"
+#include "tests/support/plane_pair_chain.hpp"
 #include "tests/support/small_soups.hpp"
 
 #include <gtest/gtest.h>
@@ -14,17 +14,17 @@ namespace {
 using test::Soup;
 
 /// A soup with its records, all of it opaque.
-struct AdaptedMesh {
+struct PlanePairMesh {
     CasterMesh mesh;
     EdgeList edges;
-    AdaptedShadow shadow;
+    PlanePairShadow shadow;
 
-    explicit AdaptedMesh(const Soup& soup, double flatTolerance = 0.0) {
+    explicit PlanePairMesh(const Soup& soup, double flatTolerance = 0.0) {
         mesh.welded = weld(soup.positions, soup.indices);
         const auto count = static_cast<std::uint32_t>(mesh.welded.triangles.size());
         if (count > 0) mesh.groups = {{0, 0, count}};
         edges = buildEdges(mesh.welded);
-        shadow = buildAdapted(mesh, edges, {Material()}, flatTolerance);
+        shadow = buildPlanePairs(mesh, edges, {Material()}, flatTolerance);
     }
 
     std::size_t open(const glm::vec4& light) const {
@@ -59,15 +59,15 @@ const std::vector<glm::vec4> someLights = {{0.5f, 0.5f, 3, 1},   {3, 0.5f, 1, 1}
 
 } // namespace
 
-TEST(AdaptedChain, OfTinyMeshes) {
+TEST(PlanePairChain, OfTinyMeshes) {
     for (const Soup& soup : {test::cube(), test::openBox(), test::fin(), test::fan(128),
                              test::moebiusStrip(), test::tJunction()})
         for (const double tolerance : tolerances)
             for (const glm::vec4& light : someLights)
-                EXPECT_EQ(AdaptedMesh(soup, tolerance).open(light), 0u);
+                EXPECT_EQ(PlanePairMesh(soup, tolerance).open(light), 0u);
 }
 
-TEST(AdaptedChain, OfSheetsWhoseBumpsAreTakenForFlat) {
+TEST(PlanePairChain, OfSheetsWhoseBumpsAreTakenForFlat) {
     test::Random random(23);
     std::size_t dropped = 0;
     for (int i = 0; i < 200; ++i) {
@@ -75,7 +75,7 @@ TEST(AdaptedChain, OfSheetsWhoseBumpsAreTakenForFlat) {
         const glm::vec4 light(glm::dvec3(4.0) + 8.0 * random.inCube(), i % 2);
         std::size_t last = 0;
         for (const double tolerance : tolerances) {
-            const AdaptedMesh mesh(sheet, tolerance);
+            const PlanePairMesh mesh(sheet, tolerance);
             ASSERT_EQ(mesh.open(light), 0u) << i << ", " << tolerance;
             ASSERT_EQ(mesh.openEdges(light), 0u) << i << ", " << tolerance;
             EXPECT_GE(mesh.shadow.flatEdges, last) << i << ", " << tolerance;
@@ -86,13 +86,13 @@ TEST(AdaptedChain, OfSheetsWhoseBumpsAreTakenForFlat) {
     EXPECT_GT(dropped, 5000u);
 }
 
-TEST(AdaptedChain, WithoutARecordItIsOpen) {
-    AdaptedMesh cube(test::cube());
+TEST(PlanePairChain, WithoutARecordItIsOpen) {
+    PlanePairMesh cube(test::cube());
     const glm::vec4 light(0.5f, 0.5f, 3, 1);
     ASSERT_EQ(cube.open(light), 0u);
     std::size_t opened = 0;
     for (std::size_t i = 0; i < cube.shadow.pairs.size(); ++i) {
-        AdaptedMesh broken = cube;
+        PlanePairMesh broken = cube;
         std::swap(broken.shadow.pairs[i].plane0, broken.shadow.pairs[i].plane1);
         opened += broken.open(light) > 0;
         EXPECT_EQ(broken.open(light) > 0, broken.openEdges(light) > 0);
@@ -100,12 +100,12 @@ TEST(AdaptedChain, WithoutARecordItIsOpen) {
     EXPECT_GT(opened, 0u);
 }
 
-TEST(AdaptedChain, OfRandomSoupsForEveryKindOfLight) {
+TEST(PlanePairChain, OfRandomSoupsForEveryKindOfLight) {
     test::Random random(5);
     std::size_t chains = 0, closed = 0;
     for (std::size_t i = 0; i < 20'000; ++i) {
         const Soup soup = test::randomSoup(random, 1 + random.below(24));
-        const AdaptedMesh mesh(soup, tolerances[i % std::size(tolerances)]);
+        const PlanePairMesh mesh(soup, tolerances[i % std::size(tolerances)]);
         if (mesh.shadow.caps.empty()) continue;
         const CapRecord& cap = mesh.shadow.caps.front();
         test::Corners corners = {cap.a, cap.b, cap.c};
@@ -117,30 +117,31 @@ TEST(AdaptedChain, OfRandomSoupsForEveryKindOfLight) {
         for (const ShadowCluster& cluster : mesh.shadow.clusters)
             closed += cluster.closed;
     }
-    std::cout << "[ closed chain ] adapted records: 0 of " << chains << " open, " << closed
+    std::cout << "[ closed chain ] plane-pair records: 0 of " << chains << " open, " << closed
               << " clusters closed\n";
     EXPECT_GT(closed, 100u);
 }
 
-RC_GTEST_PROP(AdaptedChain, OfLatticeSoups, ()) {
+RC_GTEST_PROP(PlanePairChain, OfLatticeSoups, ()) {
     const Soup soup = test::latticeSoup();
     const glm::vec4 light = test::latticeLight();
     for (const double tolerance : tolerances) {
-        const AdaptedMesh mesh(soup, tolerance);
+        const PlanePairMesh mesh(soup, tolerance);
         RC_ASSERT(mesh.open(light) == 0u);
         RC_ASSERT(mesh.openEdges(light) == 0u);
     }
 }
 
-RC_GTEST_PROP(AdaptedChain, MultiplicitiesAreThePublishedOnes, ()) {
+RC_GTEST_PROP(PlanePairChain, MultiplicitiesAreThePublishedOnes, ()) {
     // On a small lattice both ways to find a sign are exact, so that the silhouettes are the same.
-    const AdaptedMesh mesh(test::latticeSoup());
+    const PlanePairMesh mesh(test::latticeSoup());
     const glm::vec4 light = test::latticeLight();
-    const auto published = test::silhouetteOf<shader_arithmetic::ReferenceEdge>(
+    const auto oppositeVertices = test::silhouetteOf<shader_arithmetic::ReferenceEdge>(
         buildSides(mesh.mesh.welded.positions, mesh.edges, 5), light);
-    test::Silhouette adapted;
+    test::Silhouette planePairs;
     const auto add = [&](const auto& record) {
-        adapted[{test::pointOf(glm::vec4(record.a, 0)), test::pointOf(glm::vec4(record.b, 0))}] +=
+        planePairs[{test::pointOf(glm::vec4(record.a, 0)),
+                    test::pointOf(glm::vec4(record.b, 0))}] +=
             test::multiplicityOf(record, light, test::countAll);
     };
     // Normals of unit length are rounded: leave out lights next to a plane.
@@ -154,8 +155,8 @@ RC_GTEST_PROP(AdaptedChain, MultiplicitiesAreThePublishedOnes, ()) {
         add(pair);
     for (const SingleRecord& single : mesh.shadow.singles)
         add(single);
-    std::erase_if(adapted, [](const auto& entry) { return entry.second == 0; });
-    RC_ASSERT(adapted == published);
+    std::erase_if(planePairs, [](const auto& entry) { return entry.second == 0; });
+    RC_ASSERT(planePairs == oppositeVertices);
 }
 
 } // namespace edgeshade

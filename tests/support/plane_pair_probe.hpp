@@ -1,20 +1,20 @@
 #pragma once
 
-#include "src/render/volumes/adapted_volumes.hpp"
-#include "tests/support/adapted_chain.hpp"
+#include "src/render/volumes/plane_pair_volumes.hpp"
+#include "tests/support/plane_pair_chain.hpp"
 #include "tests/support/probe_points.hpp"
 
 namespace edgeshade::test {
 
-/// Reads back what the GL implementation computes for adapted records; see Probe.
-class AdaptedProbe {
+/// Reads back what the GL implementation computes for plane-pair records; see Probe.
+class PlanePairProbe {
   public:
-    AdaptedProbe();
+    PlanePairProbe();
 
     /// Uploads a batch; signs() is about it.
-    void upload(const AdaptedShadow& shadow);
+    void upload(const PlanePairShadow& shadow);
 
-    AdaptedSigns signs(const glm::vec4& light, const glm::vec2& counted);
+    PlanePairSigns signs(const glm::vec4& light, const glm::vec2& counted);
 
   private:
     std::vector<int> draw(gl::Program& program, const gl::Buffer& records,

@@ -1,4 +1,4 @@
-#include "src/render/drawing/cap_holes.hpp"
+#include "src/render/drawing/cap_alpha_test.hpp"
 
 #include <GLES2/gl2.h>
 
@@ -9,8 +9,9 @@ constexpr float aboveAnyAlpha = 2.0f;
 
 } // namespace
 
-void setCapHoles(const gl::Program& program, const Material& material, const Textures& textures) {
-    // Nothing of a BLEND surface is in the depth buffer, so all of it counts as a hole.
+void setCapAlphaTest(const gl::Program& program, const Material& material,
+                     const Textures& textures) {
+    // Nothing of a BLEND surface is in the depth buffer, so all of it counts as cut out.
     const bool blend = material.alphaMode == AlphaMode::blend;
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, textures.of(material));

@@ -1,5 +1,5 @@
-#include "preprocess/volumes/adapted_data.hpp"
 #include "preprocess/volumes/clustering.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 
 #include "preprocess/mesh/coplanar.hpp"
 #include "preprocess/volumes/opposite_pairs.hpp"
@@ -22,9 +22,9 @@ CasterMesh casterMesh(const Soup& soup) {
     return mesh;
 }
 
-AdaptedShadow adapted(const Soup& soup) {
+PlanePairShadow planePairsOf(const Soup& soup) {
     const CasterMesh mesh = casterMesh(soup);
-    return buildAdapted(mesh, buildEdges(mesh.welded), {Material()});
+    return buildPlanePairs(mesh, buildEdges(mesh.welded), {Material()});
 }
 
 /// A square of 2 x 2 cells, two triangles each, lifted by `height` at its centre.
@@ -95,13 +95,13 @@ TEST(TrianglePlanes, FlatPatchesShareOne) {
 }
 
 TEST(TrianglePlanes, LiftedALittleTheyDoNot) {
-    const AdaptedShadow shadow = adapted(sheet(1e-6f));
+    const PlanePairShadow shadow = planePairsOf(sheet(1e-6f));
     EXPECT_EQ(shadow.flatPairs, 0u);
     EXPECT_EQ(shadow.pairs.size() + shadow.singles.size(), shadow.edges);
 }
 
-TEST(AdaptedData, EdgesWithinAFlatPatchAreDropped) {
-    const AdaptedShadow shadow = adapted(sheet(0.0f));
+TEST(PlanePairData, EdgesWithinAFlatPatchAreDropped) {
+    const PlanePairShadow shadow = planePairsOf(sheet(0.0f));
     EXPECT_EQ(shadow.edges, 16u);
     EXPECT_EQ(shadow.flatPairs, 8u);
     EXPECT_EQ(shadow.pairs.size(), 0u);
@@ -111,16 +111,16 @@ TEST(AdaptedData, EdgesWithinAFlatPatchAreDropped) {
     EXPECT_FALSE(shadow.clusters[0].closed);
 }
 
-TEST(AdaptedData, AFoldKeepsItsEdge) {
+TEST(PlanePairData, AFoldKeepsItsEdge) {
     // Two triangles in one plane, on the same side of their edge: a silhouette from everywhere.
-    const AdaptedShadow shadow =
-        adapted({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 0, 3}});
+    const PlanePairShadow shadow =
+        planePairsOf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0, 1, 2, 1, 0, 3}});
     EXPECT_EQ(shadow.flatPairs, 0u);
     EXPECT_EQ(shadow.pairs.size(), 1u);
 }
 
-TEST(AdaptedData, ACubeIsClosedAndItsDiagonalsGo) {
-    const AdaptedShadow shadow = adapted(test::cube());
+TEST(PlanePairData, ACubeIsClosedAndItsDiagonalsGo) {
+    const PlanePairShadow shadow = planePairsOf(test::cube());
     EXPECT_EQ(shadow.edges, 18u);
     EXPECT_EQ(shadow.flatPairs, 6u);
     EXPECT_EQ(shadow.pairs.size(), 12u);
@@ -130,46 +130,47 @@ TEST(AdaptedData, ACubeIsClosedAndItsDiagonalsGo) {
     EXPECT_EQ(shadow.clusters[0].caps.count, 12u);
 }
 
-TEST(AdaptedData, ATurnedTriangleOpensTheCube) {
+TEST(PlanePairData, ATurnedTriangleOpensTheCube) {
     Soup soup = test::cube();
     std::swap(soup.indices[0], soup.indices[1]);
-    const AdaptedShadow shadow = adapted(soup);
+    const PlanePairShadow shadow = planePairsOf(soup);
     ASSERT_EQ(shadow.clusters.size(), 1u);
     EXPECT_FALSE(shadow.clusters[0].closed);
 }
 
-TEST(AdaptedData, AComponentWithHolesIsNotClosed) {
+TEST(PlanePairData, AComponentWithHolesIsNotClosed) {
     CasterMesh mesh = casterMesh(test::cube());
     mesh.groups = {{0, 0, 10}, {1, 10, 2}};
     Material mask;
     mask.alphaMode = AlphaMode::mask;
-    const AdaptedShadow shadow = buildAdapted(mesh, buildEdges(mesh.welded), {Material(), mask});
+    const PlanePairShadow shadow =
+        buildPlanePairs(mesh, buildEdges(mesh.welded), {Material(), mask});
     ASSERT_EQ(shadow.clusters.size(), 1u);
     EXPECT_FALSE(shadow.clusters[0].closed);
-    EXPECT_TRUE(shadow.clusters[0].holes);
+    EXPECT_TRUE(shadow.clusters[0].alphaTested);
     ASSERT_EQ(shadow.groups.size(), 2u);
     EXPECT_EQ(shadow.groups[1].material, 1u);
     EXPECT_EQ(shadow.groups[1].firstCap, 10u);
     EXPECT_EQ(shadow.groups[1].capCount, 2u);
 }
 
-TEST(AdaptedData, MaterialsDoNotDivideAComponent) {
+TEST(PlanePairData, MaterialsDoNotDivideAComponent) {
     CasterMesh mesh = casterMesh(test::cube());
     mesh.groups = {{0, 0, 7}, {1, 7, 5}};
-    const AdaptedShadow shadow =
-        buildAdapted(mesh, buildEdges(mesh.welded), {Material(), Material()});
+    const PlanePairShadow shadow =
+        buildPlanePairs(mesh, buildEdges(mesh.welded), {Material(), Material()});
     ASSERT_EQ(shadow.clusters.size(), 1u);
     EXPECT_TRUE(shadow.clusters[0].closed);
     EXPECT_EQ(shadow.groups.size(), 1u);
 }
 
-TEST(AdaptedData, ClustersHoldWholeComponentsAndEveryRecordOnce) {
+TEST(PlanePairData, ClustersHoldWholeComponentsAndEveryRecordOnce) {
     Soup soup;
     for (int x = 0; x < 10; ++x)
         for (int y = 0; y < 10; ++y)
             append(soup, (x + y) % 3 ? test::cube() : test::openBox(),
                    {3.0f * static_cast<float>(x), 3.0f * static_cast<float>(y), 0.0f});
-    const AdaptedShadow shadow = adapted(soup);
+    const PlanePairShadow shadow = planePairsOf(soup);
     EXPECT_GT(shadow.clusters.size(), 2u);
     std::uint32_t pairs = 0, singles = 0, caps = 0;
     bool open = false;
@@ -237,7 +238,7 @@ TEST(OppositePairs, AFanOfAnySizeTakesLittleTime) {
         soup.positions.emplace_back(std::cos(angle), 0.5f, std::sin(angle));
         soup.indices.insert(soup.indices.end(), {i % 2, 1 - i % 2, i + 2});
     }
-    const AdaptedShadow shadow = adapted(soup);
+    const PlanePairShadow shadow = planePairsOf(soup);
     EXPECT_GE(shadow.pairs.size(), n / 2 - 64);
     EXPECT_EQ(shadow.singles.size(), 2 * n);
 }
@@ -246,7 +247,7 @@ TEST(OppositePairs, FlatOnesCancelFirst) {
     // A cross of two flat strips through one edge: both pairs go.
     const Soup cross{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}},
                      {0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0, 5}};
-    const AdaptedShadow shadow = adapted(cross);
+    const PlanePairShadow shadow = planePairsOf(cross);
     EXPECT_EQ(shadow.flatPairs, 2u);
     EXPECT_EQ(shadow.pairs.size(), 0u);
 }
@@ -322,8 +323,8 @@ TEST(FlatTolerance, EdgesOfOtherThanTwoOppositeTrianglesAreNotCrossed) {
 TEST(FlatTolerance, RightAnglesStay) {
     const CasterMesh mesh = casterMesh(test::cube());
     const EdgeList edges = buildEdges(mesh.welded);
-    EXPECT_EQ(buildAdapted(mesh, edges, {Material()}, 44.9).flatEdges,
-              buildAdapted(mesh, edges, {Material()}).flatEdges);
+    EXPECT_EQ(buildPlanePairs(mesh, edges, {Material()}, 44.9).flatEdges,
+              buildPlanePairs(mesh, edges, {Material()}).flatEdges);
 }
 
 } // namespace edgeshade

@@ -1,10 +1,10 @@
 #pragma once
 
-// What the shaders emit for adapted records, as a chain over symbolic vertices; emitted_chain.hpp
-// does the same for published ones.
+// What the shaders emit for plane-pair records, as a chain over symbolic vertices;
+// emitted_chain.hpp does the same for published ones.
 
 #include "preprocess/mesh/components.hpp"
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "tests/support/emitted_chain.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@ namespace edgeshade::test {
 inline const glm::vec2 countAll(-1.0f, 1.0f), countLightFacing(0.0f, 1.0f),
     countFacingAway(-1.0f, 0.0f);
 
-/// adapted_sides.vert's recordMultiplicity().
+/// plane_pair_sides.vert's recordMultiplicity().
 inline int multiplicityOf(const PairRecord& pair, const glm::vec4& light,
                           const glm::vec2& counted) {
     shader_arithmetic::Plane shader;
@@ -29,13 +29,13 @@ inline int multiplicityOf(const SingleRecord& single, const glm::vec4& light,
         std::lround(shader_arithmetic::Plane{}.countedSide(single.plane, light, counted)));
 }
 
-/// adapted_caps.vert's `facing`.
+/// plane_pair_caps.vert's `facing`.
 inline int facingOf(const CapRecord& cap, const glm::vec4& light, const glm::vec2& counted) {
     return static_cast<int>(
         std::lround(shader_arithmetic::Plane{}.countedSide(cap.plane, light, counted)));
 }
 
-/// adapted_sides.vert's main() for quad `side` of a record of that multiplicity.
+/// plane_pair_sides.vert's main() for quad `side` of a record of that multiplicity.
 inline void emitQuad(Chain& chain, std::size_t a, std::size_t b, int multiplicity, int side) {
     if (!(side < std::abs(multiplicity))) return;
     const auto vertex = [&](int corner) {
@@ -48,9 +48,9 @@ inline void emitQuad(Chain& chain, std::size_t a, std::size_t b, int multiplicit
 }
 
 /// All sides and caps of a cluster.
-inline Chain adaptedChain(std::span<const glm::vec3> sortedPositions, const AdaptedShadow& shadow,
-                          const ShadowCluster& cluster, const glm::vec4& light,
-                          const glm::vec2& counted) {
+inline Chain planePairChain(std::span<const glm::vec3> sortedPositions,
+                            const PlanePairShadow& shadow, const ShadowCluster& cluster,
+                            const glm::vec4& light, const glm::vec2& counted) {
     Chain chain(sortedPositions.size());
     const auto vertexOf = [&](const glm::vec3& p) {
         return indexOf(sortedPositions, glm::vec4(p, 0.0f));
@@ -80,26 +80,26 @@ inline Chain adaptedChain(std::span<const glm::vec3> sortedPositions, const Adap
 /// Clusters whose chains are not closed: whatever may be counted of each. Takes memory by the
 /// square of the positions.
 inline std::size_t openClusters(std::span<const glm::vec3> sortedPositions,
-                                const AdaptedShadow& shadow, const glm::vec4& light) {
+                                const PlanePairShadow& shadow, const glm::vec4& light) {
     std::size_t open = 0;
     for (const ShadowCluster& cluster : shadow.clusters) {
         std::vector<glm::vec2> ways = {countAll};
         if (cluster.closed) ways.insert(ways.end(), {countLightFacing, countFacingAway});
         for (const glm::vec2& counted : ways)
-            open += !adaptedChain(sortedPositions, shadow, cluster, light, counted).isCycle();
+            open += !planePairChain(sortedPositions, shadow, cluster, light, counted).isCycle();
     }
     return open;
 }
 
 /// What a shader found for all records of a batch: multiplicities of pairs and of singles, facings
 /// of caps.
-struct AdaptedSigns {
+struct PlanePairSigns {
     std::vector<int> pairs, singles, caps;
 };
 
-inline AdaptedSigns signsOf(const AdaptedShadow& shadow, const glm::vec4& light,
-                            const glm::vec2& counted) {
-    AdaptedSigns signs;
+inline PlanePairSigns signsOf(const PlanePairShadow& shadow, const glm::vec4& light,
+                              const glm::vec2& counted) {
+    PlanePairSigns signs;
     for (const PairRecord& pair : shadow.pairs)
         signs.pairs.push_back(multiplicityOf(pair, light, counted));
     for (const SingleRecord& single : shadow.singles)
@@ -111,7 +111,7 @@ inline AdaptedSigns signsOf(const AdaptedShadow& shadow, const glm::vec4& light,
 
 /// Edges at which sides don't fit caps, in time linear in the mesh.
 inline std::size_t openEdges(const CasterMesh& mesh, const EdgeList& edges,
-                             const AdaptedShadow& shadow, const AdaptedSigns& signs) {
+                             const PlanePairShadow& shadow, const PlanePairSigns& signs) {
     std::map<std::pair<Point, Point>, int> sums;
     const auto sumAt = [&](const glm::vec3& a, const glm::vec3& b) -> int& {
         return sums[{Point{a.x, a.y, a.z}, Point{b.x, b.y, b.z}}];

@@ -1,4 +1,4 @@
-#include "src/scene/adapted_buffers.hpp"
+#include "src/scene/plane_pair_buffers.hpp"
 
 #include <cstring>
 
@@ -34,14 +34,14 @@ gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout) 
     return uploadSides(records, layout == SidesLayout::notInstanced);
 }
 
-CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> holes,
+CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> alphaCorners,
                       SidesLayout layout) {
     CapBuffers buffers;
     buffers.count = static_cast<std::uint32_t>(records.size());
     if (records.empty()) return buffers;
     if (layout != SidesLayout::notInstanced) {
         buffers.records = gl::vertexBuffer<CapRecord>(records);
-        if (!holes.empty()) buffers.holes = gl::vertexBuffer<glm::vec4>(holes);
+        if (!alphaCorners.empty()) buffers.alphaCorners = gl::vertexBuffer<glm::vec4>(alphaCorners);
         return buffers;
     }
     std::vector<float> floats;
@@ -49,39 +49,40 @@ CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::v
     for (const int first : {0, verticesPerCap})
         for (std::size_t i = 0; i < records.size(); ++i) {
             appendCopies(floats, records[i], first, verticesPerCap);
-            if (holes.empty()) continue;
-            const auto of = holes.subspan(3 * i, 3);
+            if (alphaCorners.empty()) continue;
+            const auto of = alphaCorners.subspan(3 * i, 3);
             for (int corner = 0; corner < verticesPerCap; ++corner)
                 copies.insert(copies.end(), of.begin(), of.end());
         }
     buffers.records = gl::vertexBuffer<float>(floats);
-    if (!copies.empty()) buffers.holes = gl::vertexBuffer<glm::vec4>(copies);
+    if (!copies.empty()) buffers.alphaCorners = gl::vertexBuffer<glm::vec4>(copies);
     return buffers;
 }
 
-AdaptedBuffers::AdaptedBuffers(std::shared_ptr<const AdaptedShadow> shadow,
-                               std::vector<glm::vec4> capHoles, SidesLayout layout)
-    : shadow_(std::move(shadow)), capHoles_(std::move(capHoles)), layout_(layout),
+PlanePairBuffers::PlanePairBuffers(std::shared_ptr<const PlanePairShadow> shadow,
+                                   std::vector<glm::vec4> alphaCorners, SidesLayout layout)
+    : shadow_(std::move(shadow)), alphaCorners_(std::move(alphaCorners)), layout_(layout),
       singles_(uploadSides(std::span(shadow_->singles), copied())),
       caps_(shadow_->clusters.size()) {}
 
-void AdaptedBuffers::uploadAllPairs() {
+void PlanePairBuffers::uploadAllPairs() {
     if (!pairs_) pairs_ = uploadPairs(shadow_->pairs, layout_);
 }
 
-void AdaptedBuffers::uploadCapsOf(std::size_t cluster) {
+void PlanePairBuffers::uploadCapsOf(std::size_t cluster) {
     if (caps_[cluster]) return;
     const ShadowCluster& of = shadow_->clusters[cluster];
-    std::span<const glm::vec4> holes;
-    if (of.holes) holes = std::span(capHoles_).subspan(3 * of.caps.first, 3 * of.caps.count);
-    caps_[cluster] =
-        uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count), holes, layout_);
+    std::span<const glm::vec4> alphaCorners;
+    if (of.alphaTested)
+        alphaCorners = std::span(alphaCorners_).subspan(3 * of.caps.first, 3 * of.caps.count);
+    caps_[cluster] = uploadCaps(std::span(shadow_->caps).subspan(of.caps.first, of.caps.count),
+                                alphaCorners, layout_);
 }
 
-std::size_t AdaptedBuffers::capBytes() const {
+std::size_t PlanePairBuffers::capBytes() const {
     std::size_t total = 0;
     for (const auto& caps : caps_)
-        if (caps) total += caps->records.size() + caps->holes.size();
+        if (caps) total += caps->records.size() + caps->alphaCorners.size();
     return total;
 }
 

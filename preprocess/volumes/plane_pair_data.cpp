@@ -1,4 +1,4 @@
-#include "preprocess/volumes/adapted_data.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 
 #include "preprocess/volumes/clustering.hpp"
 #include "preprocess/volumes/opposite_pairs.hpp"
@@ -13,7 +13,7 @@ class Emitter {
     Emitter(const CasterMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes)
         : mesh_(mesh.welded), edges_(edges), planes_(planes), capOf_(planes.size()) {}
 
-    void emitCap(std::uint32_t triangle, AdaptedShadow& shadow) {
+    void emitCap(std::uint32_t triangle, PlanePairShadow& shadow) {
         const Triangle& corners = mesh_.triangles[triangle];
         capOf_[triangle] = static_cast<std::uint32_t>(shadow.caps.size());
         shadow.caps.push_back({mesh_.positions[corners[0]], mesh_.positions[corners[1]],
@@ -23,7 +23,7 @@ class Emitter {
 
     /// The caps of the edge's triangles come first.
 
-    void emitEdge(const Edge& edge, AdaptedShadow& shadow) {
+    void emitEdge(const Edge& edge, PlanePairShadow& shadow) {
         const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
         ++shadow.edges;
         const std::size_t before = shadow.pairs.size() + shadow.singles.size();
@@ -61,7 +61,7 @@ RecordRange rangeSince(std::size_t first, std::size_t end) {
 /// The caps of a cluster by material where that matters; its triangles are ascending then.
 void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint32_t firstCap,
                std::vector<MaterialCasters>& groups) {
-    if (!cluster.holes) {
+    if (!cluster.alphaTested) {
         const std::size_t anyMaterial = mesh.groups.front().material; // all of them are opaque
         groups.push_back(
             {anyMaterial, firstCap, static_cast<std::uint32_t>(cluster.triangles.size())});
@@ -82,11 +82,11 @@ void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint
 
 } // namespace
 
-AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
-                           const std::vector<Material>& materials, double flatTolerance) {
+PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
+                                const std::vector<Material>& materials, double flatTolerance) {
     const std::vector<glm::vec4> planes = trianglePlanes(mesh.welded, edges, flatTolerance);
     Emitter emitter(mesh, edges, planes);
-    AdaptedShadow shadow;
+    PlanePairShadow shadow;
     shadow.pairs.reserve(edges.edges.size());
     shadow.caps.reserve(mesh.welded.triangles.size());
     shadow.capTriangles.reserve(mesh.welded.triangles.size());
@@ -101,7 +101,7 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
             emitter.emitEdge(edges.edges[edge], shadow);
         addGroups(mesh, cluster, static_cast<std::uint32_t>(caps), shadow.groups);
         shadow.clusters.push_back(
-            {cluster.bounds, cluster.closed, cluster.holes, cluster.components,
+            {cluster.bounds, cluster.closed, cluster.alphaTested, cluster.components,
              rangeSince(pairs, shadow.pairs.size()), rangeSince(singles, shadow.singles.size()),
              rangeSince(caps, shadow.caps.size()), rangeSince(groups, shadow.groups.size()),
              rangeSince(leaves, shadow.leaves.size())});
@@ -109,7 +109,7 @@ AdaptedShadow buildAdapted(const CasterMesh& mesh, const EdgeList& edges,
     return shadow;
 }
 
-AdaptedCosts& AdaptedCosts::operator+=(const AdaptedCosts& other) {
+PlanePairCosts& PlanePairCosts::operator+=(const PlanePairCosts& other) {
     records += other.records;
     flatEdges += other.flatEdges;
     sideBytes += other.sideBytes;
@@ -119,9 +119,9 @@ AdaptedCosts& AdaptedCosts::operator+=(const AdaptedCosts& other) {
     return *this;
 }
 
-AdaptedCosts costsOf(const AdaptedShadow& shadow) {
+PlanePairCosts costsOf(const PlanePairShadow& shadow) {
     constexpr std::size_t quadVertices = 4, capPairVertices = 6;
-    AdaptedCosts costs;
+    PlanePairCosts costs;
     costs.records = shadow.pairs.size() + shadow.singles.size();
     costs.flatEdges = shadow.flatEdges;
     costs.sideBytes =
@@ -134,13 +134,13 @@ AdaptedCosts costsOf(const AdaptedShadow& shadow) {
     return costs;
 }
 
-std::vector<std::shared_ptr<const AdaptedShadow>> buildAdapted(const Scene& scene, bool castMasked,
-                                                               double flatTolerance) {
-    std::vector<std::shared_ptr<const AdaptedShadow>> shadows;
+std::vector<std::shared_ptr<const PlanePairShadow>>
+buildPlanePairs(const Scene& scene, bool castMasked, double flatTolerance) {
+    std::vector<std::shared_ptr<const PlanePairShadow>> shadows;
     for (const Batch& batch : scene.batches) {
         const CasterMesh mesh = weldCasters(batch, castersOf(batch, scene.materials, castMasked));
-        shadows.push_back(std::make_shared<const AdaptedShadow>(
-            buildAdapted(mesh, buildEdges(mesh.welded), scene.materials, flatTolerance)));
+        shadows.push_back(std::make_shared<const PlanePairShadow>(
+            buildPlanePairs(mesh, buildEdges(mesh.welded), scene.materials, flatTolerance)));
     }
     return shadows;
 }

@@ -1,8 +1,8 @@
-#include "src/render/volumes/adapted_volumes.hpp"
+#include "src/render/volumes/plane_pair_volumes.hpp"
 
 #include "shaders_es2.hpp"
 #include "src/render/drawing/attributes.hpp"
-#include "src/render/drawing/cap_holes.hpp"
+#include "src/render/drawing/cap_alpha_test.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,9 +64,9 @@ glm::vec2 rangeOf(Counted counted) {
 }
 
 /// Of the program that draws sides or fans.
-AdaptedSidesVariant variantOf(const VolumeDraw& draw) {
+PlanePairSidesVariant variantOf(const VolumeDraw& draw) {
     const bool fans = draw.shape == VolumeDraw::Shape::fans;
-    return {.pair = draw.isPair(), .sun = !fans && draw.isTriangle(), .cap = fans};
+    return {.pair = draw.isPair(), .directional = !fans && draw.isTriangle(), .cap = fans};
 }
 
 std::pair<bool, bool> capsVariantOf(const VolumeDraw& draw) {
@@ -75,14 +75,14 @@ std::pair<bool, bool> capsVariantOf(const VolumeDraw& draw) {
 
 } // namespace
 
-gl::Program makeAdaptedSidesProgram(const AdaptedSidesVariant& variant,
-                                    const std::vector<std::string>& extraDefines,
-                                    const std::vector<std::string>& extraAttributes) {
+gl::Program makePlanePairSidesProgram(const PlanePairSidesVariant& variant,
+                                      const std::vector<std::string>& extraDefines,
+                                      const std::vector<std::string>& extraAttributes) {
     std::vector<std::string> defines = extraDefines;
     if (variant.pair) defines.push_back("PAIR");
-    if (variant.sun) defines.push_back("SUN");
+    if (variant.directional) defines.push_back("DIRECTIONAL");
     if (variant.cap) defines.push_back("CAP");
-    return {shaders::adapted_sides_vert, shaders::sides_frag, defines,
+    return {shaders::plane_pair_sides_vert, shaders::sides_frag, defines,
             joined(variant.pair
                        ? std::vector<std::string>{"a_corner", "a_edgeA", "a_edgeB", "a_plane0",
                                                   "a_plane1"}
@@ -90,23 +90,24 @@ gl::Program makeAdaptedSidesProgram(const AdaptedSidesVariant& variant,
                    extraAttributes)};
 }
 
-gl::Program makeAdaptedCapsProgram(bool nearDiscard, bool alphaTest,
-                                   const std::vector<std::string>& extraDefines,
-                                   const std::vector<std::string>& extraAttributes) {
+gl::Program makePlanePairCapsProgram(bool nearDiscard, bool alphaTest,
+                                     const std::vector<std::string>& extraDefines,
+                                     const std::vector<std::string>& extraAttributes) {
     std::vector<std::string> defines = extraDefines;
     std::vector<std::string> attributes = {"a_corner", "a_capA", "a_capB", "a_capC", "a_plane"};
     if (nearDiscard) defines.push_back("NEAR_DISCARD");
     if (alphaTest) {
         defines.push_back("ALPHA_TEST");
-        attributes.insert(attributes.end(), {"a_holesA", "a_holesB", "a_holesC"});
+        attributes.insert(attributes.end(), {"a_alphaCornerA", "a_alphaCornerB", "a_alphaCornerC"});
     }
-    return {shaders::adapted_caps_vert, shaders::caps_frag, defines,
+    return {shaders::plane_pair_caps_vert, shaders::caps_frag, defines,
             joined(std::move(attributes), extraAttributes)};
 }
 
-AdaptedVolumes::AdaptedVolumes(SilhouetteChoice choice, SidesLayout layout,
-                               std::optional<gl::Instancing> instancing, int mantissaBits,
-                               std::optional<VolumeTints> tints, std::vector<std::string> defines)
+PlanePairVolumes::PlanePairVolumes(SilhouetteChoice choice, SidesLayout layout,
+                                   std::optional<gl::Instancing> instancing, int mantissaBits,
+                                   std::optional<VolumeTints> tints,
+                                   std::vector<std::string> defines)
     : instancing_(instancing), mantissaBits_(mantissaBits), tints_(tints),
       defines_(std::move(defines)), gathered_(layout) {
     if (tints_) defines_.insert(defines_.end(), {"UNIFORM_TINT", "TINT u_tint"});
@@ -120,35 +121,36 @@ AdaptedVolumes::AdaptedVolumes(SilhouetteChoice choice, SidesLayout layout,
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
 }
 
-void AdaptedVolumes::beginFrame(const GpuScene& scene) {
+void PlanePairVolumes::beginFrame(const GpuScene& scene) {
     if (silhouettes_) silhouettes_->beginFrame(scene.identity);
     gathered_.dropExpired();
 }
 
-CountPlan AdaptedVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
+CountPlan PlanePairVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
     std::vector<PlacedShadow> placed;
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         if (scene.batches[i].hidden) continue;
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
-        placed.push_back({i, volumes.adapted->shadow(), scene.batches[i].worldFromBatch});
+        placed.push_back({i, volumes.planePairs->shadow(), scene.batches[i].worldFromBatch});
     }
     return planCount(placed, scene.materials, casters.view, casters.slice, casters.light,
                      {mantissaBits_, silhouettes_ ? &*silhouettes_ : nullptr});
 }
 
-void AdaptedVolumes::prepare(const CountPlan& plan, GpuScene& scene,
-                             const CasterGroupInSlice& casters) {
+void PlanePairVolumes::prepare(const CountPlan& plan, GpuScene& scene,
+                               const CasterGroupInSlice& casters) {
     for (const auto* draws : {&plan.draws.twice, &plan.draws.once})
         for (const VolumeDraw& draw : *draws) {
             const BatchPlan& of = plan.batches[draw.batch];
-            upload(draw, of,
-                   *scene.volumesOf(of.batch, casters.source(), layout(), casters.group).adapted);
+            upload(
+                draw, of,
+                *scene.volumesOf(of.batch, casters.source(), layout(), casters.group).planePairs);
             makeProgram(draw);
         }
 }
 
-void AdaptedVolumes::upload(const VolumeDraw& draw, const BatchPlan& plan,
-                            AdaptedBuffers& buffers) {
+void PlanePairVolumes::upload(const VolumeDraw& draw, const BatchPlan& plan,
+                              PlanePairBuffers& buffers) {
     using Records = VolumeDraw::Records;
     switch (draw.records) {
     case Records::allPairs:
@@ -166,19 +168,20 @@ void AdaptedVolumes::upload(const VolumeDraw& draw, const BatchPlan& plan,
     }
 }
 
-void AdaptedVolumes::makeProgram(const VolumeDraw& draw) {
+void PlanePairVolumes::makeProgram(const VolumeDraw& draw) {
     if (draw.shape == VolumeDraw::Shape::caps) {
         const auto variant = capsVariantOf(draw);
         if (!caps_.contains(variant))
-            caps_.emplace(variant, makeAdaptedCapsProgram(variant.first, variant.second, defines_));
+            caps_.emplace(variant,
+                          makePlanePairCapsProgram(variant.first, variant.second, defines_));
         return;
     }
-    const AdaptedSidesVariant variant = variantOf(draw);
+    const PlanePairSidesVariant variant = variantOf(draw);
     if (!sides_.contains(variant))
-        sides_.emplace(variant, makeAdaptedSidesProgram(variant, defines_));
+        sides_.emplace(variant, makePlanePairSidesProgram(variant, defines_));
 }
 
-void AdaptedVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
+void PlanePairVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
     switch (draw.shape) {
     case VolumeDraw::Shape::sides:
         return drawSides(draw, batch);
@@ -189,21 +192,22 @@ void AdaptedVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const
     }
 }
 
-const gl::Buffer& AdaptedVolumes::bufferOf(const VolumeDraw& draw, const DrawnBatch& batch) const {
+const gl::Buffer& PlanePairVolumes::bufferOf(const VolumeDraw& draw,
+                                             const DrawnBatch& batch) const {
     switch (draw.records) {
     case VolumeDraw::Records::certainPairs:
         return gathered_.of(*batch.plan.silhouettes).certainPairs;
     case VolumeDraw::Records::uncertainPairs:
         return gathered_.of(*batch.plan.silhouettes).uncertainPairs;
     case VolumeDraw::Records::allPairs:
-        return batch.volumes.adapted->pairs();
+        return batch.volumes.planePairs->pairs();
     default:
-        return batch.volumes.adapted->singles();
+        return batch.volumes.planePairs->singles();
     }
 }
 
-const gl::Program& AdaptedVolumes::sidesProgram(const VolumeDraw& draw,
-                                                const DrawnBatch& batch) const {
+const gl::Program& PlanePairVolumes::sidesProgram(const VolumeDraw& draw,
+                                                  const DrawnBatch& batch) const {
     const gl::Program& program = sides_.at(variantOf(draw));
     program.use();
     program.set("u_light", batch.plan.light);
@@ -215,12 +219,12 @@ const gl::Program& AdaptedVolumes::sidesProgram(const VolumeDraw& draw,
     return program;
 }
 
-void AdaptedVolumes::drawSides(const VolumeDraw& draw, const DrawnBatch& batch) const {
+void PlanePairVolumes::drawSides(const VolumeDraw& draw, const DrawnBatch& batch) const {
     sidesProgram(draw, batch);
     drawRecords(draw, batch, draw.isTriangle());
 }
 
-void AdaptedVolumes::drawFans(const VolumeDraw& draw, const DrawnBatch& batch) const {
+void PlanePairVolumes::drawFans(const VolumeDraw& draw, const DrawnBatch& batch) const {
     const gl::Program& program = sidesProgram(draw, batch);
     program.set("u_apex", glm::vec3(batch.plan.shadow->clusters[draw.cluster].bounds.center()));
     for (const CapFaces face : {CapFaces::front, CapFaces::back}) {
@@ -230,14 +234,14 @@ void AdaptedVolumes::drawFans(const VolumeDraw& draw, const DrawnBatch& batch) c
     }
 }
 
-void AdaptedVolumes::drawRecords(const VolumeDraw& draw, const DrawnBatch& batch,
-                                 bool triangles) const {
+void PlanePairVolumes::drawRecords(const VolumeDraw& draw, const DrawnBatch& batch,
+                                   bool triangles) const {
     const gl::Buffer& buffer = bufferOf(draw, batch);
     const std::vector<int>& components = draw.isPair() ? pairComponents : singleComponents;
     const RecordRange& range = draw.range;
     const int indices = triangles ? 3 : 6;
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (triangles ? triangleIndices_ : quadIndices_).name());
-    if (!batch.volumes.adapted->copied()) {
+    if (!batch.volumes.planePairs->copied()) {
         AttributeBinding binding(&*instancing_);
         bindRecords(binding, buffer, components, range.first * sizeof(float) * floatsOf(components),
                     false, quadCorners_, 0);
@@ -256,8 +260,8 @@ void AdaptedVolumes::drawRecords(const VolumeDraw& draw, const DrawnBatch& batch
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 
-void AdaptedVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch) const {
-    const AdaptedBuffers& buffers = *batch.volumes.adapted;
+void PlanePairVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch) const {
+    const PlanePairBuffers& buffers = *batch.volumes.planePairs;
     const CapBuffers& caps =
         draw.records == VolumeDraw::Records::lightFacingCaps
             ? gathered_.of(*batch.plan.silhouettes).caps.find(draw.cluster)->second
@@ -272,8 +276,8 @@ void AdaptedVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch) c
         drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, false);
         return;
     }
-    setCapHoles(program, batch.scene->materials[*draw.alphaTested], batch.scene->textures);
-    if (!draw.holesAlone) {
+    setCapAlphaTest(program, batch.scene->materials[*draw.alphaTested], batch.scene->textures);
+    if (!draw.cutoutsAlone) {
         program.set("u_frontCapAtInfinity", 1.0f);
         drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, true);
     }
@@ -281,15 +285,17 @@ void AdaptedVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch) c
     drawCapRecords(caps, buffers.copied(), draw.range, CapFaces::front, true);
 }
 
-void AdaptedVolumes::drawCapRecords(const CapBuffers& buffers, bool copied, const RecordRange& caps,
-                                    CapFaces faces, bool holes) const {
+void PlanePairVolumes::drawCapRecords(const CapBuffers& buffers, bool copied,
+                                      const RecordRange& caps, CapFaces faces,
+                                      bool alphaTested) const {
     const std::size_t floats = floatsOf(capComponents);
     const auto count = static_cast<int>(caps.count);
     if (!copied) {
         AttributeBinding binding(&*instancing_);
         bindRecords(binding, buffers.records, capComponents, caps.first * sizeof(float) * floats,
                     false, capCorners_, faces == CapFaces::back ? verticesPerCap : 0);
-        if (holes) binding.addRecords(buffers.holes, 3, caps.first * 3 * sizeof(glm::vec4), true);
+        if (alphaTested)
+            binding.addRecords(buffers.alphaCorners, 3, caps.first * 3 * sizeof(glm::vec4), true);
         instancing_->drawTriangles(faces == CapFaces::both ? 2 * verticesPerCap : verticesPerCap,
                                    count);
         return;
@@ -301,7 +307,8 @@ void AdaptedVolumes::drawCapRecords(const CapBuffers& buffers, bool copied, cons
         AttributeBinding binding(nullptr);
         bindRecords(binding, buffers.records, capComponents, first * sizeof(float) * (floats + 1),
                     true, capCorners_, 0);
-        if (holes) binding.addRecords(buffers.holes, 3, first * 3 * sizeof(glm::vec4), false);
+        if (alphaTested)
+            binding.addRecords(buffers.alphaCorners, 3, first * 3 * sizeof(glm::vec4), false);
         glDrawArrays(GL_TRIANGLES, 0, count * verticesPerCap);
     }
 }

@@ -1,9 +1,10 @@
-// Sides of the shadow volumes from records of one or two planes (preprocess/volumes/adapted_data.hpp).
+// Sides of the shadow volumes from records of one or two planes
+// (preprocess/volumes/plane_pair_data.hpp).
 //
-// Variants: PAIR, two planes, else one; SUN, volumes end at infinity, where all points coincide, so
-// that a side is the triangle of A, B and the first of them; CAP, the triangle between a side's edge
-// and u_apex, of the front cap or the back cap, in place of the side (shadow/plan/draw_list.hpp); PROBE
-// and DEGENERATE as in sides.vert.
+// Variants: PAIR, two planes, else one; DIRECTIONAL, volumes end at infinity, where all points
+// coincide, so that a side is the triangle of A, B and the first of them; CAP, the triangle between
+// a side's edge and u_apex, of the front cap or the back cap, in place of the side
+// (shadow/plan/draw_list.hpp); PROBE and DEGENERATE as in sides.vert.
 #include "plane_side.glsl"
 #include "extrusion.glsl"
 
@@ -57,8 +58,8 @@ void main() {
     bool pushed = back;
 #else
     // Drawn as (2, 1, 0), (1, 2, 3). To turn both over and keep their diagonal, 0 and 3 change
-    // places; in the one triangle of a sun, 0 and 1.
-#ifdef SUN
+    // places; in the one triangle of a directional light, 0 and 1.
+#ifdef DIRECTIONAL
     if (turned && corner < 1.5) corner = 1.0 - corner;
 #else
     if (turned && (corner < 0.5 || corner > 2.5)) corner = 3.0 - corner;
