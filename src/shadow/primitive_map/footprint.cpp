@@ -1,0 +1,233 @@
+#include "src/shadow/primitive_map/footprint.hpp"
+
+#include "preprocess/mesh/components.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+/// Planes as steep as this hold no ray that a float could tell from the plane.
+constexpr double steepestPlane = 1e30;
+
+/// What double rounding may take from a value that is the sum of such terms.
+constexpr double rounding = 1e-14;
+
+/// Scaled to a largest component of 1, alike for both neighbours.
+glm::dvec3 edgePlane(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 plane = glm::cross(a, b);
+    const double largest = std::max({std::abs(plane.x), std::abs(plane.y), std::abs(plane.z)});
+    return largest > 0.0 ? plane / largest : plane;
+}
+
+/// For each edge of each triangle (three a triangle, from corner i to i + 1) whether multiplicities
+/// of light-facing triangles, or of the others, don't cancel there.
+std::vector<std::uint8_t> contoursOf(const CasterEdges& casters, const std::vector<int>& sides) {
+    std::vector<std::uint8_t> contours(sides.size(), 0);
+    for (const Edge& edge : casters.edges.edges) {
+        int facing = 0, away = 0;
+        const auto opposites = casters.edges.oppositesOf(edge);
+        for (const Opposite& opposite : opposites) {
+            const Triangle& triangle = casters.mesh.triangles[opposite.triangle];
+            const int direction = directionIn(triangle, edge);
+            if (sides[opposite.triangle] > 0) facing += direction;
+            if (sides[opposite.triangle] < 0) away += direction;
+        }
+        if (facing == 0 && away == 0) continue;
+        for (const Opposite& opposite : opposites) {
+            const Triangle& triangle = casters.mesh.triangles[opposite.triangle];
+            for (unsigned i = 0; i < 3; ++i)
+                if (triangle[(i + 2) % 3] == opposite.vertex)
+                    contours[opposite.triangle] |= static_cast<std::uint8_t>(1u << i);
+        }
+    }
+    return contours;
+}
+
+/// Of the triangle in map space; nothing for one that no ray can be told to meet.
+std::optional<glm::dvec3> planeOf(const std::array<glm::dvec3, 3>& corners, bool directional) {
+    const glm::dvec3& a = corners[0];
+    const glm::dvec3 normal = glm::cross(corners[1] - a, corners[2] - a);
+    glm::dvec3 plane;
+    if (directional) {
+        const glm::dvec2 slope = -glm::dvec2(normal) / normal.z;
+        plane = {slope, a.z - slope.x * a.x - slope.y * a.y};
+    } else {
+        plane = normal / glm::dot(normal, a);
+    }
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (!(std::abs(plane[i]) < steepestPlane)) return std::nullopt;
+    return plane;
+}
+
+void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCasters& placed,
+                  std::vector<Occluder>& occluders) {
+    const WeldedMesh& mesh = placed.casters->mesh;
+    const glm::dvec4 local = glm::inverse(placed.worldFromBatch) * light.position;
+    const glm::dmat4 mapFromBatch = tiles.mapFromWorld * placed.worldFromBatch;
+    const bool mirrored = glm::determinant(glm::dmat3(mapFromBatch)) < 0.0;
+    std::vector<int> sides(mesh.triangles.size());
+    for (std::size_t t = 0; t < sides.size(); ++t) {
+        const Triangle& triangle = mesh.triangles[t];
+        sides[t] = lightSideOf(
+            {mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]},
+            local);
+    }
+    const std::vector<std::uint8_t> contours = contoursOf(*placed.casters, sides);
+    for (std::size_t t = 0; t < sides.size(); ++t) {
+        if (sides[t] == 0) continue;
+        const Triangle& triangle = mesh.triangles[t];
+        Occluder occluder;
+        std::array<glm::dvec3, 3> rays;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 position(mesh.positions[triangle[i]]);
+            occluder.corners[i] = glm::dvec3(mapFromBatch * glm::dvec4(position, 1.0));
+            rays[i] = occluder.corners[i];
+            if (tiles.directional) rays[i].z = 1.0;
+        }
+        const auto plane = planeOf(occluder.corners, tiles.directional);
+        if (!plane) continue;
+        occluder.plane = *plane;
+        // Seen from the light, map space turns a light-facing triangle clockwise unless mirrored.
+        const bool inward = (sides[t] < 0) != mirrored;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3;
+            const bool forward = triangle[i] < triangle[j];
+            const glm::dvec3 edge =
+                forward ? edgePlane(rays[i], rays[j]) : edgePlane(rays[j], rays[i]);
+            occluder.takesEdge[i] = forward == inward;
+            occluder.edges[i] = occluder.takesEdge[i] ? edge : -edge;
+        }
+        occluder.contours = contours[t];
+        occluder.lightFacing = sides[t] > 0;
+        occluders.push_back(occluder);
+    }
+}
+
+/// The part of a convex polygon with dot(plane, p) >= 0.
+void cut(std::vector<glm::dvec3>& polygon, const glm::dvec3& plane) {
+    std::vector<glm::dvec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double atA = glm::dot(plane, a), atB = glm::dot(plane, b);
+        if (atA >= 0.0) kept.push_back(a);
+        if ((atA >= 0.0) != (atB >= 0.0)) kept.push_back(a + atA / (atA - atB) * (b - a));
+    }
+    polygon = std::move(kept);
+}
+
+/// The points of the triangle in the tile's pyramid, grown a little.
+std::vector<glm::dvec3> partInTile(const std::array<glm::dvec3, 3>& corners) {
+    constexpr double grown = 1.0 + 1e-3;
+    std::vector<glm::dvec3> polygon(corners.begin(), corners.end());
+    for (const glm::dvec3& side : {glm::dvec3(1, 0, grown), glm::dvec3(-1, 0, grown),
+                                   glm::dvec3(0, 1, grown), glm::dvec3(0, -1, grown)})
+        cut(polygon, side);
+    return polygon;
+}
+
+} // namespace
+
+int lightSideOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& light) {
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double side = glm::dot(normal, glm::dvec3(light) - light.w * corners[0]);
+    return side > 0.0 ? 1 : side < 0.0 ? -1 : 0;
+}
+
+std::vector<Occluder> occludersOf(const Light& light, const LightTiles& tiles,
+                                  const std::vector<PlacedCasters>& casters) {
+    std::vector<Occluder> occluders;
+    for (const PlacedCasters& placed : casters)
+        addOccluders(light, tiles, placed, occluders);
+    return occluders;
+}
+
+std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t index,
+                                     const LightTiles& tiles, std::size_t tile) {
+    Footprint print;
+    print.occluder = index;
+    const glm::dmat3& axes = tiles.tiles[tile];
+    std::array<glm::dvec3, 3> rays;
+    for (std::size_t i = 0; i < 3; ++i) {
+        rays[i] = tiles.rayTo(tile, occluder.corners[i]);
+        print.edges[i] = occluder.edges[i] * axes;
+        if (!tiles.directional) continue;
+        print.depths.add(occluder.corners[i].z);
+    }
+    print.plane = occluder.plane * axes;
+    print.endsKnown = rays[0].z > 0.0 && rays[1].z > 0.0 && rays[2].z > 0.0;
+    for (std::size_t i = 0; i < 3 && print.endsKnown; ++i)
+        print.ends[i] = glm::dvec2(rays[i]) / rays[i].z;
+    print.low = glm::dvec2(INFINITY);
+    print.high = glm::dvec2(-INFINITY);
+    const std::vector<glm::dvec3> part =
+        tiles.directional ? std::vector<glm::dvec3>(rays.begin(), rays.end()) : partInTile(rays);
+    for (const glm::dvec3& point : part) {
+        if (!tiles.directional) print.depths.add(point.z);
+        // Behind the light nothing is in the tile, and right at it everywhere.
+        const glm::dvec2 at = point.z > 0.0 ? glm::dvec2(point) / point.z : glm::dvec2(0.0);
+        print.low = glm::min(print.low, at);
+        print.high = glm::max(print.high, at);
+    }
+    if (part.empty() || !(print.depths.high > 0.0 || tiles.directional)) return std::nullopt;
+    return print;
+}
+
+bool Footprint::mayTouch(const RaySquare& square) const {
+    if (high.x < square.low.x || low.x > square.high.x || high.y < square.low.y ||
+        low.y > square.high.y)
+        return false;
+    for (const glm::dvec3& edge : edges) {
+        // The corner that is farthest in.
+        const double most = std::max(edge.x * square.low.x, edge.x * square.high.x) +
+                            std::max(edge.y * square.low.y, edge.y * square.high.y) + edge.z;
+        if (most < -rounding) return false;
+    }
+    return true;
+}
+
+bool Footprint::mayCross(int i, const RaySquare& square) const {
+    const glm::dvec3& edge = edges[static_cast<std::size_t>(i)];
+    const double most = std::max(edge.x * square.low.x, edge.x * square.high.x) +
+                        std::max(edge.y * square.low.y, edge.y * square.high.y) + edge.z;
+    const double least = std::min(edge.x * square.low.x, edge.x * square.high.x) +
+                         std::min(edge.y * square.low.y, edge.y * square.high.y) + edge.z;
+    if (most < -rounding || least > rounding) return false;
+    if (!endsKnown) return true;
+    const glm::dvec2 &a = ends[static_cast<std::size_t>(i)],
+                     &b = ends[static_cast<std::size_t>((i + 1) % 3)];
+    return std::max(a.x, b.x) >= square.low.x && std::min(a.x, b.x) <= square.high.x &&
+           std::max(a.y, b.y) >= square.low.y && std::min(a.y, b.y) <= square.high.y;
+}
+
+std::optional<bool> Footprint::covers(const glm::dvec3& ray, const Occluder& of) const {
+    bool inside = true;
+    int doubtful = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        // The same products in the same order for both neighbours, which differ in sign alone.
+        const double side = edges[i].x * ray.x + edges[i].y * ray.y + edges[i].z * ray.z;
+        inside = inside && (side > 0.0 || (side == 0.0 && of.takesEdge[i]));
+        if (side < -rounding) return false;
+        if (side <= rounding) ++doubtful;
+    }
+    if (doubtful > 1) return std::nullopt;
+    return inside;
+}
+
+Interval Footprint::depthsIn(const RaySquare& square, bool directional) const {
+    const double least = std::min(plane.x * square.low.x, plane.x * square.high.x) +
+                         std::min(plane.y * square.low.y, plane.y * square.high.y) + plane.z;
+    const double most = std::max(plane.x * square.low.x, plane.x * square.high.x) +
+                        std::max(plane.y * square.low.y, plane.y * square.high.y) + plane.z;
+    const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
+    Interval here{least - rounding * terms, most + rounding * terms};
+    if (!directional) { // along the plane the inverse of a depth is linear
+        const double nearest = here.high > 0.0 ? 1.0 / here.high : 0.0;
+        here = {nearest, here.low > 0.0 ? 1.0 / here.low : INFINITY};
+    }
+    return {std::clamp(here.low, depths.low, depths.high),
+            std::clamp(here.high, depths.low, depths.high)};
+}
+
+} // namespace edgeshade

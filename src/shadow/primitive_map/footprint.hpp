@@ -1,0 +1,70 @@
+#pragma once
+
+#include "src/shadow/geometry/interval.hpp"
+#include "src/shadow/primitive_map/light_tiles.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace edgeshade {
+
+/// A triangle that casts, in map space (LightTiles): what tells rays that meet it from others, and
+/// points behind it from those before it.
+struct Occluder {
+    /// The triangle's edges as planes through the light: rays with dot(edge, ray) >= 0 for all
+    /// three meet it. Each is computed in double from the edge's ends in their order A < B, and
+    /// negated for the triangle on the other side: neighbours agree to the last bit.
+    std::array<glm::dvec3, 3> edges;
+    /// Which of them were not negated: these take what lies on the edge where it is counted once.
+    std::array<bool, 3> takesEdge{};
+    /// Of a directional light: a point p of map space is behind the plane where p.z > dot(plane,
+    /// (p.x, p.y, 1)); of a point light where dot(plane, p) > 1.
+    glm::dvec3 plane{0.0};
+    std::array<glm::dvec3, 3> corners; ///< in map space, as wound; edge i runs from i to i + 1
+    std::uint8_t contours = 0;         ///< bit i: casters don't go on alike across edge i
+    bool lightFacing = true;
+};
+
+/// The casting triangles of all batches: those that the light is not in the plane of.
+std::vector<Occluder> occludersOf(const Light& light, const LightTiles& tiles,
+                                  const std::vector<PlacedCasters>& casters);
+
+/// Which side of a triangle a homogeneous light is on, all in one object's space: 1 where it sees
+/// it counter-clockwise. Exactly 0 is "in its plane".
+int lightSideOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& light);
+
+/// A square of rays (x, y, 1) in a tile.
+struct RaySquare {
+    glm::dvec2 low, high;
+
+    glm::dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, 1.0}; }
+    glm::dvec3 center() const { return {0.5 * (low + high), 1.0}; }
+    RaySquare grownBy(double margin) const { return {low - margin, high + margin}; }
+};
+
+/// An occluder as one tile has it.
+struct Footprint {
+    std::uint32_t occluder = 0;
+    std::array<glm::dvec3, 3> edges; ///< Occluder's in the tile's axes
+    glm::dvec3 plane{0.0};           ///< likewise
+    glm::dvec2 low, high;            ///< a box around its rays (x, y, 1)
+    Interval depths;                 ///< of its points in the tile
+    std::array<glm::dvec2, 3> ends;  ///< its corners' rays, where endsKnown
+    bool endsKnown = false;          ///< all corners are before the light
+
+    /// Whether it may have rays in the square; false is certain.
+    bool mayTouch(const RaySquare& square) const;
+    /// Whether edge i may pass through the square; false is certain.
+    bool mayCross(int i, const RaySquare& square) const;
+    /// Whether it has the ray; what lies on an edge belongs to one of two neighbours. Nothing next
+    /// to a corner, where more than two meet.
+    std::optional<bool> covers(const glm::dvec3& ray, const Occluder& of) const;
+    /// Depths of its points on the square's rays, none left out.
+    Interval depthsIn(const RaySquare& square, bool directional) const;
+};
+
+/// Nothing where the occluder has no ray in the tile.
+std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t index,
+                                     const LightTiles& tiles, std::size_t tile);
+
+} // namespace edgeshade

@@ -1,0 +1,127 @@
+#include "src/shadow/primitive_map/light_tiles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+/// What is left free around the casters, as a share of their extent: rays at the rim must not be
+/// placed outside by rounding.
+constexpr double frame = 1e-3;
+
+/// The steepest rays, as tangents, that one tile takes in.
+constexpr double steepest = 1.8;
+
+glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z) {
+    return glm::transpose(glm::dmat4(x, y, z, glm::dvec4(0.0, 0.0, 0.0, 1.0)));
+}
+
+template <class Use>
+void forEachVertex(const std::vector<PlacedCasters>& casters, Use use) {
+    for (const PlacedCasters& placed : casters)
+        for (const glm::vec3& position : placed.casters->mesh.positions)
+            use(glm::dvec3(placed.worldFromBatch * glm::dvec4(glm::dvec3(position), 1.0)));
+}
+
+/// Right, up and forward, of length 1.
+std::array<glm::dvec3, 3> axesAlong(const glm::dvec3& forward) {
+    const glm::dvec3 other = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, other));
+    return {right, glm::cross(right, forward), forward};
+}
+
+glm::dvec3 unit(const glm::dvec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return glm::normalize(v / largest); // no double under- or overflows
+}
+
+LightTiles parallelTile(const glm::dvec3& towards, const std::vector<PlacedCasters>& casters) {
+    const auto axes = axesAlong(-unit(towards));
+    Box box;
+    forEachVertex(casters, [&](const glm::dvec3& p) {
+        box.add({glm::dot(axes[0], p), glm::dot(axes[1], p), glm::dot(axes[2], p)});
+    });
+    const glm::dvec3 center = box.center();
+    glm::dvec3 half = 0.5 * (box.high - box.low) * (1.0 + frame);
+    half = glm::max(half, glm::dvec3(std::max(1e-6 * box.diagonal(), 1e-300)));
+    LightTiles result;
+    std::array<glm::dvec4, 3> rows;
+    for (glm::length_t i = 0; i < 3; ++i)
+        rows[static_cast<std::size_t>(i)] =
+            glm::dvec4(axes[static_cast<std::size_t>(i)], -center[i]) / half[i];
+    result.mapFromWorld = fromRows(rows[0], rows[1], rows[2]);
+    result.tiles = {glm::dmat3(1.0)};
+    return result;
+}
+
+/// The one tile of a light that has all casters before it; nothing where it hasn't.
+std::optional<LightTiles> fittedTile(const glm::dvec3& light, const Box& bounds,
+                                     const std::vector<PlacedCasters>& casters) {
+    const glm::dvec3 offset = bounds.center() - light;
+    if (!(glm::length(offset) > 0.0)) return std::nullopt;
+    const auto axes = axesAlong(unit(offset));
+    glm::dvec2 low(INFINITY), high(-INFINITY);
+    double nearest = INFINITY, farthest = 0.0;
+    forEachVertex(casters, [&](const glm::dvec3& p) {
+        const glm::dvec3 d = p - light;
+        const double w = glm::dot(axes[2], d);
+        const glm::dvec2 at = glm::dvec2(glm::dot(axes[0], d), glm::dot(axes[1], d)) / w;
+        nearest = std::min(nearest, w);
+        farthest = std::max(farthest, w);
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    });
+    const glm::dvec2 reach = glm::max(glm::abs(low), glm::abs(high));
+    if (!(nearest > 0.0) || !(std::max(reach.x, reach.y) < steepest)) return std::nullopt;
+    const glm::dvec2 middle = 0.5 * (low + high);
+    const glm::dvec2 half =
+        glm::max(0.5 * (high - low) * (1.0 + frame), glm::dvec2(1e-6 * (reach.x + reach.y)));
+    LightTiles result;
+    result.directional = false;
+    std::array<glm::dvec4, 3> rows;
+    for (glm::length_t i = 0; i < 2; ++i) {
+        const glm::dvec3 axis = (axes[static_cast<std::size_t>(i)] - middle[i] * axes[2]) / half[i];
+        rows[static_cast<std::size_t>(i)] = glm::dvec4(axis, -glm::dot(axis, light)) / farthest;
+    }
+    rows[2] = glm::dvec4(axes[2], -glm::dot(axes[2], light)) / farthest;
+    result.mapFromWorld = fromRows(rows[0], rows[1], rows[2]);
+    result.tiles = {glm::dmat3(1.0)};
+    return result;
+}
+
+LightTiles sixTiles(const glm::dvec3& light, const std::vector<PlacedCasters>& casters) {
+    double farthest = 0.0;
+    forEachVertex(casters, [&](const glm::dvec3& p) {
+        const glm::dvec3 d = glm::abs(p - light);
+        farthest = std::max({farthest, d.x, d.y, d.z});
+    });
+    LightTiles result;
+    result.directional = false;
+    const double scale = farthest > 0.0 ? 1.0 / farthest : 1.0;
+    result.mapFromWorld = fromRows({scale, 0, 0, -scale * light.x}, {0, scale, 0, -scale * light.y},
+                                   {0, 0, scale, -scale * light.z});
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            glm::dmat3 tile(0.0); // columns of glm: the rows of the tile, as `point * tile` asks
+            tile[0][(axis + 1) % 3] = 1.0;
+            tile[1][(axis + 2) % 3] = 1.0;
+            tile[2][axis] = sign;
+            result.tiles.push_back(tile);
+        }
+    return result;
+}
+
+} // namespace
+
+std::optional<LightTiles> tilesFor(const Light& light, const std::vector<PlacedCasters>& casters) {
+    Box bounds;
+    forEachVertex(casters, [&](const glm::dvec3& p) { bounds.add(p); });
+    if (bounds.empty()) return std::nullopt;
+    const glm::dvec3 position(light.position);
+    if (light.position.w == 0.0) return parallelTile(position, casters);
+    const auto fitted = fittedTile(position / light.position.w, bounds, casters);
+    return fitted ? *fitted : sixTiles(position / light.position.w, casters);
+}
+
+} // namespace edgeshade

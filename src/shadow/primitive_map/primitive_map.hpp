@@ -1,0 +1,49 @@
+#pragma once
+
+#include "src/shadow/primitive_map/light_tiles.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace edgeshade {
+
+/// How primitive maps are made.
+struct PrimitiveMapSettings {
+    int size = 512; ///< texels along a tile's edge; a power of 2, >= 4
+    std::size_t mostBytes = std::size_t{64} << 20; ///< on the GPU; smaller maps are tried first
+    std::size_t splitAbove = 8; ///< texels whose points have more to test are divided in 4 x 4
+    int mostSplits = 3;         ///< one in another
+    bool othersReceive = false; ///< some surfaces are no casters
+};
+
+/// Lists of the triangles that may shade what a light sees, by its rays (docs/method.md, C34); what
+/// primitive_map_lookup.glsl reads. All three are textures of floats in rows of `columns` texels.
+struct PrimitiveMap {
+    LightTiles tiles;
+    int size = 0;
+    int splits = 0; ///< that were needed
+    /// A texel (dark behind, reference) for each of the tiles' texels, row by row and tile by tile,
+    /// then blocks of 4 x 4 for the parts of those that were divided. A reference is 0: no list; >
+    /// 0: where a list begins in `entries`; < 0: negated, where a block begins.
+    std::vector<glm::vec2> header;
+    /// Lists, one after the other from 1 on: (for light-facing casters, further ones for others),
+    /// then as many (record, nearest depth), from near to far.
+    std::vector<glm::vec2> entries;
+    /// Three texels a triangle: in xyz an edge each (Occluder::edges), in the fourth components the
+    /// plane, moved away from the light by what rounding may place points behind it.
+    std::vector<glm::vec4> records;
+    std::size_t longestList = 0;
+
+    std::size_t bytes() const {
+        return header.size() * sizeof(glm::vec2) + entries.size() * sizeof(glm::vec2) +
+               records.size() * sizeof(glm::vec4);
+    }
+};
+
+/// Beyond any depth.
+inline constexpr float neverDark = 1e30f;
+
+/// Numbers that a float holds exactly, so what references can name.
+inline constexpr std::size_t mostReferences = std::size_t{1} << 24;
+
+} // namespace edgeshade

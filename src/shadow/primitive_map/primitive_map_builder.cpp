@@ -1,0 +1,271 @@
+#include "src/shadow/primitive_map/primitive_map_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+namespace edgeshade {
+namespace {
+
+/// Texels along the edge of what is built in one go.
+constexpr int partSide = 64;
+
+/// Into how many pieces squares are divided along each axis, if they may.
+constexpr int pieces = 4;
+
+/// Looks at a footprint in a square (some 20 ns each) up to which a map is built, and those more
+/// that each footprint may take.
+constexpr std::size_t mostLooks = std::size_t{1} << 30, looksEach = 1000;
+
+/// Up, so that no depth before it counts as behind.
+float roundedUp(double value) {
+    if (!(value < neverDark)) return neverDark;
+    const auto rounded = static_cast<float>(value);
+    return rounded < value ? std::nextafter(rounded, neverDark) : rounded;
+}
+
+float roundedDown(double value) {
+    const auto rounded = static_cast<float>(value);
+    return rounded > value ? std::nextafter(rounded, -neverDark) : rounded;
+}
+
+/// The plane as far from the light as points on it may be placed by rounding.
+glm::dvec3 tolerantPlane(const glm::dvec3& plane, bool directional) {
+    const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
+    if (directional) return plane + glm::dvec3(0.0, 0.0, placingError * (1.0 + terms));
+    return plane / (1.0 + placingError * (1.0 + terms));
+}
+
+void addRecord(const Occluder& occluder, bool directional, std::vector<glm::vec4>& records) {
+    const glm::vec3 plane(tolerantPlane(occluder.plane, directional));
+    for (std::size_t i = 0; i < 3; ++i)
+        records.emplace_back(glm::vec3(occluder.edges[i]), plane[static_cast<glm::length_t>(i)]);
+}
+
+} // namespace
+
+/// Descends from a part's square to texels and on to their parts.
+class PrimitiveMapBuilder::PartBuilder {
+  public:
+    PartBuilder(PrimitiveMapBuilder& builder, Part& part)
+        : builder_(builder), part_(part), tile_(builder.footprintsOf(part.tile)) {
+        part_.texels.resize(static_cast<std::size_t>(part_.side) *
+                            static_cast<std::size_t>(part_.side));
+    }
+
+    /// The texels of a square within the part, from what may touch it.
+    void fill(int x, int y, int side, const std::vector<std::uint32_t>& candidates) {
+        if (candidates.empty() || builder_.tooLarge_) return;
+        const RaySquare square = builder_.squareOf(x, y, side);
+        TexelOccluders found;
+        findOccluders(tile_, candidates, square, builder_.settings_.othersReceive, found);
+        builder_.charge(0, candidates.size());
+        if (found.touching.empty()) return;
+        if (side == 1) {
+            Texel& texel = part_.texels[static_cast<std::size_t>(y - part_.y) *
+                                            static_cast<std::size_t>(part_.side) +
+                                        static_cast<std::size_t>(x - part_.x)];
+            texel = settle({static_cast<double>(x), static_cast<double>(y)}, 1.0, found, 0);
+            return;
+        }
+        const int step = std::max(1, side / pieces);
+        for (int j = 0; j < side; j += step)
+            for (int i = 0; i < side; i += step)
+                fill(x + i, y + j, step, found.touching);
+    }
+
+  private:
+    /// A texel, or a part of one, of which this was found.
+    Texel settle(const glm::dvec2& at, double side, const TexelOccluders& found, int splits) {
+        Texel texel;
+        texel.darkBehind = found.darkBehind;
+        const PrimitiveMapSettings& settings = builder_.settings_;
+        if (found.listed.empty() || builder_.tooLarge_) return texel;
+        if (found.forCasters <= settings.splitAbove || splits == settings.mostSplits) {
+            texel.kind = Texel::Kind::list;
+            texel.index = part_.lists.size();
+            builder_.charge(found.listed.size() + 1, 0);
+            part_.lists.push_back({part_.listed.size(), found.listed.size(), found.forCasters});
+            part_.listed.insert(part_.listed.end(), found.listed.begin(), found.listed.end());
+            return texel;
+        }
+        part_.splits = std::max(part_.splits, splits + 1);
+        texel.kind = Texel::Kind::block;
+        texel.index = part_.blocks.size();
+        part_.blocks.resize(part_.blocks.size() + pieces * pieces);
+        builder_.charge(pieces * pieces, pieces * pieces * found.touching.size());
+        const double step = side / pieces;
+        TexelOccluders inPiece;
+        for (int j = 0; j < pieces; ++j)
+            for (int i = 0; i < pieces; ++i) {
+                const glm::dvec2 from = at + step * glm::dvec2(i, j);
+                findOccluders(tile_, found.touching, builder_.squareOf(from.x, from.y, step),
+                              settings.othersReceive, inPiece);
+                const Texel piece = settle(from, step, inPiece, splits + 1);
+                part_.blocks[texel.index + static_cast<std::size_t>(j * pieces + i)] = piece;
+            }
+        return texel;
+    }
+
+    PrimitiveMapBuilder& builder_;
+    Part& part_;
+    TileFootprints tile_;
+};
+
+PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
+                                         const std::vector<PlacedCasters>& casters,
+                                         const PrimitiveMapSettings& settings)
+    : settings_(settings) {
+    const auto tiles = tilesFor(light, casters);
+    if (!tiles) {
+        tiles_.tiles = {glm::dmat3(1.0)};
+        settings_.size = 4;
+    } else {
+        tiles_ = *tiles;
+        occluders_ = occludersOf(light, tiles_, casters);
+    }
+    prints_.resize(tiles_.tiles.size());
+    for (std::size_t tile = 0; tile < prints_.size(); ++tile) {
+        for (std::size_t i = 0; i < occluders_.size(); ++i) {
+            auto print = footprintOf(occluders_[i], static_cast<std::uint32_t>(i), tiles_, tile);
+            if (print) prints_[tile].prints.push_back(*print);
+        }
+        divideIntoParts(tile);
+    }
+}
+
+void PrimitiveMapBuilder::charge(std::size_t listed, std::size_t looks) {
+    listed_ += listed;
+    looks_ += looks;
+    if (listed_ * sizeof(glm::vec2) > settings_.mostBytes ||
+        looks_ > mostLooks + looksEach * occluders_.size())
+        tooLarge_ = true;
+}
+
+TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {
+    return {occluders_, prints_[tile].prints, tiles_.directional};
+}
+
+/// In texels of the tile.
+RaySquare PrimitiveMapBuilder::squareOf(double x, double y, double side) const {
+    const double scale = 2.0 / settings_.size;
+    const glm::dvec2 low(x * scale - 1.0, y * scale - 1.0);
+    return RaySquare{low, low + side * scale}.grownBy(placingError);
+}
+
+void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
+    const std::vector<Footprint>& prints = prints_[tile].prints;
+    const int side = std::min(partSide, settings_.size);
+    const int perRow = settings_.size / side;
+    const std::size_t first = parts_.size();
+    for (int y = 0; y < settings_.size; y += side)
+        for (int x = 0; x < settings_.size; x += side) {
+            Part& part = parts_.emplace_back();
+            part.tile = tile;
+            part.x = x;
+            part.y = y;
+            part.side = side;
+        }
+    // From rays to parts, a little farther than the footprint goes.
+    const double scale = 0.5 * perRow;
+    const auto partAt = [&](double at) {
+        return static_cast<int>(std::clamp(std::floor((at + 1.0) * scale), 0.0, perRow - 1.0));
+    };
+    for (std::uint32_t i = 0; i < prints.size(); ++i) {
+        const glm::dvec2 low = prints[i].low - 2.0 * placingError;
+        const glm::dvec2 high = prints[i].high + 2.0 * placingError;
+        for (int y = partAt(low.y); y <= partAt(high.y); ++y)
+            for (int x = partAt(low.x); x <= partAt(high.x); ++x)
+                parts_[first + static_cast<std::size_t>(y * perRow + x)].candidates.push_back(i);
+    }
+}
+
+void PrimitiveMapBuilder::buildPart(std::size_t index) {
+    Part& part = parts_[index];
+    PartBuilder(*this, part).fill(part.x, part.y, part.side, part.candidates);
+    part.candidates = {};
+}
+
+std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
+    if (tooLarge_) return std::nullopt;
+    PrimitiveMap map;
+    map.tiles = tiles_;
+    map.size = settings_.size;
+    map.entries.emplace_back(0.0f); // so that 0 names no list
+    const auto size = static_cast<std::size_t>(settings_.size);
+    map.header.resize(tiles_.tiles.size() * size * size, glm::vec2(neverDark, 0.0f));
+    std::vector<std::uint32_t> recordOf(occluders_.size(), 0); // and 1
+    for (const Part& part : parts_) {
+        const std::vector<Footprint>& prints = prints_[part.tile].prints;
+        std::vector<float> listAt(part.lists.size());
+        for (std::size_t l = 0; l < part.lists.size(); ++l) {
+            const List& list = part.lists[l];
+            listAt[l] = static_cast<float>(map.entries.size());
+            map.longestList = std::max(map.longestList, list.count);
+            map.entries.emplace_back(list.forCasters, list.count - list.forCasters);
+            for (std::size_t i = list.first; i < list.first + list.count; ++i) {
+                const ListedOccluder& listed = part.listed[i];
+                std::uint32_t& record = recordOf[prints[listed.print].occluder];
+                if (record == 0) {
+                    addRecord(occluders_[prints[listed.print].occluder], tiles_.directional,
+                              map.records);
+                    record = static_cast<std::uint32_t>(map.records.size() / 3);
+                }
+                map.entries.emplace_back(record - 1, roundedDown(listed.nearest));
+            }
+        }
+        const std::size_t firstBlock = map.header.size();
+        const auto texelOf = [&](const Texel& texel) {
+            const float reference = texel.kind == Texel::Kind::list ? listAt[texel.index]
+                                    : texel.kind == Texel::Kind::block
+                                        ? -static_cast<float>(firstBlock + texel.index)
+                                        : 0.0f;
+            return glm::vec2(roundedUp(texel.darkBehind), reference);
+        };
+        for (const Texel& texel : part.blocks)
+            map.header.push_back(texelOf(texel));
+        for (std::size_t i = 0; i < part.texels.size(); ++i) {
+            const auto side = static_cast<std::size_t>(part.side);
+            const std::size_t x = static_cast<std::size_t>(part.x) + i % side;
+            const std::size_t y = static_cast<std::size_t>(part.y) + i / side;
+            map.header[(part.tile * size + y) * size + x] = texelOf(part.texels[i]);
+        }
+        map.splits = std::max(map.splits, part.splits);
+    }
+    const std::size_t most = std::max({map.header.size(), map.entries.size(), map.records.size()});
+    if (map.bytes() > settings_.mostBytes || most > mostReferences) return std::nullopt;
+    return map;
+}
+
+std::optional<PrimitiveMap> buildPrimitiveMap(const Light& light,
+                                              const std::vector<PlacedCasters>& casters,
+                                              PrimitiveMapSettings settings,
+                                              const std::atomic<bool>* cancelled) {
+    const auto isCancelled = [&] { return cancelled && *cancelled; };
+    const int smallest = std::max(4, settings.size / 8);
+    for (; settings.size >= smallest && !isCancelled(); settings.size /= 2) {
+        PrimitiveMapBuilder builder(light, casters, settings);
+        std::atomic<std::size_t> next = 0;
+        const auto work = [&] {
+            for (std::size_t part = next++; part < builder.partCount() && !isCancelled();
+                 part = next++)
+                builder.buildPart(part);
+        };
+#ifdef __EMSCRIPTEN__
+        work();
+#else
+        std::vector<std::jthread> threads;
+        const unsigned others = std::max(1u, std::thread::hardware_concurrency()) - 1;
+        for (unsigned i = 0; i < others; ++i)
+            threads.emplace_back(work);
+        work();
+        threads.clear();
+#endif
+        if (isCancelled()) break;
+        if (auto map = builder.join()) return map;
+    }
+    return std::nullopt;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,139 @@
+#include "src/shadow/primitive_map/texel_occluders.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+/// Pairs of a light-facing triangle and one turned away, up to which a group is looked at.
+constexpr std::size_t mostPairs = 64;
+
+struct Touching {
+    std::uint32_t print;
+    Interval depths; ///< in the square
+};
+
+/// Footprints whose depths overlap, in one square (docs/method.md, C34): where no contour passes
+/// through it, each ray meets as many of them as any other.
+struct DepthGroup {
+    std::span<const Touching> members;
+    double farthest = 0.0;
+    bool constant = true; ///< as many of either facing on every ray
+    int facing = 0, away = 0;
+
+    int cover() const { return facing + away; }
+};
+
+class GroupFinder {
+  public:
+    GroupFinder(const TileFootprints& tile, const RaySquare& square)
+        : tile_(tile), square_(square), sample_(square.center()) {}
+
+    /// The next group of what is sorted by nearest depth, from `first` on.
+    DepthGroup groupFrom(std::span<const Touching> sorted, std::size_t first) const {
+        DepthGroup group;
+        std::size_t end = first;
+        double farthest = -std::numeric_limits<double>::infinity();
+        for (; end < sorted.size() && (end == first || sorted[end].depths.low <= farthest); ++end) {
+            farthest = std::max(farthest, sorted[end].depths.high);
+            add(tile_.prints[sorted[end].print], group);
+        }
+        group.members = sorted.subspan(first, end - first);
+        group.farthest = farthest;
+        return group;
+    }
+
+    /// Whether each ray meets one light-facing triangle of the group, before all that are turned
+    /// away: no light-facing caster of the group is in another's shadow.
+    bool isLitSheet(const DepthGroup& group) const {
+        if (group.cover() == 1) return true;
+        if (group.facing != 1) return false;
+        std::vector<std::uint32_t> before, behind;
+        for (const Touching& member : group.members)
+            (occluderOf(member).lightFacing ? before : behind).push_back(member.print);
+        if (before.size() * behind.size() > mostPairs) return false;
+        return std::all_of(before.begin(), before.end(), [&](std::uint32_t b) {
+            return std::all_of(behind.begin(), behind.end(), [&](std::uint32_t f) {
+                return isBefore(tile_.prints[b], tile_.prints[f]);
+            });
+        });
+    }
+
+  private:
+    const Occluder& occluderOf(const Touching& member) const {
+        return tile_.occluders[tile_.prints[member.print].occluder];
+    }
+
+    void add(const Footprint& print, DepthGroup& group) const {
+        const Occluder& occluder = tile_.occluders[print.occluder];
+        for (int i = 0; i < 3 && group.constant; ++i)
+            if ((occluder.contours >> i & 1u) != 0 && print.mayCross(i, square_))
+                group.constant = false;
+        if (!group.constant) return;
+        const std::optional<bool> covers = print.covers(sample_, occluder);
+        if (!covers)
+            group.constant = false;
+        else if (*covers)
+            ++(occluder.lightFacing ? group.facing : group.away);
+    }
+
+    /// Whether a's plane is nearer than b's on all rays of the square.
+    bool isBefore(const Footprint& a, const Footprint& b) const {
+        // Linear along the square: depths, or of a point light their inverses.
+        const glm::dvec3 apart = tile_.directional ? b.plane - a.plane : a.plane - b.plane;
+        for (int i = 0; i < 4; ++i)
+            if (!(glm::dot(apart, square_.corner(i)) >= 0.0)) return false;
+        return true;
+    }
+
+    const TileFootprints& tile_;
+    const RaySquare& square_;
+    glm::dvec3 sample_;
+};
+
+} // namespace
+
+void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> candidates,
+                   const RaySquare& square, bool othersReceive, TexelOccluders& result) {
+    result.darkBehind = std::numeric_limits<double>::infinity();
+    result.listed.clear();
+    result.touching.clear();
+    static thread_local std::vector<Touching> touching;
+    touching.clear();
+    for (const std::uint32_t candidate : candidates) {
+        const Footprint& print = tile.prints[candidate];
+        if (!print.mayTouch(square)) continue;
+        const Interval depths = print.depthsIn(square, tile.directional);
+        touching.push_back({candidate, {depths.low - placingError, depths.high + placingError}});
+    }
+    std::sort(touching.begin(), touching.end(), [](const Touching& a, const Touching& b) {
+        return a.depths.low != b.depths.low ? a.depths.low < b.depths.low : a.print < b.print;
+    });
+    const GroupFinder finder(tile, square);
+    const auto list = [&](const DepthGroup& group) {
+        for (const Touching& member : group.members)
+            result.listed.push_back({member.print, member.depths.low});
+    };
+    std::size_t next = 0;
+    bool terminal = false;
+    while (next < touching.size() && !terminal) {
+        const DepthGroup group = finder.groupFrom(touching, next);
+        next += group.members.size();
+        terminal = group.constant && group.cover() > 0;
+        if (!terminal) {
+            if (!group.constant) list(group); // else no ray meets it
+            result.forCasters = result.listed.size();
+            continue;
+        }
+        result.darkBehind = group.farthest;
+        result.forCasters = result.listed.size();
+        const bool sheet = finder.isLitSheet(group);
+        if (!sheet || group.cover() > 1 || othersReceive) list(group);
+        if (!sheet) result.forCasters = result.listed.size();
+    }
+    if (touching.empty()) result.forCasters = 0;
+    for (std::size_t i = 0; i < next; ++i)
+        result.touching.push_back(touching[i].print);
+}
+
+} // namespace edgeshade
