@@ -5,7 +5,8 @@
 // cutouts; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: DIRECTIONAL,
 // a light of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the
 // light's shadow map says, with MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl; COARSE_MASK,
-// lit as far as a mask of lower resolution says.
+// lit as far as a mask of lower resolution says; PRIMITIVE_MAP, as a primitive map says, see
+// primitive_map_lookup.glsl.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -59,6 +60,20 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #ifdef COARSE_MASK
 #include "coarse_mask_lookup.glsl"
 #endif
+#ifdef PRIMITIVE_MAP
+#include "primitive_map_lookup.glsl"
+uniform float u_lightSide; // the light is on the front (1) or the back (-1) of these casters; 0: the
+                           // surface is no caster
+varying vec3 v_mapPosition;
+#endif
+
+#ifdef PRIMITIVE_MAP
+bool litByPrimitives() {
+    float seenSide = gl_FrontFacing ? u_mirrored : -u_mirrored;
+    if (seenSide * u_lightSide < 0.0) return false;
+    return primitiveMapLights(v_mapPosition, u_lightSide > 0.0);
+}
+#endif
 
 #ifdef LIT
 vec3 towardsLight() {
@@ -88,6 +103,12 @@ float shareOfLight(float lit) {
     vec3 reached = v_towardsLight * u_inverseRange;
     float share = dot(reached, reached);
     window = max(1.0 - share * share, 0.0); // see Light
+#endif
+#ifdef PRIMITIVE_MAP
+#ifndef MASK
+    if (lambert * window > 0.0)
+#endif
+        lit = litByPrimitives() ? 1.0 : 0.0;
 #endif
 #ifdef MASK
     return window > 0.0 ? step(0.5, lit) : 0.0;

@@ -1,6 +1,6 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
-// DIRECTIONAL, TEXTURED, COLORED, MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
+// DIRECTIONAL, TEXTURED, COLORED, MAP, PRIMITIVE_MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -22,8 +22,8 @@ uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 uniform vec3 u_light;               // the same space
 #endif
 #endif
-#ifdef MAP
-uniform mat4 u_mapFromObject;       // see ShadowMapView
+#if defined(MAP) || defined(PRIMITIVE_MAP)
+uniform mat4 u_mapFromObject;       // see ShadowMapView, LightTiles
 #endif
 
 invariant gl_Position;
@@ -43,7 +43,7 @@ varying vec3 v_towardsLight;
 #ifdef SLICED
 varying float v_depth; // along the viewing direction
 #endif
-#ifdef MAP
+#if defined(MAP) || defined(PRIMITIVE_MAP)
 varying vec3 v_mapPosition;
 #endif
 #ifdef PLANE
@@ -63,7 +63,7 @@ void main() {
     v_towardsLight = u_light - (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
 #endif
 #endif
-#ifdef MAP
+#if defined(MAP) || defined(PRIMITIVE_MAP)
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
 #endif
     gl_Position = rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, vec4(a_position, 1.0)));

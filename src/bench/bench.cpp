@@ -4,6 +4,7 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 
 #include <algorithm>
@@ -21,12 +22,14 @@ constexpr int mostTries = 5;           // where the GPU was disturbed
 struct Needs {
     std::optional<VolumeRecords> volumes; ///< nothing: draws none
     bool proposed = false;                ///< most records never reach the GPU
+    bool primitiveMaps = false;
 
     auto operator<=>(const Needs&) const = default;
 };
 
 Needs needsOf(const RenderSettings& settings) {
-    return {settings.records(), settings.silhouette == SilhouetteChoice::proposed};
+    return {settings.records(), settings.silhouette == SilhouetteChoice::proposed,
+            settings.shadows == ShadowMethod::primitiveMap};
 }
 
 /// A scene that some of the contenders draw, with what they share of it.
@@ -53,13 +56,13 @@ class Stage {
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
     /// With the groups of casters that the view's lights need.
-    GpuScene& sceneFor(const Needs& needs) {
+    GpuScene& sceneFor(const Needs& needs, const RenderSettings& settings) {
         auto found = scenes_.find(needs);
         if (found == scenes_.end())
             found =
                 scenes_.emplace(needs, uploadScene(loaded_, needs.volumes, capabilities_)).first;
         GpuScene& scene = found->second;
-        if (needs.volumes) scene.groups.upload(loaded_, view_.lights, *needs.volumes);
+        prepareScene(scene, loaded_, view_, settings, capabilities_);
         return scene;
     }
 
@@ -182,7 +185,8 @@ class Course {
         Stage& stage = contender.stage;
         FrameView view = stage.view();
         view.divide(contender.setting.depthSlices);
-        contender.renderer.draw(stage.sceneFor(contender.needs), view, clock);
+        contender.renderer.draw(stage.sceneFor(contender.needs, contender.renderer.settings()),
+                                view, clock);
         gl::requireNoError("drawing for measuring");
     }
 
@@ -201,8 +205,8 @@ class Course {
     }
 
     double frameMs(Contender& contender) {
-        // What is made on first use is no part of a frame.
-        contender.stage.sceneFor(contender.needs);
+        // What is made on first use is no part of a frame; of lights that move, nothing is first.
+        contender.stage.sceneFor(contender.needs, contender.renderer.settings());
         return timed([&] {
                    timer_.begin(0);
                    draw(contender, nullptr);
@@ -228,7 +232,8 @@ class Course {
                           stage(&StageMs::lit)};
         result.planMs = median(contender.planMs);
         result.vertexRuns = static_cast<std::size_t>(median(contender.vertexRuns));
-        const GpuScene& scene = contender.stage.sceneFor(contender.needs);
+        const GpuScene& scene =
+            contender.stage.sceneFor(contender.needs, contender.renderer.settings());
         result.sideBytes = scene.groups.sideBytes();
         result.capBytes = scene.groups.capBytes();
         for (const GpuBatch& batch : scene.batches) {
@@ -239,7 +244,7 @@ class Course {
             result.sideBytes += volumes->sideBytes();
             result.capBytes += volumes->capBytes();
         }
-        result.mapBytes = contender.renderer.mapBytes();
+        result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes();
         result.maskBytes = contender.renderer.maskBytes();
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());

@@ -3,6 +3,7 @@
 #include "src/bench/statistics.hpp"
 #include "src/gl/span_timer.hpp"
 #include "src/render/frame/frame.hpp"
+
 #include "src/render/timing/stage_timer.hpp"
 
 #include <functional>

@@ -11,8 +11,10 @@
 namespace edgeshade::cli {
 namespace {
 
-const Choices<ShadowMethod> shadowNames = {
-    {"volumes", ShadowMethod::volumes}, {"map", ShadowMethod::map}, {"none", ShadowMethod::none}};
+const Choices<ShadowMethod> shadowNames = {{"volumes", ShadowMethod::volumes},
+                                           {"primitive-map", ShadowMethod::primitiveMap},
+                                           {"map", ShadowMethod::map},
+                                           {"none", ShadowMethod::none}};
 const Choices<MultiplicityMethod> multiplicityNames = {
     {"plane", MultiplicityMethod::plane},
     {"reference-edge", MultiplicityMethod::referenceEdge},

@@ -11,6 +11,7 @@ std::string explanationOf(const Renderer& renderer, const FrameView& view) {
     case ShadowMethod::map:
         return "shadow maps: every light draws all casters, a point light up to six times";
     case ShadowMethod::volumes:
+    case ShadowMethod::primitiveMap:
         break;
     }
     if (renderer.volumes()->layout() == VolumeLayout::oppositeVertices)

@@ -7,6 +7,7 @@
 #include "src/cli/report.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/image/png.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -109,7 +110,7 @@ void render(const RenderOptions& options) {
     settings.layout = layoutFor(options.settings.instancing, capabilities);
     Renderer renderer(settings, capabilities);
     GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
-    if (settings.records()) scene.groups.upload(loaded, view.lights, *settings.records());
+    prepareScene(scene, loaded, view, settings, capabilities);
     const double loadSeconds = watch.lap();
 
     renderer.draw(scene, view);

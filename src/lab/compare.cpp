@@ -3,6 +3,7 @@
 #include "src/gl/headless_context.hpp"
 #include "src/lab/heatmap.hpp"
 #include "src/lab/texture_alpha.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 
 #include <array>
 #include <map>
@@ -28,7 +29,7 @@ class Studio {
                                    const FrameView& view) {
         const auto records = renderer.settings().records();
         GpuScene& scene = sceneFor(loaded, records);
-        if (records) scene.groups.upload(loaded, view.lights, *records);
+        prepareScene(scene, loaded, view, renderer.settings(), context_.capabilities());
         renderer.draw(scene, view);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();

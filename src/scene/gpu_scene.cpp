@@ -73,7 +73,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
                      const gl::Capabilities& capabilities) {
     const Scene& scene = loaded.scene;
     GpuScene gpu{
-        {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
+        {}, {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
         gpu.batches.push_back({batch.worldFromBatch, false, uploadSurfaces(batch), {}});
     if (records) addVolumes(gpu, loaded, *records);

@@ -2,6 +2,7 @@
 
 #include "src/scene/batch_volumes.hpp"
 #include "src/scene/overflow_groups.hpp"
+#include "src/scene/primitive_maps.hpp"
 #include "src/scene/surface_buffers.hpp"
 #include "src/scene/textures.hpp"
 
@@ -22,7 +23,8 @@ struct GpuBatch {
 /// A scene on the GPU.
 struct GpuScene {
     std::vector<GpuBatch> batches;
-    OverflowGroups groups; ///< of its casters, for lights that need them
+    OverflowGroups groups;       ///< of its casters, for lights that need them
+    PrimitiveMaps primitiveMaps; ///< of lights at rest
     std::vector<Material> materials;
     Textures textures;
     bool castMasked = false; ///< MASK and BLEND surfaces cast too

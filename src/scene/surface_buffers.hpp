@@ -15,9 +15,9 @@ struct SurfaceVertex {
     std::uint8_t color[4]; ///< sRGB, alpha linear
 };
 
-/// Neighbouring triangles of one material, few enough to be left out together where none is in
-/// view, and for 16-bit indices: GLES 2 has others only as an extension.
+/// A SurfacePart on the GPU.
 struct SurfaceChunk {
+    std::size_t place = 0; ///< its number among the batch's
     std::size_t material = 0;
     gl::Buffer vertices; ///< SurfaceVertex
     gl::Buffer indices;  ///< 16-bit
@@ -27,7 +27,7 @@ struct SurfaceChunk {
     Box bounds;             ///< in the batch's space
 };
 
-/// Uploads a batch's surfaces, in the order of its groups.
+/// Uploads a batch's surfaces, in the order of surfacePartsOf().
 std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch);
 
 } // namespace edgeshade

@@ -70,6 +70,8 @@ void removeLight(ViewState& state) {
 ShadowMethod next(ShadowMethod method) {
     switch (method) {
     case ShadowMethod::volumes:
+        return ShadowMethod::primitiveMap;
+    case ShadowMethod::primitiveMap:
         return ShadowMethod::map;
     case ShadowMethod::map:
         return ShadowMethod::none;

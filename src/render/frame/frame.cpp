@@ -78,7 +78,8 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
         drawDepthAndAmbient(pass);
         if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
-        if (pass.plan.withAmbient && volumes_) drawShadow(pass);
+        if (pass.plan.withAmbient && pass.plan.lights[*pass.plan.first].isCounted())
+            drawShadow(pass);
         for (std::size_t i = 0; i < pass.plan.lights.size(); ++i) {
             const LightPlan& light = pass.plan.lights[i];
             if (light.reach.empty() || (pass.plan.withAmbient && i == *pass.plan.first)) continue;
@@ -98,7 +99,8 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
                    .planCount = {}};
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
     if (!volumes_) return planFrame(task);
-    task.groupCount = [&](std::size_t light) {
+    task.groupCount = [&](std::size_t light) -> std::size_t {
+        if (primitiveMapOf(scene, view.lights[light].light)) return 0;
         return scene.groupCount(view.lights[light], volumes_->layout());
     };
     task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
@@ -144,6 +146,13 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
         BatchView batchView = batchViewOf(batch, view, slice);
         if (shading.map)
             batchView.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
+        if (shading.primitives) {
+            batchView.mapFromObject =
+                glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
+            batchView.facings =
+                &shading.primitives
+                     ->facings[static_cast<std::size_t>(&batch - scene.batches.data())];
+        }
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             runs += surfaces_.draw(scene, batch, batchView, eye, shading, kind);
     }
@@ -180,7 +189,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
         shading.withAmbient = true;
         shading.map = map ? &*map : nullptr;
         // Alpha, which is 1, is the volumes'.
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, settings_.shadows == ShadowMethod::volumes);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, pass.plan.lights[*pass.plan.first].isCounted());
     }
     shading.ambient = settings_.ambient;
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
@@ -219,7 +228,7 @@ void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) 
     const gl::ScissorScope cut(plan.reach);
     std::optional<ShadowMapLookup> map;
     if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
-    if (volumes_) {
+    if (plan.isCounted()) {
         if (lightIndex == pass.plan.first)
             count(pass, lightIndex, 0);
         else
@@ -229,7 +238,7 @@ void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) 
 
     const StageScope stage(pass.clock, FrameStage::lit);
     glEnable(GL_BLEND);
-    const bool counted = volumes_ && !coarse_ && !plan.inGroups();
+    const bool counted = plan.isCounted() && !coarse_ && !plan.inGroups();
     if (!counted) clearStencil();
     if (plan.inGroups() && !coarse_) // what a group has shaded has alpha 0 and takes no light
         glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
@@ -290,12 +299,19 @@ ShadowMapLookup Renderer::drawMap(const SlicePass& pass, const Light& light) {
     return map;
 }
 
+const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const Light& light) const {
+    if (settings_.shadows != ShadowMethod::primitiveMap) return nullptr;
+    const PrimitiveMapState* state = scene.primitiveMaps.of(light);
+    return state ? state->map.get() : nullptr;
+}
+
 SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) const {
     SurfaceShading shading;
     shading.mask = pass.view.mask;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     if (!light) return shading;
     shading.light = *light;
+    shading.primitives = primitiveMapOf(pass.scene, *light);
     shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
     shading.maskValue = 1.0f;
     return shading;

@@ -18,8 +18,8 @@
 namespace edgeshade {
 
 /// Draws frames by the three passes of docs/method.md, A frame: ambient light and depth; for each
-/// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps, or
-/// with none, in place of volumes.
+/// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps,
+/// primitive maps where lights have some, or with none, in place of volumes.
 ///
 /// But where its shadows need no alpha of their own, and there is no lit mask to draw, the first
 /// light is drawn with ambient light, which saves it a pass over the surfaces; alpha holds the
@@ -47,10 +47,9 @@ class Renderer {
     /// are none.
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
-    /// The scene must have the groups of casters that the lights' layers ask for, see
-    /// OverflowGroups; records that the plan draws are uploaded where they aren't there yet.
-    /// `clock`, which may be null, is told of the stages. Throws Error(unavailable) if the GL can't
-    /// draw masks of lower resolution.
+    /// The scene must have what prepareScene() makes of it; records that the plan draws are
+    /// uploaded where they aren't there yet. `clock`, which may be null, is told of the stages.
+    /// Throws Error(unavailable) if the GL can't draw masks of lower resolution.
     void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr);
 
     /// What the last frame drew, until the next one.
@@ -112,6 +111,8 @@ class Renderer {
     void setCounting();
     void count(const SlicePass& pass, std::size_t light, std::size_t group);
     ShadowMapLookup drawMap(const SlicePass& pass, const Light& light);
+    /// The light's primitive map; null: it has none, or shadows are something else.
+    const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const Light& light) const;
     void drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const SlicePass& pass);
     void restoreAlpha(const GpuScene& scene, const FrameView& view);

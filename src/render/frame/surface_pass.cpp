@@ -52,6 +52,30 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
     program.set("u_casts", casts ? 1.0f : 0.0f);
 }
 
+void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const BatchView& view) {
+    const auto bind = [&](int unit, const gl::FloatTable& table, const char* sampler,
+                          const char* size) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D, table.texture());
+        program.setSampler(sampler, unit);
+        program.set(size, table.size());
+    };
+    bind(1, map.header, "u_primitiveHeader", "u_primitiveHeaderSize");
+    bind(2, map.entries, "u_primitiveEntries", "u_primitiveEntriesSize");
+    bind(3, map.records, "u_primitiveRecords", "u_primitiveRecordsSize");
+    program.set("u_primitiveSize", map.size);
+    program.set("u_mapFromObject", view.mapFromObject);
+}
+
+void addPrimitiveMapDefines(GpuPrimitiveMap::Kind kind, int splits, int longestList,
+                            std::vector<std::string>& defines) {
+    defines.push_back("PRIMITIVE_MAP");
+    if (kind == GpuPrimitiveMap::Kind::directional) defines.push_back("PRIMITIVE_MAP_DIRECTIONAL");
+    if (kind == GpuPrimitiveMap::Kind::sixTiles) defines.push_back("PRIMITIVE_MAP_TILES");
+    defines.push_back("PRIMITIVE_MAP_SPLITS " + std::to_string(splits));
+    defines.push_back("PRIMITIVE_MAP_LONGEST " + std::to_string(longestList));
+}
+
 void setPlaneSpace(gl::Program& program, const PlaneSpace& space) {
     program.set("u_tangents", space.tangents);
     program.set("u_middle", space.middle);
@@ -85,8 +109,24 @@ SurfaceShading unlitShading(SurfaceShading shading) {
     shading.light.reset();
     shading.withAmbient = false;
     shading.map = nullptr;
+    shading.primitives = nullptr;
     shading.coarse = nullptr;
     return shading;
+}
+
+/// Which side the light is on is decided once a triangle, on the CPU.
+void drawByFacing(const FacingIndices& indices, gl::Program& program) {
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.indices.name());
+    const auto draw = [&](float lightSide, int first, int count) {
+        if (count == 0) return;
+        program.set("u_lightSide", lightSide);
+        glDrawElements(
+            GL_TRIANGLES, count, GL_UNSIGNED_SHORT,
+            reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(std::uint16_t)));
+    };
+    draw(-1.0f, 0, indices.before);
+    draw(1.0f, indices.before, indices.facing);
+    draw(-1.0f, indices.before + indices.facing, indices.after);
 }
 
 bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
@@ -109,6 +149,9 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     Variant variant{};
     variant.alphaMode = material.alphaMode;
     if (shading.map) variant.map = shading.map->kind;
+    if (shading.primitives)
+        variant.primitives = {shading.primitives->kind, shading.primitives->splits,
+                              shading.primitives->longestList};
     variant.textured = scene.textures.has(material);
     variant.colored = chunk.colored;
     variant.lit = shading.light.has_value();
@@ -146,6 +189,9 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         if (*variant.map == ShadowMapKind::directional) defines.push_back("MAP_DIRECTIONAL");
         if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
     }
+    if (variant.primitives)
+        addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->splits,
+                               variant.primitives->longestList, defines);
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.coarse || variant.planes) defines.push_back("PLANE");
     if (variant.orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -190,6 +236,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     used.use();
     setShading(used, shading, eye);
     if (shading.map) setMap(used, *shading.map, view, casts);
+    if (shading.primitives) setPrimitiveMap(used, *shading.primitives, view);
     if (shading.coarse) setCoarseMask(used, *shading.coarse, casts);
     if (shading.planes) setPlaneSpace(used, *shading.planes);
     used.set("u_clipFromObject", view.clipFromObject);
@@ -210,8 +257,13 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
             binding.add(chunk.vertices, attribute.components, attribute.type,
                         attribute.type == GL_UNSIGNED_BYTE, sizeof(SurfaceVertex), attribute.offset,
                         false);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
-    glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
+    if (shading.primitives && casts) {
+        drawByFacing((*view.facings)[chunk.place], used);
+    } else {
+        used.set("u_lightSide", 0.0f);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
+        glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
+    }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     return static_cast<std::size_t>(chunk.indexCount);
 }

@@ -25,8 +25,9 @@ struct SurfaceShading {
     bool mask = false;
     float maskValue = 0.0f;
     float farthest = std::numeric_limits<float>::infinity(); ///< what is deeper is not drawn
-    /// The light's shadow map, or its mask of lower resolution; both null: lit everywhere.
+    /// The light's shadow map, primitive map or mask of lower resolution; none: lit everywhere.
     const ShadowMapLookup* map = nullptr;
+    const GpuPrimitiveMap* primitives = nullptr;
     const CoarseMaskLookup* coarse = nullptr;
     const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
 };
@@ -49,9 +50,16 @@ class SurfacePass {
                           const glm::dvec3& eye, const SurfaceShading& shading);
 
   private:
+    struct PrimitiveMapVariant {
+        GpuPrimitiveMap::Kind kind;
+        int splits, longestList;
+
+        auto operator<=>(const PrimitiveMapVariant&) const = default;
+    };
     struct Variant {
         AlphaMode alphaMode;
         std::optional<ShadowMapKind> map;
+        std::optional<PrimitiveMapVariant> primitives;
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
@@ -65,8 +73,8 @@ class SurfacePass {
         bool orthographic; ///< looks it up or draws it for such a picture
 
         auto key() const {
-            return std::tie(alphaMode, map, textured, colored, lit, withAmbient, directional,
-                            ranged, mask, sliced, coarse, planes, orthographic);
+            return std::tie(alphaMode, map, primitives, textured, colored, lit, withAmbient,
+                            directional, ranged, mask, sliced, coarse, planes, orthographic);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

@@ -2,12 +2,18 @@
 
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/render/volumes/multiplicity_method.hpp"
+#include "src/shadow/primitive_map/primitive_map.hpp"
 
 #include <optional>
 
 namespace edgeshade {
 
-enum class ShadowMethod { volumes, map, none };
+enum class ShadowMethod {
+    volumes,
+    primitiveMap, ///< and volumes for lights that have none
+    map,
+    none,
+};
 
 /// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
 enum class SilhouetteChoice {
@@ -21,14 +27,16 @@ struct RenderSettings {
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
     SidesLayout layout = SidesLayout::instanced;
-    ShadowMapSettings map; ///< where shadows are maps
+    ShadowMapSettings map;             ///< where shadows are maps
+    PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
-    /// What volumes are drawn from; nothing where shadows are something else.
+    /// What volumes are drawn from; nothing where there are none.
     std::optional<VolumeRecords> records() const {
-        if (shadows != ShadowMethod::volumes) return std::nullopt;
+        if (shadows != ShadowMethod::volumes && shadows != ShadowMethod::primitiveMap)
+            return std::nullopt;
         return VolumeRecords{volumeLayoutOf(multiplicity), layout};
     }
 };

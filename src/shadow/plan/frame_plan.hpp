@@ -11,9 +11,10 @@ namespace edgeshade {
 struct LightPlan {
     PixelRectangle reach; ///< the pixels that it may change; empty: it is not drawn
     /// What is counted for it, one stencil after the other: one, or one for each group of casters;
-    /// none where shadows are no volumes.
+    /// none where its shadows are no volumes.
     std::vector<CountPlan> counts;
 
+    bool isCounted() const { return !counts.empty(); }
     bool inGroups() const { return counts.size() > 1; }
 };
 
@@ -41,7 +42,8 @@ struct FrameTask {
     const FrameView& view;
     PixelRectangle open;     ///< the pixels that may be drawn at all
     bool ownStencil = false; ///< volumes are counted in another framebuffer than the picture's
-    /// How many groups the casters of the light with that index come in; 0: shadows are no volumes.
+    /// How many groups the casters of the light with that index come in; 0: its shadows
+    /// are no volumes.
     std::function<std::size_t(std::size_t light)> groupCount;
     /// What is counted of one of the groups.
     std::function<CountPlan(const DepthSlice&, std::size_t light, std::size_t group)> planCount;

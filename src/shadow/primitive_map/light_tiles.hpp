@@ -34,7 +34,7 @@ struct LightTiles {
 std::optional<LightTiles> tilesFor(const Light& light, const std::vector<PlacedCasters>& casters);
 
 /// Within a tile's square, how far rounding in a GL may place a ray: map coordinates and their
-/// interpolation, some units of 2^-24 of 1.
-inline constexpr double placingError = 8.0 / (1 << 24);
+/// interpolation, some tens of units of 2^-24 of 1.
+inline constexpr double mapRounding = 32.0 / (1 << 24);
 
 } // namespace edgeshade

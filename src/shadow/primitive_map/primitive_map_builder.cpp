@@ -33,8 +33,8 @@ float roundedDown(double value) {
 /// The plane as far from the light as points on it may be placed by rounding.
 glm::dvec3 tolerantPlane(const glm::dvec3& plane, bool directional) {
     const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
-    if (directional) return plane + glm::dvec3(0.0, 0.0, placingError * (1.0 + terms));
-    return plane / (1.0 + placingError * (1.0 + terms));
+    if (directional) return plane + glm::dvec3(0.0, 0.0, mapRounding * (1.0 + terms));
+    return plane / (1.0 + mapRounding * (1.0 + terms));
 }
 
 void addRecord(const Occluder& occluder, bool directional, std::vector<glm::vec4>& records) {
@@ -151,7 +151,7 @@ TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {
 RaySquare PrimitiveMapBuilder::squareOf(double x, double y, double side) const {
     const double scale = 2.0 / settings_.size;
     const glm::dvec2 low(x * scale - 1.0, y * scale - 1.0);
-    return RaySquare{low, low + side * scale}.grownBy(placingError);
+    return RaySquare{low, low + side * scale}.grownBy(mapRounding);
 }
 
 void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
@@ -173,8 +173,8 @@ void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
         return static_cast<int>(std::clamp(std::floor((at + 1.0) * scale), 0.0, perRow - 1.0));
     };
     for (std::uint32_t i = 0; i < prints.size(); ++i) {
-        const glm::dvec2 low = prints[i].low - 2.0 * placingError;
-        const glm::dvec2 high = prints[i].high + 2.0 * placingError;
+        const glm::dvec2 low = prints[i].low - 2.0 * mapRounding;
+        const glm::dvec2 high = prints[i].high + 2.0 * mapRounding;
         for (int y = partAt(low.y); y <= partAt(high.y); ++y)
             for (int x = partAt(low.x); x <= partAt(high.x); ++x)
                 parts_[first + static_cast<std::size_t>(y * perRow + x)].candidates.push_back(i);

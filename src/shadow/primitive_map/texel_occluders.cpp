@@ -104,7 +104,7 @@ void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> ca
         const Footprint& print = tile.prints[candidate];
         if (!print.mayTouch(square)) continue;
         const Interval depths = print.depthsIn(square, tile.directional);
-        touching.push_back({candidate, {depths.low - placingError, depths.high + placingError}});
+        touching.push_back({candidate, {depths.low - mapRounding, depths.high + mapRounding}});
     }
     std::sort(touching.begin(), touching.end(), [](const Touching& a, const Touching& b) {
         return a.depths.low != b.depths.low ? a.depths.low < b.depths.low : a.print < b.print;

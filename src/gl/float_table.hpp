@@ -1,0 +1,37 @@
+#pragma once
+
+#include "src/gl/capabilities.hpp"
+#include "src/gl/objects.hpp"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace edgeshade::gl {
+
+/// Numbers for a fragment shader to look up one by one: a texture of floats (GL_OES_texture_float)
+/// in rows, each texel's numbers in (x, w) or all of (x, y, z, w).
+class FloatTable {
+  public:
+    FloatTable() = default;
+    /// Throws Error(unavailable) if they are more than the GL's largest texture holds, or it is out
+    /// of memory.
+    FloatTable(std::span<const glm::vec2> texels, const Capabilities& capabilities);
+    FloatTable(std::span<const glm::vec4> texels, const Capabilities& capabilities);
+
+    Name texture() const { return texture_.name(); }
+    /// (columns, 1 / columns, 1 / rows); columns are a power of two.
+    const glm::vec3& size() const { return size_; }
+    std::size_t bytes() const { return bytes_; }
+
+  private:
+    void upload(std::vector<float> numbers, std::size_t channels, const Capabilities& capabilities);
+
+    Texture texture_;
+    glm::vec3 size_{1.0f};
+    std::size_t bytes_ = 0;
+};
+
+/// Whether fragment shaders can look up floats and reckon with all of their bits.
+bool hasFloatTables(const Capabilities& capabilities);
+
+} // namespace edgeshade::gl
