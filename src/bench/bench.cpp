@@ -29,7 +29,7 @@ struct Needs {
 
 Needs needsOf(const RenderSettings& settings) {
     return {settings.records(), settings.silhouette == SilhouetteChoice::proposed,
-            settings.shadows == ShadowMethod::primitiveMap};
+            settings.looksUpPrimitives()};
 }
 
 /// A scene that some of the contenders draw, with what they share of it.
@@ -42,9 +42,11 @@ class Stage {
 
     /// Works out what the frame shows. RayCrossings are kept while the lights rest;
     /// `volumes`: somebody draws them.
-    void look(const FrameRequest& request, bool volumes) {
+    void look(const FrameRequest& request, bool lightMoves, bool volumes) {
         Stopwatch watch;
         view_ = makeFrameView(loaded_.scene, request, bounds_);
+        for (FrameLight& light : view_.lights)
+            light.atRest = !lightMoves;
         planMs_ = 1e3 * watch.lap();
         layersMs_ = 0.0;
         if (!volumes) return;
@@ -165,7 +167,7 @@ class Course {
         request.lights =
             task_.lightMoves ? movedLights(task_.lights, bounds_, share) : task_.lights;
         for (const auto& stage : stages_)
-            stage->look(request, anyVolumes(*stage));
+            stage->look(request, task_.lightMoves, anyVolumes(*stage));
     }
 
     bool anyVolumes(const Stage& stage) const {
@@ -246,6 +248,7 @@ class Course {
         }
         result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes();
         result.maskBytes = contender.renderer.maskBytes();
+        result.lights = lightMethods(scene, contender.stage.view(), contender.renderer.settings());
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());
         result.repeated =

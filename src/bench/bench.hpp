@@ -4,6 +4,7 @@
 #include "src/gl/span_timer.hpp"
 #include "src/render/frame/frame.hpp"
 
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/render/timing/stage_timer.hpp"
 
 #include <functional>
@@ -49,8 +50,9 @@ struct Result {
     std::size_t sideBytes = 0;  ///< on the GPU, of shadows alone
     std::size_t capBytes = 0;
     std::size_t mapBytes = 0;
-    std::size_t maskBytes = 0; ///< of masks of lower resolution
-    double repeated = 1.0;     ///< time of the first frames, drawn again at the end, over theirs
+    std::size_t maskBytes = 0;       ///< of masks of lower resolution
+    std::vector<LightMethod> lights; ///< how their shadows were made
+    double repeated = 1.0; ///< time of the first frames, drawn again at the end, over theirs
 
     std::size_t bytes() const { return sideBytes + capBytes + mapBytes + maskBytes; }
 };

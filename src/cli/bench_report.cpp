@@ -53,6 +53,7 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
             {"frames", task.frames},
             {"timing", nameOf(measured.timing)},
             {"light", task.lightMoves ? "moves" : "rests"},
+            {"lights", methodsJson(result.lights)},
             {"settings", settingsOf},
             {"frame_ms", {{"median", spread.median}, {"p95", spread.p95}, {"max", spread.max}}},
             {"stage_ms",

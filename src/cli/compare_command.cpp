@@ -52,6 +52,7 @@ Json resultJson(const lab::CompareResult& result, DrawSettings settings,
                  {"subpixel_bits", result.subpixelBits}}; // of the grid of device ties
     json.update(countsJson(result.counts));
     json["worst_view"] = views.empty() ? Json(nullptr) : Json(views[result.worstView].name);
+    json["lights"] = methodsJson(result.lights);
     json["settings"] = settingsJson(settings);
     json["settings"].update(casterJson(casters));
     Json byView = Json::array();

@@ -11,7 +11,8 @@
 namespace edgeshade::cli {
 namespace {
 
-const Choices<ShadowMethod> shadowNames = {{"volumes", ShadowMethod::volumes},
+const Choices<ShadowMethod> shadowNames = {{"auto", ShadowMethod::automatic},
+                                           {"volumes", ShadowMethod::volumes},
                                            {"primitive-map", ShadowMethod::primitiveMap},
                                            {"map", ShadowMethod::map},
                                            {"none", ShadowMethod::none}};
@@ -68,6 +69,19 @@ void addMapOptions(CLI::App& verb, DrawSettings& settings) {
         ->type_name("N");
 }
 
+void addPrimitiveMapMemory(CLI::App& verb, DrawSettings& settings) {
+    verb.add_option_function<std::size_t>(
+            "--primitive-map-memory",
+            [&settings](std::size_t bytes) {
+                settings.render.primitiveMap.mostBytes = bytes;
+                settings.primitiveMapOptions.push_back("--primitive-map-memory");
+            },
+            "What the primitive map of a light may take on the GPU; a coarser one is tried, then "
+            "volumes are counted (67108864)")
+        ->check(CLI::Range(std::size_t{1} << 16, std::size_t{1} << 32))
+        ->type_name("BYTES");
+}
+
 void addMaskScale(CLI::App& verb, DrawSettings& settings) {
     verb.add_option_function<std::string>(
             "--mask-scale",
@@ -94,7 +108,9 @@ bool DrawSettings::hasMapBias() const {
 
 void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--shadows", settings.render.shadows, shadowNames,
-              "How shadows are made (volumes)");
+              "How shadows are made; auto: looked up exactly in a primitive map where a light "
+              "rests and it pays, else volumes (" +
+                  nameIn(shadowNames, settings.render.shadows) + ")");
     addMapOptions(verb, settings);
     addChoice(verb, "--multiplicity", settings.multiplicity, multiplicityNames,
               "How a triangle's facing is decided (plane; reference-edge with --layout published); "
@@ -126,6 +142,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
             "pay)")
         ->type_name("N|auto");
     addMaskScale(verb, settings);
+    addPrimitiveMapMemory(verb, settings);
     verb.add_option("--ambient", settings.render.ambient,
                     "Share of ambient light; the lights share the rest (0.35)")
         ->check(finite())
@@ -149,6 +166,11 @@ void resolve(DrawSettings& settings) {
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
+    if (settings.render.shadows == ShadowMethod::automatic && !settings.volumeOptions.empty())
+        settings.render.shadows = ShadowMethod::volumes;
+    if (!settings.render.looksUpPrimitives() && !settings.primitiveMapOptions.empty())
+        throw Error(ExitStatus::usage, settings.primitiveMapOptions.front() +
+                                           " needs --shadows primitive-map or auto.");
     if (settings.render.shadows != ShadowMethod::volumes && !settings.volumeOptions.empty())
         throw Error(ExitStatus::usage,
                     settings.volumeOptions.front() + " needs --shadows volumes.");
@@ -158,6 +180,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     DrawSettings settings = base;
     settings.mapOptions.clear();
     settings.volumeOptions.clear();
+    settings.primitiveMapOptions.clear();
     // Either of the two that is typed here says what the other one is.
     settings.multiplicity.reset();
     settings.layout.reset();
@@ -230,6 +253,17 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         json.update({{"map-size", render.map.size},
                      {"map-bias", render.map.biasTexels},
                      {"pcf", render.map.pcf}});
+    if (render.looksUpPrimitives()) json["primitive-map-memory"] = render.primitiveMap.mostBytes;
+    return json;
+}
+
+nlohmann::ordered_json methodsJson(const std::vector<LightMethod>& methods) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const LightMethod& of : methods)
+        json.push_back({{"method", of.method},
+                        {"why", of.why},
+                        {"build_ms", of.buildMs},
+                        {"bytes", of.bytes}});
     return json;
 }
 

@@ -2,6 +2,7 @@
 
 #include "src/cli/options.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -20,10 +21,11 @@ struct DrawSettings {
     std::optional<VolumeLayout> layout;             ///< likewise
     std::optional<SilhouetteChoice> silhouette;     ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
-    std::optional<int> depthSlices;         ///< nothing: as many as pay
-    std::vector<std::string> mapOptions;    ///< those typed that only shadow maps have
-    std::vector<std::string> volumeOptions; ///< those that only shadow volumes have
-    CasterChanges casters;                  ///< of `--against`: on top of the call's own
+    std::optional<int> depthSlices;               ///< nothing: as many as pay
+    std::vector<std::string> mapOptions;          ///< those typed that only shadow maps have
+    std::vector<std::string> volumeOptions;       ///< those that only shadow volumes have
+    std::vector<std::string> primitiveMapOptions; ///< those that only primitive maps have
+    CasterChanges casters;                        ///< of `--against`: on top of the call's own
 
     bool hasMapBias() const;
 };
@@ -51,7 +53,10 @@ std::string shortName(const DrawSettings& settings);
 /// The settings as report keys, by the options' names.
 nlohmann::ordered_json settingsJson(const DrawSettings& settings);
 
-/// The same of a device.
+/// [{method, why, build_ms, bytes}, ...] of lights.
+nlohmann::ordered_json methodsJson(const std::vector<LightMethod>& methods);
+
+/// The settings' like of a device.
 nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities);
 
 } // namespace edgeshade::cli

@@ -1,22 +1,50 @@
 #include "src/cli/explanation.hpp"
 
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/plan/explain.hpp"
 
-namespace edgeshade::cli {
+#include <cmath>
 
-std::string explanationOf(const Renderer& renderer, const FrameView& view) {
-    switch (renderer.settings().shadows) {
+namespace edgeshade::cli {
+namespace {
+
+/// Which lights are looked up in primitive maps, and why the others are not.
+std::string methodsOf(const GpuScene& scene, const FrameView& view,
+                      const RenderSettings& settings) {
+    std::string text;
+    const std::vector<LightMethod> methods = lightMethods(scene, view, settings);
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        const LightMethod& of = methods[i];
+        text += "light " + std::to_string(i) + ": ";
+        if (of.bytes > 0)
+            text += "looked up in a primitive map of " + std::to_string(of.bytes) +
+                    " bytes, built in " + std::to_string(std::lround(of.buildMs)) + " ms\n";
+        else
+            text += "volumes: " + of.why + "\n";
+    }
+    return text;
+}
+
+} // namespace
+
+std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view) {
+    const RenderSettings& settings = renderer.settings();
+    std::string methods;
+    switch (settings.shadows) {
     case ShadowMethod::none:
         return "no shadows are drawn";
     case ShadowMethod::map:
         return "shadow maps: every light draws all casters, a point light up to six times";
-    case ShadowMethod::volumes:
+    case ShadowMethod::automatic:
     case ShadowMethod::primitiveMap:
+        methods = methodsOf(scene, view, settings);
+        break;
+    case ShadowMethod::volumes:
         break;
     }
     if (renderer.volumes()->layout() == VolumeLayout::oppositeVertices)
-        return "opposite-vertex records: every edge and all caps of every light, z-fail";
-    return explain(renderer.plan(), view);
+        return methods + "opposite-vertex records: every edge and all caps of every light, z-fail";
+    return methods + explain(renderer.plan(), view);
 }
 
 } // namespace edgeshade::cli

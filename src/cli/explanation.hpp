@@ -5,6 +5,6 @@
 namespace edgeshade::cli {
 
 /// What `render --explain` says of the frame that the renderer has just drawn.
-std::string explanationOf(const Renderer& renderer, const FrameView& view);
+std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view);
 
 } // namespace edgeshade::cli

@@ -120,18 +120,20 @@ void render(const RenderOptions& options) {
     const double drawSeconds = watch.lap();
     writeFile(options.output, encodePng(pixels, view.width, view.height));
     if (options.explain || options.debugVolumes)
-        printResult(explanationOf(renderer, view), options.report);
+        printResult(explanationOf(renderer, scene, view), options.report);
     printResult(options.output + ": " + std::to_string(view.width) + "x" +
                     std::to_string(view.height) + ", " +
                     std::to_string(loaded.scene.triangleCount()) + " triangles, drawn by " +
                     capabilities.renderer,
                 options.report);
 
-    nlohmann::ordered_json lights = nlohmann::ordered_json::array();
-    for (const FrameLight& of : view.lights) {
-        const Light& light = of.light;
-        lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
-        if (light.hasRange()) lights.back().push_back(light.range);
+    const std::vector<LightMethod> methods = lightMethods(scene, view, settings);
+    nlohmann::ordered_json lights = methodsJson(methods);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const Light& light = view.lights[i].light;
+        lights[i]["position"] = {light.position.x, light.position.y, light.position.z,
+                                 light.position.w};
+        if (light.hasRange()) lights[i]["range"] = light.range;
     }
     nlohmann::ordered_json report = {
         {"size", {view.width, view.height}},
@@ -140,7 +142,7 @@ void render(const RenderOptions& options) {
         {"settings", settingsJson(options.settings)},
         {"plan", planJson(view)},
         {"device", deviceJson(capabilities)},
-        {"bytes_gpu", scene.shadowBytes() + renderer.bytes()},
+        {"bytes_gpu", scene.shadowBytes() + scene.primitiveMaps.bytes() + renderer.bytes()},
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };

@@ -186,9 +186,9 @@ Json rowJson(const Row& row) {
 plot::TradePoint pointOf(const Row& row) {
     using Family = plot::TradePoint::Family;
     const ShadowMethod shadows = row.settings.render.shadows;
-    const Family family = shadows == ShadowMethod::volumes ? Family::volumes
-                          : shadows == ShadowMethod::map   ? Family::map
-                                                           : Family::none;
+    const Family family = shadows == ShadowMethod::map    ? Family::map
+                          : shadows == ShadowMethod::none ? Family::none
+                                                          : Family::volumes;
     return {row.setting.name, family, row.milliseconds(), row.wrongPercent(), row.pareto};
 }
 

@@ -35,6 +35,7 @@ void addCasters(std::vector<TradeSetting>& settings, double diagonal) {
 std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal) {
     std::vector<TradeSetting> settings = {
         {"volumes", "shadows=volumes"},
+        {"primitive map", "shadows=primitive-map"},
         {"published", "shadows=volumes,layout=published"},
         {"three-edge", "shadows=volumes,multiplicity=three-edge"},
         {"single-edge", "shadows=volumes,multiplicity=single-edge"},

@@ -84,6 +84,7 @@ void addViewCommand(CLI::App& program) {
     const auto options = std::make_shared<WindowOptions>();
     options->view.width = 1280;
     options->view.height = 720;
+    options->settings.render.shadows = ShadowMethod::automatic;
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
     verb->add_option("--screenshot", options->screenshot,
                      "Draw one picture in the window, save it and end")

@@ -94,24 +94,28 @@ void App::showNextVariant() {
 }
 
 void App::run() {
+    constexpr double pause = 0.01; // seconds, while something is built and nothing drawn
     while (!glfwWindowShouldClose(window_.handle())) {
+        bool drawn = false;
         if (viewer_.wantsFrame()) {
-            guarded([&] { draw(); });
+            guarded([&] { drawn = draw(); });
             window_.requireContext();
         }
-        if (viewer_.wantsFrame())
+        if (!viewer_.wantsFrame())
+            glfwWaitEvents();
+        else if (drawn)
             glfwPollEvents();
         else
-            glfwWaitEvents();
+            glfwWaitEventsTimeout(pause);
     }
 }
 
-void App::draw() {
+bool App::draw() {
     if (width_ == 0 || height_ == 0) { // an icon
         glfwWaitEvents();
-        return;
+        return false;
     }
-    if (!viewer_.frame(glfwGetTime())) return;
+    if (!viewer_.frame(glfwGetTime())) return false;
     const float size = std::max(1.0f, std::round(1.6f * scale_));
     const float gap = 8.0f * size;
     viewer::OverlayTriangles text;
@@ -129,6 +133,7 @@ void App::draw() {
     if (!line.empty()) add(line, static_cast<float>(height_) - textHeight(line, size) - gap);
     overlay_.draw(text, width_, height_);
     glfwSwapBuffers(window_.handle());
+    return true;
 }
 
 void App::say(const std::string& message) {
@@ -248,7 +253,8 @@ std::string App::figures() const {
     text << stats.triangles << " triangles, " << stats.edges << " edges, " << stats.silhouettes
          << " of them silhouettes\n"
          << static_cast<double>(stats.shadowBytes) / (1 << 20) << " MB of shadow data, "
-         << static_cast<double>(stats.mapBytes) / (1 << 20) << " MB of shadow maps\n"
+         << static_cast<double>(stats.mapBytes) / (1 << 20) << " MB of shadow maps, "
+         << static_cast<double>(stats.primitiveMapBytes) / (1 << 20) << " MB of primitive maps\n"
          << window_.capabilities().renderer;
     return text.str();
 }

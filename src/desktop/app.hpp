@@ -39,7 +39,8 @@ class App {
   private:
     void connect();
     void fitToWindow();
-    void draw();
+    /// Whether there was something to draw.
+    bool draw();
     void say(const std::string& message);
     template <class Action>
     void guarded(Action action);

@@ -83,7 +83,7 @@ std::string helpText() {
            "U\tpoint light or sun\n"
            "T\tshow or hide the lights' handles\n"
            "F, Home / R\tsee everything / start again\n"
-           "M\tvolumes, map, none\n"
+           "M\tauto, volumes, primitive map, map, none\n"
            "S / , .\ttwo kinds side by side / move the line\n"
            "V\tshow the volumes\n"
            "Space / [ ]\tplay / slower, faster\n"

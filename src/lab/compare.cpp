@@ -31,14 +31,20 @@ class Studio {
         GpuScene& scene = sceneFor(loaded, records);
         prepareScene(scene, loaded, view, renderer.settings(), context_.capabilities());
         renderer.draw(scene, view);
+        methods_ = lightMethods(scene, view, renderer.settings());
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();
     }
+
+    /// How the last picture's shadows were made, light by light.
+    const std::vector<LightMethod>& methods() const { return methods_; }
 
     SidesLayout bestLayout() const { return edgeshade::bestLayout(context_.capabilities()); }
     int subpixelBits() const { return context_.capabilities().subpixelBits; }
 
   private:
+    std::vector<LightMethod> methods_;
+
     GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
         const auto key = std::pair(&loaded, records);
         auto found = scenes_.find(key);
@@ -202,6 +208,7 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
                 result.worstView = v;
                 result.heatmap = heatmap(jury.image(), comparison.kinds, task.width, task.height);
             }
+            result.lights = jury.studio().methods();
             result.counts += comparison.counts;
             result.byView.push_back(comparison.counts);
             ++result.views;

@@ -3,6 +3,7 @@
 #include "src/lab/verdicts.hpp"
 #include "src/lab/views.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/load.hpp"
 
 #include <functional>
@@ -39,6 +40,7 @@ struct CompareResult {
     int subpixelBits = 0;    ///< of the device
     std::size_t views = 0;
     WrongCounts counts;
+    std::vector<LightMethod> lights; ///< of the last view
     std::vector<WrongCounts> byView;
     std::size_t worstView = 0;         ///< most pixels wrong in the image
     std::vector<std::uint8_t> heatmap; ///< of the worst view, RGBA

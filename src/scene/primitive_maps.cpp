@@ -1,18 +1,19 @@
 #include "src/scene/primitive_maps.hpp"
 
-#include "preprocess/base/stopwatch.hpp"
+#include "src/shadow/silhouette/count_silhouettes.hpp"
 
 #include <algorithm>
 
 namespace edgeshade {
 namespace {
 
-bool isAllOpaque(const Scene& scene) {
-    return std::all_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
-        return std::all_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
-            return scene.materials[g.material].alphaMode == AlphaMode::opaque;
-        });
-    });
+std::size_t silhouettesOf(const LoadedScene& loaded, const Light& light) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
+        count +=
+            countSilhouettes(*loaded.planePairs[i],
+                             glm::inverse(loaded.scene.batches[i].worldFromBatch) * light.position);
+    return count;
 }
 
 } // namespace
@@ -28,10 +29,24 @@ std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabiliti
     return {};
 }
 
+bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
+                 const gl::Capabilities& capabilities) {
+    if (!primitiveMapObstacle(loaded, capabilities).empty()) return false;
+    std::size_t records = 0;
+    for (const auto& shadow : loaded.planePairs)
+        records += shadow->pairs.size() + shadow->singles.size();
+    return choice == MapChoice::all || records > fewSilhouettes;
+}
+
 const PrimitiveMapState* PrimitiveMaps::of(const Light& light) const {
     const auto found = std::find_if(kept_.begin(), kept_.end(),
                                     [&](const Kept& kept) { return kept.light == light.position; });
     return found == kept_.end() ? nullptr : &found->state;
+}
+
+void PrimitiveMaps::clear() {
+    job_.reset();
+    kept_.clear();
 }
 
 std::size_t PrimitiveMaps::bytes() const {
@@ -41,47 +56,71 @@ std::size_t PrimitiveMaps::bytes() const {
     return total;
 }
 
-void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<bool>& hidden,
-                         const std::vector<Light>& lights, const PrimitiveMapSettings& settings,
-                         const gl::Capabilities& capabilities) {
-    std::erase_if(kept_, [&](const Kept& kept) {
+void PrimitiveMaps::keepOnly(const std::vector<Light>& lights) {
+    const auto isGone = [&](const glm::dvec4& of) {
         return std::none_of(lights.begin(), lights.end(),
-                            [&](const Light& light) { return light.position == kept.light; });
-    });
+                            [&](const Light& light) { return light.position == of; });
+    };
+    std::erase_if(kept_, [&](const Kept& kept) { return isGone(kept.light); });
+    if (job_ && isGone(job_->light())) job_.reset();
+}
+
+bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
+                             const gl::Capabilities& capabilities) {
+    if (of(light)) return false;
+    std::string why = primitiveMapObstacle(loaded, capabilities);
+    if (why.empty() && choice == MapChoice::thatPay)
+        if (const std::size_t count = silhouettesOf(loaded, light); count <= fewSilhouettes)
+            why = "volumes of " + std::to_string(count) + " silhouette edges cost less";
+    if (why.empty()) return true;
+    kept_.push_back({light.position, {nullptr, why, 0.0}});
+    return false;
+}
+
+void PrimitiveMaps::take(const PrimitiveMapJob& job, const PrimitiveMapSettings& settings,
+                         const gl::Capabilities& capabilities) {
+    edges_ = job.edges();
+    PrimitiveMapState state{nullptr, "at rest", job.milliseconds()};
+    if (job.map())
+        state.map = std::make_shared<const GpuPrimitiveMap>(
+            uploadPrimitiveMap(*job.map(), job.triangles(), capabilities));
+    else if (job.isTooFar())
+        state.why = "the light is too far from its casters for a primitive map";
+    else
+        state.why = "a primitive map would take more than " + std::to_string(settings.mostBytes) +
+                    " bytes, or minutes";
+    kept_.push_back({job.light(), std::move(state)});
+}
+
+void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<bool>& hidden,
+                         const std::vector<Light>& lights, MapChoice choice,
+                         const PrimitiveMapSettings& settings,
+                         const gl::Capabilities& capabilities) {
+    keepOnly(lights);
     for (const Light& light : lights) {
-        if (of(light)) continue;
-        PrimitiveMapState state;
-        state.why = primitiveMapObstacle(loaded, capabilities);
-        if (state.why.empty()) {
-            Stopwatch watch;
-            PrimitiveMapSettings used = settings;
-            used.othersReceive = !isAllOpaque(loaded.scene);
-            std::vector<PlacedCasters> casters;
-            for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
-                if (i < hidden.size() && hidden[i]) continue;
-                auto& edges = edges_[loaded.planePairs[i]];
-                if (!edges)
-                    edges =
-                        std::make_shared<const CasterEdges>(casterEdgesOf(*loaded.planePairs[i]));
-                casters.push_back({edges, loaded.scene.batches[i].worldFromBatch});
-            }
-            const auto map = buildPrimitiveMap(light, casters, used);
-            std::vector<std::vector<SortedTriangles>> triangles;
-            for (const Batch& batch : loaded.scene.batches)
-                triangles.push_back(
-                    sortedByFacing(batch, glm::inverse(batch.worldFromBatch) * light.position));
-            state.buildMs = 1e3 * watch.lap();
-            if (map) {
-                state.map = std::make_shared<const GpuPrimitiveMap>(
-                    uploadPrimitiveMap(*map, triangles, capabilities));
-                state.why = "at rest";
-            } else {
-                state.why = "a map would take more than " +
-                            std::to_string(settings.mostBytes >> 20) + " MB";
-            }
-        }
-        kept_.push_back({light.position, std::move(state)});
+        if (!needsJob(loaded, light, choice, capabilities)) continue;
+        PrimitiveMapJob job(loaded, hidden, light, settings, edges_);
+        job.finish();
+        take(job, settings, capabilities);
     }
+}
+
+bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<bool>& hidden,
+                            const std::vector<Light>& lights, MapChoice choice,
+                            const PrimitiveMapSettings& settings,
+                            const gl::Capabilities& capabilities, double milliseconds) {
+    keepOnly(lights);
+    if (!job_)
+        for (const Light& light : lights) {
+            if (!needsJob(loaded, light, choice, capabilities)) continue;
+            job_ = std::make_unique<PrimitiveMapJob>(loaded, hidden, light, settings, edges_);
+            job_->start();
+            break;
+        }
+    if (!job_ || !job_->advance(milliseconds)) return false;
+    const auto job = std::move(job_);
+    take(*job, settings, capabilities);
+    return true;
 }
 
 } // namespace edgeshade

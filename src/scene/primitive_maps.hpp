@@ -1,34 +1,45 @@
 #pragma once
 
-#include "src/scene/gpu_primitive_map.hpp"
-#include "src/scene/load.hpp"
-#include "src/shadow/primitive_map/primitive_map_builder.hpp"
+#include "src/scene/primitive_map_job.hpp"
 
-#include <map>
+#include <string>
 
 namespace edgeshade {
 
-/// A light's primitive map, or why it has none.
+/// What became of a light's primitive map.
 struct PrimitiveMapState {
     std::shared_ptr<const GpuPrimitiveMap> map; ///< null: shadows are counted by volumes
     std::string why;                            ///< a clause
     double buildMs = 0.0;                       ///< on the CPU
 };
 
-/// Primitive maps of a scene's lights, kept while lights and casters rest.
+/// Which lights get a primitive map.
+enum class MapChoice {
+    all,
+    thatPay, ///< those whose volumes would cost more
+};
+
+/// Primitive maps of a scene's lights, kept while lights and casters rest. If batches have moved or
+/// are hidden, clear() comes first; also before the scene goes.
 class PrimitiveMaps {
   public:
-    /// Makes those that the lights have none of, and forgets other lights'. If batches have moved
-    /// since, clear() comes first. `hidden`: by batch, those that cast nothing; or empty. Throws
-    /// Error(unavailable) if the GL can't.
+    /// Has maps of all lights, and of no others, when it returns. `hidden`: by batch, those that
+    /// cast nothing; or empty. Throws Error(unavailable) if the GL can't.
     void make(const LoadedScene& loaded, const std::vector<bool>& hidden,
-              const std::vector<Light>& lights, const PrimitiveMapSettings& settings,
-              const gl::Capabilities& capabilities);
+              const std::vector<Light>& lights, MapChoice choice,
+              const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities);
+
+    /// The same in the background, light after light: returns whether one has been finished. Where
+    /// there are no threads it works for so long.
+    bool advance(const LoadedScene& loaded, const std::vector<bool>& hidden,
+                 const std::vector<Light>& lights, MapChoice choice,
+                 const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities,
+                 double milliseconds);
 
     /// Null: nobody has made one yet.
     const PrimitiveMapState* of(const Light& light) const;
 
-    void clear() { kept_.clear(); }
+    void clear();
     std::size_t bytes() const;
 
   private:
@@ -37,12 +48,25 @@ class PrimitiveMaps {
         PrimitiveMapState state;
     };
 
+    void keepOnly(const std::vector<Light>& lights);
+    /// Settles what needs no map; returns whether the light needs one.
+    bool needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
+                  const gl::Capabilities& capabilities);
+    void take(const PrimitiveMapJob& job, const PrimitiveMapSettings& settings,
+              const gl::Capabilities& capabilities);
+
     std::vector<Kept> kept_;
-    /// Of the scene's batches, whatever the light.
-    std::map<std::shared_ptr<const PlanePairShadow>, std::shared_ptr<const CasterEdges>> edges_;
+    KeptEdges edges_;
+    std::unique_ptr<PrimitiveMapJob> job_; ///< in the background
 };
+
+/// Whether any light of the scene may get a map; false is certain.
+bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice, const gl::Capabilities& capabilities);
 
 /// Why a scene's casters can't be in a primitive map; empty if they can.
 std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabilities& capabilities);
+
+/// Of a light's volumes, silhouette edges up to which they cost less than looking up every pixel.
+inline constexpr std::size_t fewSilhouettes = 1000;
 
 } // namespace edgeshade

@@ -69,6 +69,8 @@ void removeLight(ViewState& state) {
 
 ShadowMethod next(ShadowMethod method) {
     switch (method) {
+    case ShadowMethod::automatic:
+        return ShadowMethod::volumes;
     case ShadowMethod::volumes:
         return ShadowMethod::primitiveMap;
     case ShadowMethod::primitiveMap:
@@ -76,7 +78,7 @@ ShadowMethod next(ShadowMethod method) {
     case ShadowMethod::map:
         return ShadowMethod::none;
     default:
-        return ShadowMethod::volumes;
+        return ShadowMethod::automatic;
     }
 }
 

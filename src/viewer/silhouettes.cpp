@@ -1,20 +1,14 @@
 #include "src/viewer/silhouettes.hpp"
 
+#include "src/shadow/silhouette/count_silhouettes.hpp"
+
 namespace edgeshade::viewer {
 namespace {
-
-int sideOf(const glm::vec4& plane, const glm::dvec4& light) {
-    const double side = glm::dot(glm::dvec4(plane), light);
-    return (side > 0.0) - (side < 0.0);
-}
 
 void count(const PlanePairShadow& shadow, const glm::dvec4& light, EdgeCounts& counts) {
     counts.edges += shadow.edges;
     counts.records += shadow.pairs.size() + shadow.singles.size();
-    for (const PairRecord& pair : shadow.pairs)
-        counts.silhouettes += sideOf(pair.plane0, light) != sideOf(pair.plane1, light);
-    for (const SingleRecord& single : shadow.singles)
-        counts.silhouettes += sideOf(single.plane, light) != 0;
+    counts.silhouettes += countSilhouettes(shadow, light);
 }
 
 } // namespace

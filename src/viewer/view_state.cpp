@@ -17,8 +17,11 @@ constexpr int largestMap = 16384;
 template <class Value, std::size_t N>
 using Words = std::array<std::pair<const char*, Value>, N>;
 
-constexpr Words<ShadowMethod, 3> shadowWords = {
-    {{"volumes", ShadowMethod::volumes}, {"map", ShadowMethod::map}, {"none", ShadowMethod::none}}};
+constexpr Words<ShadowMethod, 5> shadowWords = {{{"auto", ShadowMethod::automatic},
+                                                 {"volumes", ShadowMethod::volumes},
+                                                 {"primitive-map", ShadowMethod::primitiveMap},
+                                                 {"map", ShadowMethod::map},
+                                                 {"none", ShadowMethod::none}}};
 constexpr Words<MultiplicityMethod, 4> multiplicityWords = {
     {{"plane", MultiplicityMethod::plane},
      {"reference-edge", MultiplicityMethod::referenceEdge},

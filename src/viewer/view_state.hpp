@@ -9,7 +9,7 @@ namespace edgeshade::viewer {
 
 /// How one side of the split is drawn.
 struct SideSettings {
-    ShadowMethod shadows = ShadowMethod::volumes;
+    ShadowMethod shadows = ShadowMethod::automatic;
     int mapSize = 2048;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     int maskScale = 1; ///< see RenderSettings: 1, 2 or 4
@@ -45,7 +45,8 @@ struct ViewState {
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [[x,y,z,w], …],
 ///  "chosen_light": 0, "ambient": 0.35, "background": [r,g,b], "left": {"shadows":
-///  "volumes|map|none", "map_size": 2048, "multiplicity": "plane", "mask_scale": 1|2|4},
+///  "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity": "plane",
+///  "mask_scale": 1|2|4},
 ///  "right": {…}, "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,
 ///  "playing": false, "speed": 1, "time": 0}
 /// A point light with a range has it as a fifth number.

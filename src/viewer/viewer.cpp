@@ -6,6 +6,7 @@
 #include "src/viewer/frame_clock.hpp"
 #include "src/viewer/handle_drawing.hpp"
 #include "src/viewer/interaction.hpp"
+#include "src/viewer/light_rest.hpp"
 #include "src/viewer/overlay_pass.hpp"
 #include "src/viewer/pick.hpp"
 #include "src/viewer/renderers.hpp"
@@ -23,6 +24,18 @@ namespace {
 
 /// Of frames while somebody asks for statistics, one of so many has its stages timed.
 constexpr int framesPerStageFrame = 16;
+
+/// Of a frame, for building primitive maps where there are no threads.
+constexpr double buildingMs = 4.0;
+
+bool looksUp(const SideSettings& side) {
+    return side.shadows == ShadowMethod::automatic || side.shadows == ShadowMethod::primitiveMap;
+}
+
+/// Whether anything of a side may be counted by volumes.
+bool mayCount(const SideSettings& side) {
+    return side.shadows == ShadowMethod::volumes || looksUp(side);
+}
 
 } // namespace
 
@@ -61,6 +74,8 @@ struct Viewer::Parts {
     std::optional<LoadedScene> loaded;
     std::optional<Animation> animation; ///< of the loaded scene
     KeptLayers layers;
+    LightRest rest;
+    bool mapsPending = false; ///< a light may get a primitive map soon
     std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
     bool timed = false;    ///< somebody asked for statistics
@@ -75,6 +90,7 @@ struct Viewer::Parts {
     void adopt(const ViewState& next);
     void applyPose();
     void sceneMoved();
+    void advanceMaps(double now);
     void draw();
     void drawSide(const SideSettings& side, const FrameView& view, StageClock* stageClock);
     void groupCasters(const SideSettings& side, FrameView& view);
@@ -97,7 +113,7 @@ Viewer::Parts::makeGpu(const gl::Capabilities& capabilities) const {
 void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
     if (!loaded || !on.scene) return;
     for (const SideSettings* side : {&of.left, &of.right})
-        if (side->shadows == ShadowMethod::volumes && (side == &of.left || of.split))
+        if (mayCount(*side) && (side == &of.left || of.split))
             addVolumes(*on.scene, *loaded, on.recordsOf(*side));
 }
 
@@ -139,7 +155,11 @@ void Viewer::Parts::sceneMoved() {
     stage.bounds = worldBounds(loaded->scene);
     edgeCounts.reset();
     layers.clear();
-    if (gpu && gpu->scene) gpu->scene->groups.clear();
+    rest.clear();
+    if (gpu && gpu->scene) {
+        gpu->scene->groups.clear();
+        gpu->scene->primitiveMaps.clear();
+    }
     dirty = true;
 }
 
@@ -152,18 +172,46 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
 
 /// Puts the casters in groups that a stencil can count.
 void Viewer::Parts::groupCasters(const SideSettings& side, FrameView& view) {
-    if (side.shadows != ShadowMethod::volumes) return;
+    if (!mayCount(side)) return;
     layers.fill(loaded->scene, loaded->settings.castMasked, view.lights);
     gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(side));
 }
 
 void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
                              StageClock* stageClock) {
-    Renderer& renderer = gpu->renderers.of(side, state);
+    SideSettings drawn = side;
+    if (state.debug == DebugView::volumes && looksUp(side)) drawn.shadows = ShadowMethod::volumes;
+    Renderer& renderer = gpu->renderers.of(drawn, state);
     renderer.draw(*gpu->scene, view, stageClock);
-    if (state.debug == DebugView::volumes && side.shadows == ShadowMethod::volumes)
+    if (state.debug == DebugView::volumes && drawn.shadows == ShadowMethod::volumes)
         gpu->tintOf(renderer.settings())
             .draw(*gpu->scene, view, renderer.plan(), state.chosenLight);
+}
+
+/// Goes on with primitive maps for the lights that rest, if some side looks them up.
+void Viewer::Parts::advanceMaps(double now) {
+    mapsPending = false;
+    rest.see(state.lights, now);
+    const bool plays = state.playing && animation;
+    if (!loaded || !gpu || !gpu->scene || plays) return;
+    const SideSettings* side = looksUp(state.left)                   ? &state.left
+                               : state.split && looksUp(state.right) ? &state.right
+                                                                     : nullptr;
+    if (!side) return;
+    const MapChoice choice =
+        side->shadows == ShadowMethod::automatic ? MapChoice::thatPay : MapChoice::all;
+    if (!mayHaveMaps(*loaded, choice, gpu->capabilities)) return;
+    std::vector<FrameLight> lights;
+    for (const Light& light : state.lights) {
+        lights.push_back({light, {}});
+        lights.back().atRest = rest.rests(light, now);
+    }
+    RenderSettings wanted = settings.render;
+    wanted.shadows = side->shadows;
+    if (prepareSceneMeanwhile(*gpu->scene, *loaded, lights, wanted, gpu->capabilities, buildingMs))
+        dirty = true;
+    for (const Light& light : state.lights)
+        if (!gpu->scene->primitiveMaps.of(light)) mapsPending = true;
 }
 
 void Viewer::Parts::draw() {
@@ -225,6 +273,7 @@ void Viewer::show(LoadedScene scene) {
     std::optional<Animation> animation;
     if (scene.document) animation = readAnimation(*scene.document, scene.scene.warnings);
     std::optional<GpuScene> uploaded;
+    if (parts.gpu && parts.gpu->scene) parts.gpu->scene->primitiveMaps.clear();
     if (parts.gpu)
         uploaded =
             uploadScene(scene, parts.gpu->recordsOf(parts.state.left), parts.gpu->capabilities);
@@ -291,6 +340,7 @@ double Viewer::animationSeconds() const {
 bool Viewer::frame(double now) {
     Parts& parts = *parts_;
     if (parts.clock.advance(now, animationSeconds(), parts.state)) parts.applyPose();
+    parts.advanceMaps(now);
     if (!parts.dirty || !parts.gpu) return false;
     parts.dirty = false;
     if (parts.loaded) {
@@ -309,7 +359,7 @@ void Viewer::invalidate() {
 
 bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
-    return parts_->gpu && (parts_->dirty || plays);
+    return parts_->gpu && (parts_->dirty || plays || parts_->mapsPending);
 }
 
 FrameStats Viewer::stats() const {
@@ -329,6 +379,15 @@ FrameStats Viewer::stats() const {
         stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.volumeBytes() +
                             parts.gpu->renderers.maskBytes();
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
+    if (parts.gpu && parts.gpu->scene) {
+        stats.primitiveMapBytes = parts.gpu->scene->primitiveMaps.bytes();
+        RenderSettings drawn = parts.settings.render;
+        drawn.shadows = parts.state.left.shadows;
+        FrameView view;
+        for (const Light& light : parts.state.lights)
+            view.lights.push_back({light, {}});
+        stats.lights = lightMethods(*parts.gpu->scene, view, drawn);
+    }
     return stats;
 }
 
@@ -345,11 +404,21 @@ void Viewer::restoreGpu(const gl::Capabilities& capabilities) {
 }
 
 nlohmann::ordered_json toJson(const FrameStats& stats) {
-    nlohmann::ordered_json json = {
-        {"frame_ms", stats.frameMs},         {"plan_ms", stats.planMs},
-        {"triangles", stats.triangles},      {"edges", stats.edges},
-        {"records", stats.records},          {"silhouettes", stats.silhouettes},
-        {"shadow_bytes", stats.shadowBytes}, {"map_bytes", stats.mapBytes}};
+    nlohmann::ordered_json json = {{"frame_ms", stats.frameMs},
+                                   {"plan_ms", stats.planMs},
+                                   {"triangles", stats.triangles},
+                                   {"edges", stats.edges},
+                                   {"records", stats.records},
+                                   {"silhouettes", stats.silhouettes},
+                                   {"shadow_bytes", stats.shadowBytes},
+                                   {"map_bytes", stats.mapBytes},
+                                   {"primitive_map_bytes", stats.primitiveMapBytes}};
+    json["lights"] = nlohmann::ordered_json::array();
+    for (const LightMethod& light : stats.lights)
+        json["lights"].push_back({{"method", light.method},
+                                  {"why", light.why},
+                                  {"build_ms", light.buildMs},
+                                  {"bytes", light.bytes}});
     if (stats.stageMs)
         json["stage_ms"] = {{"ambient", stats.stageMs->ambient},
                             {"map", stats.stageMs->map},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/render/timing/stage_timer.hpp"
 #include "src/viewer/input.hpp"
 #include "src/viewer/view_state.hpp"
@@ -21,10 +22,13 @@ struct FrameStats {
     std::size_t silhouettes = 0; ///< records with non-zero multiplicity for the chosen light
     std::size_t shadowBytes = 0;
     std::size_t mapBytes = 0;
+    std::size_t primitiveMapBytes = 0;
+    std::vector<LightMethod> lights; ///< how each one's shadows are made, on the left
 };
 
 /// {"frame_ms", "plan_ms", "triangles", "edges", "records", "silhouettes", "shadow_bytes",
-///  "map_bytes", "stage_ms": {"ambient", "map", "silhouette", "rasterise", "lit"}}; the last one
+///  "map_bytes", "primitive_map_bytes", "lights": [{"method", "why", "build_ms", "bytes"}, …],
+///  "stage_ms": {"ambient", "map", "silhouette", "rasterise", "lit"}}; the last one
 /// once it is known.
 nlohmann::ordered_json toJson(const FrameStats& stats);
 
@@ -69,11 +73,14 @@ class Viewer {
     double animationSeconds() const;
 
     /// Draws if anything has changed since the last call, an animation's time included; returns
-    /// whether it drew. `now`: seconds on a clock that only goes forward.
+    /// whether it drew. Builds primitive maps of lights that rest, in the background or, where
+    /// there are no threads, for some milliseconds. `now`: seconds on a clock that only goes
+    /// forward.
     bool frame(double now);
     /// Something outside has changed, such as the window's contents: the next frame() draws.
     void invalidate();
-    /// Whether the next frame() would draw, so that a loop can sleep.
+    /// Whether the next frame() would draw, or go on with what a later one draws from: else a loop
+    /// can sleep.
     bool wantsFrame() const;
 
     /// From the first call on frames are timed until they are finished, which keeps the CPU waiting

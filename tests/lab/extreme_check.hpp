@@ -11,6 +11,7 @@ struct ExtremeOutcome {
     std::size_t triangles = 0;
     lab::WrongCounts planePairs;
     lab::WrongCounts oppositeVertices; ///< by reference edges
+    lab::WrongCounts lookedUp;         ///< in primitive maps
     std::size_t openEdges = 0; ///< over all lights, by planes, reference edges and three edges
 };
 
@@ -18,7 +19,7 @@ ExtremeOutcome check(const Extreme& extreme);
 
 /// Draws the case: with shadows, without, and its lit mask. `near`: set to the near plane used.
 lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
-                           MultiplicityMethod method, double& near);
+                           const RenderSettings& settings, double& near);
 
 /// Edges at which what sides and caps emit has a boundary; 0: the chain is closed. Small meshes
 /// are tried triangle by triangle too, where an open chain counts as one edge more.

@@ -1,6 +1,7 @@
 #include "src/gl/headless_context.hpp"
 #include "src/gl/objects.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 #include "tests/lab/extreme_check.hpp"
 
 #include <cmath>
@@ -21,13 +22,12 @@ void coarsenDepth(int bits, const gl::Capabilities& capabilities) {
 } // namespace
 
 lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
-                           MultiplicityMethod method, double& near) {
+                           const RenderSettings& settings, double& near) {
     const gl::HeadlessContext context(
         {extreme.width, extreme.height, 0, gl::Limits::device, extreme.depthBits});
     const gl::Capabilities& capabilities = context.capabilities();
     coarsenDepth(extreme.depthBits, capabilities);
-    RenderSettings shadows, plain;
-    shadows.multiplicity = method;
+    RenderSettings shadows = settings, plain;
     shadows.layout = plain.layout = bestLayout(capabilities);
     plain.shadows = ShadowMethod::none;
     FrameView frame = makeFrameView(
@@ -35,9 +35,9 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
         {extreme.seen(), extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
     GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
-    gpu.groups.upload(scene, frame.lights, *shadows.records());
-    const auto draw = [&](const RenderSettings& settings, const FrameView& view) {
-        Renderer(settings, capabilities).draw(gpu, view);
+    prepareScene(gpu, scene, frame, shadows, capabilities);
+    const auto draw = [&](const RenderSettings& drawn, const FrameView& view) {
+        Renderer(drawn, capabilities).draw(gpu, view);
         gl::requireNoError("drawing an extreme");
         return context.readPixels();
     };

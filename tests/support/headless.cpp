@@ -1,5 +1,7 @@
 #include "tests/support/headless.hpp"
 
+#include "src/render/frame/prepare_scene.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -37,7 +39,7 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
     if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
-    if (settings.records()) gpu.groups.upload(loaded, view.lights, *settings.records());
+    prepareScene(gpu, loaded, view, settings, context.capabilities());
     renderer.draw(gpu, view);
     gl::requireNoError("drawing a test scene");
     return context.readPixels();

@@ -33,8 +33,12 @@ struct Outcome {
 /// Draws the mask. `nearDiscard`: see TestView.
 Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true);
 
-/// Expects every pixel away from a boundary to be right, by every robust method and layout.
+/// Expects every pixel away from a boundary to be right, by every robust method and layout, and by
+/// a primitive map.
 void expectRight(const Case& test);
+
+/// The same by a primitive map; where some casters can't be in one, volumes are counted.
+void expectLookedUpRight(const Case& test);
 
 /// The same by one method and every layout.
 void expectRight(const Case& test, MultiplicityMethod method);

@@ -7,7 +7,8 @@ export type Vector = [number, number, number];
  */
 export type Light = [number, number, number, number, number?];
 
-export type Shadows = 'volumes' | 'map' | 'none';
+/** `auto`: exact, looked up in a primitive map where a light rests and it pays, else volumes. */
+export type Shadows = 'auto' | 'volumes' | 'primitive-map' | 'map' | 'none';
 
 /** How one side of the split is drawn; the left one is the whole picture where there is no split. */
 export interface SideSettings {
@@ -56,6 +57,9 @@ export interface Stats {
   silhouettes: number;
   shadow_bytes: number;
   map_bytes: number;
+  primitive_map_bytes: number;
+  /** How each light's shadows are made on the left, why, and what its primitive map took. */
+  lights: { method: string; why: string; build_ms: number; bytes: number }[];
   /** Of the last frame whose stages were timed, one of 16; not there before the first. */
   stage_ms?: { ambient: number; map: number; silhouette: number; rasterise: number; lit: number };
 }
@@ -111,8 +115,9 @@ export interface EdgeshadeViewerEventMap {
  *   light       "x,y,z" or "x,y,z,range", point lights separated by ";"
  *   sun         "x,y,z" towards the sun, separated likewise
  *   ambient     0..1
- *   shadows     volumes, map or none; map-size: of a map, in texels; multiplicity; mask-scale: 1, 2
- *               or 4, pixels along the edge of those that volumes are counted once for
+ *   shadows     auto (the default), volumes, primitive-map, map or none; map-size: of a map, in
+ *               texels; multiplicity; mask-scale: 1, 2 or 4, pixels along the edge of those that
+ *               volumes are counted once for
  *   split       present: two settings side by side; split-shadows, split-map-size,
  *               split-mask-scale: the right one's; split-at: 0..1
  *   debug       volumes: shows them

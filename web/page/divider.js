@@ -1,6 +1,6 @@
 // The handle of the split, dragged or moved by keys, with what each side shows.
 
-const names = { volumes: 'Volumes', none: 'No shadows' };
+const names = { auto: 'Exact', volumes: 'Volumes', 'primitive-map': 'Exact, looked up', none: 'No shadows' };
 const nameOf = (side) => names[side.shadows] ?? `Map ${side.map_size}`;
 const step = 0.02;
 

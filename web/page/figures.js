@@ -19,6 +19,7 @@ export function rowsOf(stats, loaded, sizeText) {
   put('Silhouette edges', stats.silhouettes, whole);
   put('Shadow data on the GPU', stats.shadow_bytes, sizeText);
   if (stats.map_bytes) put('Shadow maps', stats.map_bytes, sizeText);
+  if (stats.primitive_map_bytes) put('Primitive maps', stats.primitive_map_bytes, sizeText);
   if (loaded) {
     put('File', loaded.fileBytes, sizeText);
     put('From click to picture', loaded.totalMilliseconds, milliseconds);

@@ -300,7 +300,7 @@ ShadowMapLookup Renderer::drawMap(const SlicePass& pass, const Light& light) {
 }
 
 const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const Light& light) const {
-    if (settings_.shadows != ShadowMethod::primitiveMap) return nullptr;
+    if (!settings_.looksUpPrimitives()) return nullptr;
     const PrimitiveMapState* state = scene.primitiveMaps.of(light);
     return state ? state->map.get() : nullptr;
 }
@@ -324,7 +324,7 @@ void Renderer::drawLit(const SlicePass& pass, const Light& light, const ShadowMa
     SurfaceShading shading = shadingOf(pass, &light);
     shading.map = map;
     CoarseMaskLookup mask;
-    if (coarse_) {
+    if (coarse_ && !shading.primitives) {
         mask = coarse_->lookup(pass.view, pass.slice, light);
         shading.coarse = &mask;
     }

@@ -1,27 +1,79 @@
 #include "src/render/frame/prepare_scene.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace edgeshade {
 namespace {
 
-std::vector<Light> drawnLights(const FrameView& view) {
+/// What primitive maps are made of and for.
+struct MapTask {
+    std::vector<bool> hidden;
     std::vector<Light> lights;
-    for (const FrameLight& of : view.lights)
-        if (of.drawn) lights.push_back(of.light);
-    return lights;
+    MapChoice choice;
+};
+
+MapTask mapTask(const GpuScene& scene, const std::vector<FrameLight>& lights,
+                const RenderSettings& settings) {
+    const bool automatic = settings.shadows == ShadowMethod::automatic;
+    MapTask task{{}, {}, automatic ? MapChoice::thatPay : MapChoice::all};
+    for (const GpuBatch& batch : scene.batches)
+        task.hidden.push_back(batch.hidden);
+    for (const FrameLight& of : lights)
+        if (of.drawn && (of.atRest || !automatic)) task.lights.push_back(of.light);
+    return task;
+}
+
+const char* nameOf(ShadowMethod method) {
+    switch (method) {
+    case ShadowMethod::map:
+        return "map";
+    case ShadowMethod::none:
+        return "none";
+    default:
+        return "volumes";
+    }
 }
 
 } // namespace
 
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities) {
-    if (settings.shadows == ShadowMethod::primitiveMap) {
-        std::vector<bool> hidden;
-        for (const GpuBatch& batch : scene.batches)
-            hidden.push_back(batch.hidden);
-        scene.primitiveMaps.make(loaded, hidden, drawnLights(view), settings.primitiveMap,
-                                 capabilities);
+    if (settings.looksUpPrimitives()) {
+        const MapTask task = mapTask(scene, view.lights, settings);
+        scene.primitiveMaps.make(loaded, task.hidden, task.lights, task.choice,
+                                 settings.primitiveMap, capabilities);
     }
     if (const auto records = settings.records()) scene.groups.upload(loaded, view.lights, *records);
+}
+
+bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
+                           const std::vector<FrameLight>& lights, const RenderSettings& settings,
+                           const gl::Capabilities& capabilities, double milliseconds) {
+    std::vector<FrameLight> resting;
+    std::copy_if(lights.begin(), lights.end(), std::back_inserter(resting),
+                 [](const FrameLight& of) { return of.atRest; });
+    const MapTask task = mapTask(scene, resting, settings);
+    return scene.primitiveMaps.advance(loaded, task.hidden, task.lights, task.choice,
+                                       settings.primitiveMap, capabilities, milliseconds);
+}
+
+std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
+                                      const RenderSettings& settings) {
+    std::vector<LightMethod> methods;
+    for (const FrameLight& of : view.lights) {
+        LightMethod& method = methods.emplace_back();
+        method.method = nameOf(settings.shadows);
+        if (!settings.looksUpPrimitives()) continue;
+        const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
+        method.why = state ? state->why : of.atRest ? "its primitive map is not built" : "it moves";
+        if (!state) continue;
+        method.buildMs = state->buildMs;
+        if (!state->map) continue;
+        method.method = "primitive-map";
+        method.bytes = state->map->bytes();
+    }
+    return methods;
 }
 
 } // namespace edgeshade

@@ -7,9 +7,28 @@
 namespace edgeshade {
 
 /// Makes and uploads what the view's lights need of a scene beyond its records: groups of casters
-/// that a stencil can count, and primitive maps. Kept while lights and casters rest. Throws
-/// Error(unavailable) if the GL can't.
+/// that a stencil can count, and primitive maps. Kept while lights and casters rest. For a
+/// renderer of `settings` in the context of `capabilities`. Throws Error(unavailable) if the GL
+/// can't.
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities);
+
+/// Goes on with primitive maps of those of the lights that are at rest, in the background, or for
+/// so long where there are no threads, and forgets those of others. Returns whether one is new.
+bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
+                           const std::vector<FrameLight>& lights, const RenderSettings& settings,
+                           const gl::Capabilities& capabilities, double milliseconds);
+
+/// How a light's shadows are made.
+struct LightMethod {
+    std::string method;   ///< as --shadows has it
+    std::string why;      ///< a clause; empty: it was asked for
+    double buildMs = 0.0; ///< of its primitive map, on the CPU
+    std::size_t bytes = 0;
+};
+
+/// Of each of the view's lights, in a scene that is prepared.
+std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
+                                      const RenderSettings& settings);
 
 } // namespace edgeshade

@@ -11,6 +11,7 @@ namespace edgeshade {
 enum class ShadowMethod {
     volumes,
     primitiveMap, ///< and volumes for lights that have none
+    automatic,    ///< the same, and only lights at rest whose volumes would cost more have any
     map,
     none,
 };
@@ -33,10 +34,13 @@ struct RenderSettings {
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
+    bool looksUpPrimitives() const {
+        return shadows == ShadowMethod::primitiveMap || shadows == ShadowMethod::automatic;
+    }
+
     /// What volumes are drawn from; nothing where there are none.
     std::optional<VolumeRecords> records() const {
-        if (shadows != ShadowMethod::volumes && shadows != ShadowMethod::primitiveMap)
-            return std::nullopt;
+        if (shadows != ShadowMethod::volumes && !looksUpPrimitives()) return std::nullopt;
         return VolumeRecords{volumeLayoutOf(multiplicity), layout};
     }
 };

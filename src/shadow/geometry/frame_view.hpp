@@ -40,6 +40,7 @@ struct FrameLight {
     /// viewing direction through it, in the world, inside deeper. Casters come in two groups, cut
     /// by it (docs/method.md, C33).
     std::optional<glm::dvec4> cut{};
+    bool atRest = true; ///< it may be worth a primitive map
 
     /// How many groups of casters it takes.
     std::size_t groupCount() const { return (cut ? 2 : 1) * layers.groupCount; }

@@ -154,7 +154,7 @@ std::string explain(const CountPlan& plan) {
 std::vector<std::size_t> slicesOf(const FramePlan& frame, std::size_t light) {
     std::vector<std::size_t> slices;
     for (std::size_t s = 0; s < frame.slices.size(); ++s)
-        if (!frame.slices[s].lights[light].counts.empty()) slices.push_back(s);
+        if (!frame.slices[s].lights[light].reach.empty()) slices.push_back(s);
     return slices;
 }
 
@@ -170,6 +170,10 @@ std::string explain(const FramePlan& plan, const FrameView& view) {
             continue;
         }
         const LightPlan& first = plan.slices[slices.front()].lights[i];
+        if (!first.isCounted()) {
+            text << "no volumes\n";
+            continue;
+        }
         if (first.inGroups())
             text << "casters in " << first.counts.size() << " groups, since "
                  << (view.lights[i].cut ? "they are cut at the light's depth\n"

@@ -20,6 +20,7 @@ CasterEdges casterEdgesOf(const PlanePairShadow& shadow);
 struct PlacedCasters {
     std::shared_ptr<const CasterEdges> casters;
     glm::dmat4 worldFromBatch{1.0};
+    bool cast = true; ///< false: left out
 };
 
 } // namespace edgeshade

@@ -139,7 +139,7 @@ std::vector<Occluder> occludersOf(const Light& light, const LightTiles& tiles,
                                   const std::vector<PlacedCasters>& casters) {
     std::vector<Occluder> occluders;
     for (const PlacedCasters& placed : casters)
-        addOccluders(light, tiles, placed, occluders);
+        if (placed.cast) addOccluders(light, tiles, placed, occluders);
     return occluders;
 }
 

@@ -20,8 +20,9 @@ glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& 
 template <class Use>
 void forEachVertex(const std::vector<PlacedCasters>& casters, Use use) {
     for (const PlacedCasters& placed : casters)
-        for (const glm::vec3& position : placed.casters->mesh.positions)
-            use(glm::dvec3(placed.worldFromBatch * glm::dvec4(glm::dvec3(position), 1.0)));
+        if (placed.cast)
+            for (const glm::vec3& position : placed.casters->mesh.positions)
+                use(glm::dvec3(placed.worldFromBatch * glm::dvec4(glm::dvec3(position), 1.0)));
 }
 
 /// Right, up and forward, of length 1.
@@ -79,6 +80,7 @@ std::optional<LightTiles> fittedTile(const glm::dvec3& light, const Box& bounds,
         glm::max(0.5 * (high - low) * (1.0 + frame), glm::dvec2(1e-6 * (reach.x + reach.y)));
     LightTiles result;
     result.directional = false;
+    result.depthSpan = (farthest - nearest) / farthest;
     std::array<glm::dvec4, 3> rows;
     for (glm::length_t i = 0; i < 2; ++i) {
         const glm::dvec3 axis = (axes[static_cast<std::size_t>(i)] - middle[i] * axes[2]) / half[i];

@@ -22,6 +22,9 @@ struct LightTiles {
     /// Rows are a tile's x, y and w axes in map space: one tile (the identity), or six in the order
     /// of +x, -x, +y, -y, +z, -z around a point light among the casters.
     std::vector<glm::dmat3> tiles;
+    /// How far the casters' depths span, as a share of the farthest one: floats tell depths apart
+    /// by that much less.
+    double depthSpan = 1.0;
 
     /// The tile's ray to a point of map space.
     glm::dvec3 rayTo(std::size_t tile, const glm::dvec3& point) const {
@@ -32,6 +35,10 @@ struct LightTiles {
 /// Fitted to the casters as closely as they allow: for a point light outside of them one tile, if
 /// they lie within some 60 degrees of its middle. Nothing where nothing casts.
 std::optional<LightTiles> tilesFor(const Light& light, const std::vector<PlacedCasters>& casters);
+
+/// Point lights whose casters span less of their depths are too far off: rounding would join what
+/// touches not quite.
+inline constexpr double leastDepthSpan = 0.125;
 
 /// Within a tile's square, how far rounding in a GL may place a ray: map coordinates and their
 /// interpolation, some tens of units of 2^-24 of 1.

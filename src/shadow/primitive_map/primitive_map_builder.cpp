@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#ifndef __EMSCRIPTEN__
 #include <thread>
+#endif
 
 namespace edgeshade {
 namespace {
@@ -238,34 +240,19 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
     return map;
 }
 
-std::optional<PrimitiveMap> buildPrimitiveMap(const Light& light,
-                                              const std::vector<PlacedCasters>& casters,
-                                              PrimitiveMapSettings settings,
-                                              const std::atomic<bool>* cancelled) {
-    const auto isCancelled = [&] { return cancelled && *cancelled; };
-    const int smallest = std::max(4, settings.size / 8);
-    for (; settings.size >= smallest && !isCancelled(); settings.size /= 2) {
-        PrimitiveMapBuilder builder(light, casters, settings);
-        std::atomic<std::size_t> next = 0;
-        const auto work = [&] {
-            for (std::size_t part = next++; part < builder.partCount() && !isCancelled();
-                 part = next++)
-                builder.buildPart(part);
-        };
-#ifdef __EMSCRIPTEN__
-        work();
-#else
-        std::vector<std::jthread> threads;
-        const unsigned others = std::max(1u, std::thread::hardware_concurrency()) - 1;
-        for (unsigned i = 0; i < others; ++i)
-            threads.emplace_back(work);
-        work();
-        threads.clear();
+void PrimitiveMapBuilder::buildAllParts() {
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t part = next++; part < partCount(); part = next++)
+            buildPart(part);
+    };
+#ifndef __EMSCRIPTEN__
+    std::vector<std::jthread> threads; // joined before `next` and `work` go
+    const unsigned others = std::max(1u, std::thread::hardware_concurrency()) - 1;
+    for (unsigned i = 0; i < others; ++i)
+        threads.emplace_back(work);
 #endif
-        if (isCancelled()) break;
-        if (auto map = builder.join()) return map;
-    }
-    return std::nullopt;
+    work();
 }
 
 } // namespace edgeshade

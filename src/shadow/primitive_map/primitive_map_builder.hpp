@@ -16,9 +16,14 @@ class PrimitiveMapBuilder {
     PrimitiveMapBuilder(const Light& light, const std::vector<PlacedCasters>& casters,
                         const PrimitiveMapSettings& settings);
 
+    /// Whether the light is too far off for floats, see leastDepthSpan: there is no map then.
+    bool isTooFar() const { return tiles_.depthSpan < leastDepthSpan; }
+
     std::size_t partCount() const { return parts_.size(); }
     /// Each once, in any order, different ones at the same time.
     void buildPart(std::size_t part);
+    /// All of them, on as many threads as there are cores.
+    void buildAllParts();
     /// Once all parts are built. Nothing if it is larger than it may be, or would take minutes.
     std::optional<PrimitiveMap> join();
 
@@ -62,12 +67,5 @@ class PrimitiveMapBuilder {
     std::atomic<std::size_t> looks_ = 0;  ///< at a footprint in a square
     std::atomic<bool> tooLarge_ = false;
 };
-
-/// Builds it at once on several threads. Where it is larger than it may be a smaller one is tried,
-/// down to an eighth of the size; nothing if that is, too. Nothing, early, once `cancelled`.
-std::optional<PrimitiveMap> buildPrimitiveMap(const Light& light,
-                                              const std::vector<PlacedCasters>& casters,
-                                              PrimitiveMapSettings settings,
-                                              const std::atomic<bool>* cancelled = nullptr);
 
 } // namespace edgeshade

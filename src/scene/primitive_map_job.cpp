@@ -1,0 +1,103 @@
+#include "src/scene/primitive_map_job.hpp"
+
+#include "preprocess/base/stopwatch.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+/// Whether some surfaces cast nothing.
+bool othersReceive(const Scene& scene) {
+    return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
+        return std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
+            return scene.materials[g.material].alphaMode != AlphaMode::opaque;
+        });
+    });
+}
+
+} // namespace
+
+PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const std::vector<bool>& hidden,
+                                 const Light& light, const PrimitiveMapSettings& settings,
+                                 KeptEdges edges)
+    : light_(light), settings_(settings), smallest_(std::max(4, settings.size / 8)),
+      edges_(std::move(edges)) {
+    settings_.othersReceive = othersReceive(loaded.scene);
+    for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
+        const Batch& batch = loaded.scene.batches[i];
+        placed_.push_back(
+            {&batch, loaded.planePairs[i], batch.worldFromBatch, i >= hidden.size() || !hidden[i]});
+    }
+}
+
+void PrimitiveMapJob::start() {
+#ifndef __EMSCRIPTEN__
+    thread_ = std::jthread([this](const std::stop_token& stop) {
+        Stopwatch watch;
+        while (!stop.stop_requested() && step()) {
+        }
+        milliseconds_ = 1e3 * watch.lap();
+        done_ = true;
+    });
+#endif
+}
+
+void PrimitiveMapJob::cancel() {
+#ifndef __EMSCRIPTEN__
+    thread_ = {};
+#endif
+}
+
+bool PrimitiveMapJob::advance([[maybe_unused]] double milliseconds) {
+#ifdef __EMSCRIPTEN__
+    Stopwatch watch;
+    double worked = 0.0;
+    while (!done_ && worked < milliseconds) {
+        done_ = !step();
+        worked += 1e3 * watch.lap();
+    }
+    milliseconds_ += worked;
+#endif
+    return done_;
+}
+
+void PrimitiveMapJob::finish() {
+    Stopwatch watch;
+    while (step()) {
+        if (!builder_ || nextPart_ > 0 || joined_) continue;
+        builder_->buildAllParts();
+        nextPart_ = builder_->partCount();
+    }
+    milliseconds_ = 1e3 * watch.lap();
+    done_ = true;
+}
+
+bool PrimitiveMapJob::step() {
+    if (casters_.size() < placed_.size()) {
+        const Placed& of = placed_[casters_.size()];
+        auto& edges = edges_[of.shadow];
+        if (!edges) edges = std::make_shared<const CasterEdges>(casterEdgesOf(*of.shadow));
+        casters_.push_back({edges, of.worldFromBatch, of.casts});
+    } else if (triangles_.size() < placed_.size()) {
+        const Placed& of = placed_[triangles_.size()];
+        triangles_.push_back(
+            sortedByFacing(*of.batch, glm::inverse(of.worldFromBatch) * light_.position));
+    } else if (joined_) {
+        return false;
+    } else if (!builder_) {
+        builder_ = std::make_unique<PrimitiveMapBuilder>(light_, casters_, settings_);
+        nextPart_ = 0;
+        joined_ = tooFar_ = builder_->isTooFar();
+    } else if (nextPart_ < builder_->partCount()) {
+        builder_->buildPart(nextPart_++);
+    } else {
+        map_ = builder_->join();
+        builder_.reset();
+        settings_.size /= 2; // should it have been too large
+        joined_ = map_ || settings_.size < smallest_;
+    }
+    return true;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,145 @@
+// Which lights of a viewer are looked up in primitive maps, and when.
+#include "src/viewer/light_rest.hpp"
+#include "src/viewer/viewer.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace edgeshade::viewer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Pixels = std::vector<std::uint8_t>;
+
+constexpr int width = 160, height = 120;
+
+LoadedScene loadedOf(const Scene& scene) {
+    return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
+}
+
+/// More silhouette edges than volumes are worth.
+Scene manyBoxes() {
+    test::SceneBuilder builder;
+    builder.floor(6.0f);
+    for (int i = 0; i < 400; ++i) {
+        const glm::vec3 low(-5.0f + 0.5f * static_cast<float>(i % 20), 0.1f,
+                            -5.0f + 0.5f * static_cast<float>(i / 20));
+        builder.box(low, low + glm::vec3(0.2f, 0.3f, 0.2f));
+    }
+    return builder.scene();
+}
+
+class ViewerMaps : public testing::Test {
+  protected:
+    ViewerMaps() {
+        viewer.resize(width, height, 1.0);
+        viewer.show(loadedOf(manyBoxes()));
+        viewer.change(Json::parse(R"({"show_lights": false, "lights": [[0.4, 1, 0.3, 0]]})"));
+    }
+
+    std::string method() const { return viewer.stats().lights.at(0).method; }
+
+    /// Draws until nothing more is wanted, a minute by the clock at most; `now` goes on.
+    void settle() {
+        for (int i = 0; i < 6000 && viewer.wantsFrame(); ++i) {
+            now += 0.01;
+            if (!viewer.frame(now)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+    }
+
+    gl::HeadlessContext context{test::testPicture(width, height)};
+    Viewer viewer{context.capabilities()};
+    double now = 1.0;
+};
+
+std::size_t differing(const Pixels& a, const Pixels& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); i += 4)
+        count += std::abs(a[i] - b[i]) > 2 || std::abs(a[i + 1] - b[i + 1]) > 2;
+    return count;
+}
+
+TEST_F(ViewerMaps, ALightIsCountedWhileItMovesAndLookedUpOnceItRests) {
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
+    viewer.frame(now);
+    EXPECT_EQ(method(), "volumes");
+    const Pixels counted = context.readPixels();
+    viewer.frame(now + 0.9 * LightRest::enough);
+    EXPECT_EQ(method(), "volumes");
+    settle();
+    EXPECT_EQ(method(), "primitive-map");
+    EXPECT_FALSE(viewer.wantsFrame());
+    EXPECT_GT(viewer.stats().primitiveMapBytes, 0u);
+    // The same picture, but for pixels that boundaries pass through.
+    EXPECT_LT(differing(context.readPixels(), counted), 20u);
+
+    viewer.change(Json::parse(R"({"lights": [[0.5, 1, 0.3, 0]]})"));
+    EXPECT_TRUE(viewer.frame(now += 0.01));
+    EXPECT_EQ(method(), "volumes");
+    EXPECT_EQ(viewer.stats().primitiveMapBytes, 0u); // the old one is gone
+    settle();
+    EXPECT_EQ(method(), "primitive-map");
+}
+
+TEST_F(ViewerMaps, ALightThatIsDraggedGetsNone) {
+    for (int i = 0; i < 30; ++i) {
+        viewer.change({{"lights", {{0.4 + 0.01 * i, 1, 0.3, 0}}}});
+        viewer.frame(now += 0.1);
+        EXPECT_EQ(method(), "volumes");
+    }
+}
+
+TEST_F(ViewerMaps, ALostContextTakesItsMapAlong) {
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
+    settle();
+    EXPECT_EQ(method(), "primitive-map");
+    viewer.forgetGpu();
+    viewer.restoreGpu(context.capabilities());
+    EXPECT_TRUE(viewer.frame(now += 0.01));
+    EXPECT_EQ(method(), "volumes");
+    settle();
+    EXPECT_EQ(method(), "primitive-map");
+}
+
+TEST_F(ViewerMaps, AnotherSceneStopsWhatIsBeingBuilt) {
+    viewer.frame(now);
+    viewer.frame(now += 1.0); // begins to build
+    viewer.show(loadedOf(test::yard().scene()));
+    settle();
+    EXPECT_EQ(method(), "volumes");
+}
+
+TEST_F(ViewerMaps, FewSilhouettesAreCounted) {
+    viewer.show(loadedOf(test::yard().scene()));
+    viewer.frame(now);
+    EXPECT_FALSE(viewer.wantsFrame()); // nothing to wait for
+    EXPECT_EQ(method(), "volumes");
+}
+
+TEST_F(ViewerMaps, ShadowVolumesCanBeShownAllTheSame) {
+    settle();
+    const Pixels plain = context.readPixels();
+    viewer.change({{"debug", "volumes"}});
+    viewer.frame(now += 0.01);
+    EXPECT_GT(differing(context.readPixels(), plain), 100u);
+}
+
+TEST(LightRest, IsWhatStaysLongEnough) {
+    LightRest rest;
+    const Light a = test::sun({0, 1, 0}), b = test::pointLight({1, 2, 3});
+    rest.see({a}, 1.0);
+    EXPECT_FALSE(rest.rests(a, 1.0));
+    rest.see({a, b}, 1.4);
+    EXPECT_TRUE(rest.rests(a, 1.0 + LightRest::enough));
+    EXPECT_FALSE(rest.rests(b, 1.0 + LightRest::enough));
+    rest.see({b}, 1.5);
+    EXPECT_FALSE(rest.rests(a, 9.0));
+    rest.clear();
+    EXPECT_FALSE(rest.rests(b, 9.0));
+}
+
+} // namespace
+} // namespace edgeshade::viewer
