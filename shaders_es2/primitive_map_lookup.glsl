@@ -38,61 +38,76 @@ bool primitiveBlocks(highp float record, highp vec3 ray, highp vec3 point) {
 #endif
 }
 
-// `casts`: the point is on a triangle that casts and is seen and lit from one side.
-bool primitiveMapLights(highp vec3 point, bool casts) {
+// What findPrimitiveTexel() finds: the point's ray, its depth, and the texel's header.
+highp vec3 primitiveRay;
+highp float primitiveDepth;
+highp vec4 primitiveHeader;
+
+// Finds the texel that holds the point; false: it is past all casters.
+bool findPrimitiveTexel(highp vec3 point) {
     highp float tile = 0.0;
+    highp vec2 at = vec2(point.x, point.y);
+    primitiveDepth = point.z;
 #ifdef PRIMITIVE_MAP_DIRECTIONAL
-    highp vec3 ray = vec3(point.x, point.y, 1.0);
-    highp vec2 at = vec2(point.x, point.y);
-    highp float depth = point.z;
+    primitiveRay = vec3(point.x, point.y, 1.0);
 #else
-    highp vec3 ray = point;
-    highp vec2 at = vec2(point.x, point.y);
-    highp float depth = point.z;
+    primitiveRay = point;
 #ifdef PRIMITIVE_MAP_TILES
     highp vec3 size = abs(point);
     if (size.x >= size.y && size.x >= size.z) {
         at = vec2(point.y, point.z);
-        depth = size.x;
+        primitiveDepth = size.x;
         tile = point.x > 0.0 ? 0.0 : 1.0;
     } else if (size.y >= size.z) {
         at = vec2(point.z, point.x);
-        depth = size.y;
+        primitiveDepth = size.y;
         tile = point.y > 0.0 ? 2.0 : 3.0;
     } else {
-        depth = size.z;
+        primitiveDepth = size.z;
         tile = point.z > 0.0 ? 4.0 : 5.0;
     }
 #endif
-    if (depth <= 0.0) return true;
-    at = at / depth;
+    if (primitiveDepth <= 0.0) return false;
+    at = at / primitiveDepth;
 #endif
-    if (max(abs(at.x), abs(at.y)) > 1.0) return true; // past all casters
+    if (max(abs(at.x), abs(at.y)) > 1.0) return false;
     highp float halfSize = 0.5 * u_primitiveSize;
     at = at * halfSize + vec2(halfSize);
     highp vec2 cell = clamp(floor(at), vec2(0.0), vec2(u_primitiveSize - 1.0));
-    highp vec4 header =
-        primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize,
-                       (tile * u_primitiveSize + cell.y) * u_primitiveSize + cell.x);
+    primitiveHeader = primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize,
+                                     (tile * u_primitiveSize + cell.y) * u_primitiveSize + cell.x);
 #if PRIMITIVE_MAP_SPLITS > 0
     for (int split = 0; split < PRIMITIVE_MAP_SPLITS; ++split) {
-        if (header.w >= 0.0) break;
+        if (primitiveHeader.w >= 0.0) break;
         at = (at - cell) * vec2(4.0);
         cell = clamp(floor(at), vec2(0.0), vec2(3.0));
-        header = primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize,
-                                cell.y * 4.0 + cell.x - header.w);
+        primitiveHeader = primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize,
+                                         cell.y * 4.0 + cell.x - primitiveHeader.w);
     }
 #endif
-    if (depth > header.x) return false;
-    if (header.w == 0.0) return true;
-    highp vec4 counts = primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize, header.w);
-    highp float count = casts ? counts.x : counts.x + counts.w;
+    return true;
+}
+
+// How many triangles a point may have to be asked about; `casts`: it is on a triangle that casts
+// and is seen and lit from one side. After findPrimitiveTexel() was true.
+highp float primitiveCount(bool casts) {
+    if (primitiveHeader.w == 0.0) return 0.0;
+    highp vec4 counts =
+        primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize, primitiveHeader.w);
+    return casts ? counts.x : counts.x + counts.w;
+}
+
+// Whether the light reaches the point. `casts`: see primitiveCount().
+bool primitiveMapLights(highp vec3 point, bool casts) {
+    if (!findPrimitiveTexel(point)) return true;
+    if (primitiveDepth > primitiveHeader.x) return false;
+    highp float count = primitiveCount(casts);
     for (int i = 1; i <= PRIMITIVE_MAP_LONGEST; ++i) {
         if (float(i) > count) break;
         highp vec4 entry = primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize,
-                                          header.w + float(i));
-        if (depth <= entry.w) break; // all further ones are deeper
-        if (primitiveBlocks(entry.x, ray, point)) return false;
+                                          primitiveHeader.w + float(i));
+        if (primitiveDepth <= entry.w) break; // all further ones are deeper
+        if (primitiveBlocks(entry.x, primitiveRay, point)) return false;
     }
     return true;
 }

@@ -6,7 +6,7 @@
 // a light of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the
 // light's shadow map says, with MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl; COARSE_MASK,
 // lit as far as a mask of lower resolution says; PRIMITIVE_MAP, as a primitive map says, see
-// primitive_map_lookup.glsl.
+// primitive_map_lookup.glsl, with PRIMITIVE_MAP_TINT showing what its texels hold.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -68,6 +68,18 @@ varying vec3 v_mapPosition;
 #endif
 
 #ifdef PRIMITIVE_MAP
+#ifdef PRIMITIVE_MAP_TINT
+// Blue where a texel's depth alone says dark, from green to red the more triangles are asked, none
+// where none is.
+vec4 primitiveTint() {
+    if (!findPrimitiveTexel(v_mapPosition)) return vec4(0.0);
+    if (primitiveDepth > primitiveHeader.x) return vec4(0.1, 0.2, 0.9, 0.6);
+    float asked = primitiveCount(u_lightSide > 0.0);
+    float many = min(asked / 8.0, 1.0);
+    return vec4(many, 1.0 - many, 0.0, asked > 0.0 ? 0.6 : 0.0);
+}
+#endif
+
 bool litByPrimitives() {
     float seenSide = gl_FrontFacing ? u_mirrored : -u_mirrored;
     if (seenSide * u_lightSide < 0.0) return false;
@@ -155,5 +167,9 @@ void main() {
     gl_FragColor = vec4(vec3(u_maskValue * share), alpha);
 #else
     gl_FragColor = vec4(base.rgb * share, alpha);
+#endif
+#ifdef PRIMITIVE_MAP_TINT
+    vec4 tint = primitiveTint();
+    gl_FragColor.rgb = mix(gl_FragColor.rgb, tint.rgb, tint.a);
 #endif
 }

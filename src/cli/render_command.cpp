@@ -16,13 +16,15 @@
 namespace edgeshade::cli {
 namespace {
 
+enum class DebugPicture { none, volumes, primitiveMap };
+
 struct RenderOptions : SceneOptions {
     std::string output;
     std::string report;
     DrawSettings settings;
     bool mask = false;
     bool explain = false;
-    bool debugVolumes = false;
+    DebugPicture debug = DebugPicture::none;
     int samples = 0;
 };
 
@@ -114,12 +116,12 @@ void render(const RenderOptions& options) {
     const double loadSeconds = watch.lap();
 
     renderer.draw(scene, view);
-    if (options.debugVolumes) tintVolumes(scene, view, renderer, capabilities);
+    if (options.debug == DebugPicture::volumes) tintVolumes(scene, view, renderer, capabilities);
     gl::requireNoError("drawing");
     const std::vector<std::uint8_t> pixels = context.readPixels();
     const double drawSeconds = watch.lap();
     writeFile(options.output, encodePng(pixels, view.width, view.height));
-    if (options.explain || options.debugVolumes)
+    if (options.explain || options.debug != DebugPicture::none)
         printResult(explanationOf(renderer, scene, view), options.report);
     printResult(options.output + ": " + std::to_string(view.width) + "x" +
                     std::to_string(view.height) + ", " +
@@ -169,17 +171,27 @@ void addRenderCommand(CLI::App& program) {
     verb->add_flag("--explain", options->explain,
                    "Say what of the shadow volumes is drawn, how, and why, and what is left out");
     addChoice(
-        *verb, "--debug", options->debugVolumes, {{"none", false}, {"volumes", true}},
+        *verb, "--debug", options->debug,
+        {{"none", DebugPicture::none},
+         {"volumes", DebugPicture::volumes},
+         {"primitive-map", DebugPicture::primitiveMap}},
         "Tint the picture by what is drawn of the shadow volumes, and say what --explain says: "
-        "sides orange, with caps red, counting twice green; caps blue (none)");
+        "sides orange, with caps red, counting twice green; caps blue; or by what primitive maps "
+        "hold: blue where a depth alone says dark, green to red the more triangles are asked "
+        "(none)");
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
     addReportOption(*verb, options->report);
     verb->callback([options] {
         resolve(options->settings);
-        if (options->debugVolumes &&
-            (options->mask || options->settings.render.shadows != ShadowMethod::volumes))
+        RenderSettings& drawn = options->settings.render;
+        drawn.tintPrimitives = options->debug == DebugPicture::primitiveMap;
+        if (drawn.tintPrimitives && (options->mask || !drawn.looksUpPrimitives()))
+            throw Error(ExitStatus::usage, "--debug primitive-map needs --shadows primitive-map or "
+                                           "auto, and a picture, not a --mask.");
+        if (options->debug == DebugPicture::volumes &&
+            (options->mask || drawn.shadows != ShadowMethod::volumes))
             throw Error(ExitStatus::usage,
                         "--debug volumes needs --shadows volumes, and a picture, not a --mask.");
         render(*options);

@@ -12,39 +12,26 @@ namespace {
 constexpr std::size_t mostColumns = 2048;
 constexpr int floatBits = 23;
 
-/// Every number of the texels, one after the other.
-template <class Texel>
-std::vector<float> numbersOf(std::span<const Texel> texels) {
-    std::vector<float> numbers;
-    numbers.reserve(texels.size() * static_cast<std::size_t>(Texel::length()));
-    for (const Texel& texel : texels)
-        for (glm::length_t i = 0; i < Texel::length(); ++i)
-            numbers.push_back(texel[i]);
-    return numbers;
-}
-
 } // namespace
 
 FloatTable::FloatTable(std::span<const glm::vec2> texels, const Capabilities& capabilities) {
-    upload(numbersOf(texels), 2, capabilities);
+    upload(texels.data(), texels.size(), 2, capabilities);
 }
 
 FloatTable::FloatTable(std::span<const glm::vec4> texels, const Capabilities& capabilities) {
-    upload(numbersOf(texels), 4, capabilities);
+    upload(texels.data(), texels.size(), 4, capabilities);
 }
 
-void FloatTable::upload(std::vector<float> numbers, std::size_t channels,
+void FloatTable::upload(const void* texels, std::size_t count, std::size_t channels,
                         const Capabilities& capabilities) {
-    const std::size_t count = std::max<std::size_t>(1, numbers.size() / channels);
     const auto largest = static_cast<std::size_t>(capabilities.largestTexture);
-    const std::size_t columns =
-        std::min({std::bit_ceil(count), mostColumns, std::bit_floor(largest)});
-    const std::size_t rows = (count + columns - 1) / columns;
+    const std::size_t columns = std::min(
+        {std::bit_ceil(std::max<std::size_t>(1, count)), mostColumns, std::bit_floor(largest)});
+    const std::size_t rows = std::max<std::size_t>(1, (count + columns - 1) / columns);
     if (rows > largest)
         throw Error(ExitStatus::unavailable, "A table of " + std::to_string(count) +
                                                  " texels is larger than this GL's largest "
                                                  "texture.");
-    numbers.resize(columns * rows * channels);
     Name name = 0;
     glGenTextures(1, &name);
     texture_ = Texture(name);
@@ -52,7 +39,17 @@ void FloatTable::upload(std::vector<float> numbers, std::size_t channels,
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     const GLenum format = channels == 2 ? GL_LUMINANCE_ALPHA : GL_RGBA;
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), static_cast<GLsizei>(columns),
-                 static_cast<GLsizei>(rows), 0, format, GL_FLOAT, numbers.data());
+                 static_cast<GLsizei>(rows), 0, format, GL_FLOAT, nullptr);
+    // Whole rows, then what the last one has: nothing is copied for their sake.
+    const std::size_t whole = count / columns, rest = count % columns;
+    const auto fill = [&](std::size_t row, std::size_t width, std::size_t height) {
+        if (width == 0 || height == 0) return;
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row), static_cast<GLsizei>(width),
+                        static_cast<GLsizei>(height), format, GL_FLOAT,
+                        static_cast<const float*>(texels) + row * columns * channels);
+    };
+    fill(0, columns, whole);
+    fill(whole, rest, 1);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
@@ -61,7 +58,7 @@ void FloatTable::upload(std::vector<float> numbers, std::size_t channels,
     requireNoError("uploading a table of floats");
     size_ = {static_cast<float>(columns), 1.0f / static_cast<float>(columns),
              1.0f / static_cast<float>(rows)};
-    bytes_ = numbers.size() * sizeof(float);
+    bytes_ = columns * rows * channels * sizeof(float);
 }
 
 bool hasFloatTables(const Capabilities& capabilities) {

@@ -4,7 +4,6 @@
 #include "src/gl/objects.hpp"
 
 #include <glm/glm.hpp>
-#include <vector>
 
 namespace edgeshade::gl {
 
@@ -24,7 +23,8 @@ class FloatTable {
     std::size_t bytes() const { return bytes_; }
 
   private:
-    void upload(std::vector<float> numbers, std::size_t channels, const Capabilities& capabilities);
+    void upload(const void* texels, std::size_t count, std::size_t channels,
+                const Capabilities& capabilities);
 
     Texture texture_;
     glm::vec3 size_{1.0f};

@@ -36,7 +36,7 @@ struct GpuPrimitiveMap {
     int splits = 0;      ///< PrimitiveMap::splits
     int longestList = 0; ///< or more: a power of 2, so that there are few programs
     gl::FloatTable header, entries, records;
-    std::vector<std::vector<FacingIndices>> facings; ///< by batch, by chunk
+    std::vector<std::vector<FacingIndices>> facings; ///< by batch, by chunk; none where animated
 
     std::size_t bytes() const;
 };

@@ -75,7 +75,8 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
     GpuScene gpu{
         {}, {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
-        gpu.batches.push_back({batch.worldFromBatch, false, uploadSurfaces(batch), {}});
+        gpu.batches.push_back(
+            {batch.worldFromBatch, batch.node >= 0, false, uploadSurfaces(batch), {}});
     if (records) addVolumes(gpu, loaded, *records);
     return gpu;
 }

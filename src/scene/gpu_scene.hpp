@@ -13,7 +13,8 @@ namespace edgeshade {
 /// One batch on the GPU.
 struct GpuBatch {
     glm::dmat4 worldFromBatch{1.0};
-    bool hidden = false; ///< not drawn and without a shadow: scaled to nothing
+    bool animated = false; ///< an animation can move it: it is in no primitive map
+    bool hidden = false;   ///< not drawn and without a shadow: scaled to nothing
     std::vector<SurfaceChunk> surfaces;
     BatchVolumes volumes;
 

@@ -3,37 +3,48 @@
 #include "preprocess/base/stopwatch.hpp"
 
 #include <algorithm>
+#ifdef __linux__
+#include <pthread.h>
+#endif
 
 namespace edgeshade {
 namespace {
 
-/// Whether some surfaces cast nothing.
+/// Lets everything else go first: drawing must not wait for what it will be spared.
+void takeSpareTimeAlone() {
+#ifdef __linux__
+    const sched_param parameters{};
+    pthread_setschedparam(pthread_self(), SCHED_IDLE, &parameters);
+#endif
+}
+
+/// Whether some surfaces are in no primitive map.
 bool othersReceive(const Scene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
-        return std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
-            return scene.materials[g.material].alphaMode != AlphaMode::opaque;
-        });
+        return batch.node >= 0 ||
+               std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
+                   return scene.materials[g.material].alphaMode != AlphaMode::opaque;
+               });
     });
 }
 
 } // namespace
 
-PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const std::vector<bool>& hidden,
-                                 const Light& light, const PrimitiveMapSettings& settings,
-                                 KeptEdges edges)
+PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
+                                 const PrimitiveMapSettings& settings, KeptEdges edges)
     : light_(light), settings_(settings), smallest_(std::max(4, settings.size / 8)),
       edges_(std::move(edges)) {
     settings_.othersReceive = othersReceive(loaded.scene);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
-        placed_.push_back(
-            {&batch, loaded.planePairs[i], batch.worldFromBatch, i >= hidden.size() || !hidden[i]});
+        placed_.push_back({&batch, loaded.planePairs[i], batch.worldFromBatch, batch.node >= 0});
     }
 }
 
 void PrimitiveMapJob::start() {
 #ifndef __EMSCRIPTEN__
     thread_ = std::jthread([this](const std::stop_token& stop) {
+        takeSpareTimeAlone();
         Stopwatch watch;
         while (!stop.stop_requested() && step()) {
         }
@@ -77,12 +88,15 @@ bool PrimitiveMapJob::step() {
     if (casters_.size() < placed_.size()) {
         const Placed& of = placed_[casters_.size()];
         auto& edges = edges_[of.shadow];
-        if (!edges) edges = std::make_shared<const CasterEdges>(casterEdgesOf(*of.shadow));
-        casters_.push_back({edges, of.worldFromBatch, of.casts});
+        if (!edges && !of.animated)
+            edges = std::make_shared<const CasterEdges>(casterEdgesOf(*of.shadow));
+        casters_.push_back({edges, of.worldFromBatch, !of.animated});
     } else if (triangles_.size() < placed_.size()) {
         const Placed& of = placed_[triangles_.size()];
-        triangles_.push_back(
-            sortedByFacing(*of.batch, glm::inverse(of.worldFromBatch) * light_.position));
+        triangles_.emplace_back();
+        if (!of.animated)
+            triangles_.back() =
+                sortedByFacing(*of.batch, glm::inverse(of.worldFromBatch) * light_.position);
     } else if (joined_) {
         return false;
     } else if (!builder_) {

@@ -21,9 +21,9 @@ using KeptEdges =
 /// it. Where there are threads it is worked at beside everything else, else part by part.
 class PrimitiveMapJob {
   public:
-    /// The scene's batches must stay as they are, but for where they are, until the job is gone.
-    /// `hidden`: by batch, those that cast nothing; or empty.
-    PrimitiveMapJob(const LoadedScene& loaded, const std::vector<bool>& hidden, const Light& light,
+    /// The scene's batches must stay as they are, but for where animated ones are, until the job is
+    /// gone. Those cast by volumes.
+    PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
                     const PrimitiveMapSettings& settings, KeptEdges edges);
     ~PrimitiveMapJob() { cancel(); }
     PrimitiveMapJob(const PrimitiveMapJob&) = delete;
@@ -54,7 +54,7 @@ class PrimitiveMapJob {
         const Batch* batch;
         std::shared_ptr<const PlanePairShadow> shadow;
         glm::dmat4 worldFromBatch;
-        bool casts;
+        bool animated;
     };
     Light light_;
     PrimitiveMapSettings settings_;

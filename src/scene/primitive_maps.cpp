@@ -23,6 +23,9 @@ std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabiliti
     const auto simplified = [](const Batch& batch) { return batch.simplifiedCasters.has_value(); };
     const auto& batches = loaded.scene.batches;
     if (std::any_of(batches.begin(), batches.end(), simplified)) return "casters are simplified";
+    if (!batches.empty() && std::all_of(batches.begin(), batches.end(),
+                                        [](const Batch& batch) { return batch.node >= 0; }))
+        return "all casters are animated";
     for (const auto& shadow : loaded.planePairs)
         for (const ShadowCluster& cluster : shadow->clusters)
             if (cluster.alphaTested) return "some casters are alpha-tested";
@@ -33,8 +36,9 @@ bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
                  const gl::Capabilities& capabilities) {
     if (!primitiveMapObstacle(loaded, capabilities).empty()) return false;
     std::size_t records = 0;
-    for (const auto& shadow : loaded.planePairs)
-        records += shadow->pairs.size() + shadow->singles.size();
+    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
+        if (loaded.scene.batches[i].node < 0)
+            records += loaded.planePairs[i]->pairs.size() + loaded.planePairs[i]->singles.size();
     return choice == MapChoice::all || records > fewSilhouettes;
 }
 
@@ -92,28 +96,26 @@ void PrimitiveMaps::take(const PrimitiveMapJob& job, const PrimitiveMapSettings&
     kept_.push_back({job.light(), std::move(state)});
 }
 
-void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<bool>& hidden,
-                         const std::vector<Light>& lights, MapChoice choice,
-                         const PrimitiveMapSettings& settings,
+void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<Light>& lights,
+                         MapChoice choice, const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
     keepOnly(lights);
     for (const Light& light : lights) {
         if (!needsJob(loaded, light, choice, capabilities)) continue;
-        PrimitiveMapJob job(loaded, hidden, light, settings, edges_);
+        PrimitiveMapJob job(loaded, light, settings, edges_);
         job.finish();
         take(job, settings, capabilities);
     }
 }
 
-bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<bool>& hidden,
-                            const std::vector<Light>& lights, MapChoice choice,
-                            const PrimitiveMapSettings& settings,
+bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<Light>& lights,
+                            MapChoice choice, const PrimitiveMapSettings& settings,
                             const gl::Capabilities& capabilities, double milliseconds) {
     keepOnly(lights);
     if (!job_)
         for (const Light& light : lights) {
             if (!needsJob(loaded, light, choice, capabilities)) continue;
-            job_ = std::make_unique<PrimitiveMapJob>(loaded, hidden, light, settings, edges_);
+            job_ = std::make_unique<PrimitiveMapJob>(loaded, light, settings, edges_);
             job_->start();
             break;
         }

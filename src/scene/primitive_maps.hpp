@@ -19,20 +19,18 @@ enum class MapChoice {
     thatPay, ///< those whose volumes would cost more
 };
 
-/// Primitive maps of a scene's lights, kept while lights and casters rest. If batches have moved or
-/// are hidden, clear() comes first; also before the scene goes.
+/// Primitive maps of a scene's lights, kept while lights rest: static casters are in them, others
+/// are counted. clear() comes before the scene goes, or static batches move.
 class PrimitiveMaps {
   public:
-    /// Has maps of all lights, and of no others, when it returns. `hidden`: by batch, those that
-    /// cast nothing; or empty. Throws Error(unavailable) if the GL can't.
-    void make(const LoadedScene& loaded, const std::vector<bool>& hidden,
-              const std::vector<Light>& lights, MapChoice choice,
+    /// Has maps of all lights, and of no others, when it returns. Throws Error(unavailable) if the
+    /// GL can't.
+    void make(const LoadedScene& loaded, const std::vector<Light>& lights, MapChoice choice,
               const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities);
 
     /// The same in the background, light after light: returns whether one has been finished. Where
     /// there are no threads it works for so long.
-    bool advance(const LoadedScene& loaded, const std::vector<bool>& hidden,
-                 const std::vector<Light>& lights, MapChoice choice,
+    bool advance(const LoadedScene& loaded, const std::vector<Light>& lights, MapChoice choice,
                  const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities,
                  double milliseconds);
 

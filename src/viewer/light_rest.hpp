@@ -16,7 +16,7 @@ class LightRest {
     /// Where they are at a time, in seconds on a clock that only goes forward.
     void see(const std::vector<Light>& lights, double now);
     bool rests(const Light& light, double now) const;
-    /// Casters moved: what rested has to rest anew.
+    /// Another scene: what rested has to rest anew.
     void clear() { since_.clear(); }
 
   private:

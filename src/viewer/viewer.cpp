@@ -155,11 +155,7 @@ void Viewer::Parts::sceneMoved() {
     stage.bounds = worldBounds(loaded->scene);
     edgeCounts.reset();
     layers.clear();
-    rest.clear();
-    if (gpu && gpu->scene) {
-        gpu->scene->groups.clear();
-        gpu->scene->primitiveMaps.clear();
-    }
+    if (gpu && gpu->scene) gpu->scene->groups.clear();
     dirty = true;
 }
 
@@ -192,8 +188,7 @@ void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
 void Viewer::Parts::advanceMaps(double now) {
     mapsPending = false;
     rest.see(state.lights, now);
-    const bool plays = state.playing && animation;
-    if (!loaded || !gpu || !gpu->scene || plays) return;
+    if (!loaded || !gpu || !gpu->scene) return;
     const SideSettings* side = looksUp(state.left)                   ? &state.left
                                : state.split && looksUp(state.right) ? &state.right
                                                                      : nullptr;
@@ -286,6 +281,7 @@ void Viewer::show(LoadedScene scene) {
         parts.addVolumesFor(parts.state, *parts.gpu);
     }
     parts.interaction = Interaction();
+    parts.rest.clear();
     parts.unchecked = true;
     parts.sceneMoved();
     parts.state = framed(parts.state, parts.stage);

@@ -121,6 +121,59 @@ TEST(Rendering, ProposedSilhouettesDrawWhatAllDo) {
     }
 }
 
+TEST(Rendering, PrimitiveMapsDrawWhatVolumesDo) {
+    for (const std::vector<std::string>& lights :
+         {std::vector<std::string>{"--sun", "0.4,0.8,0.5"},
+          {"--light", "0.3,1.4,0.2"},
+          {"--light", "6,5,3", "--sun", "-0.5,1,0.2", "--light-range", "9"}})
+        for (const char* kind : {"picture", "mask"}) {
+            std::vector<std::string> counted = lights;
+            if (kind == std::string("mask")) counted.push_back("--mask");
+            std::vector<std::string> lookedUp = counted;
+            lookedUp.insert(lookedUp.end(), {"--shadows", "primitive-map"});
+            const Image a = decodeImage(pictureOf(pavilion, counted), "a.png");
+            const Image b = decodeImage(pictureOf(pavilion, lookedUp), "b.png");
+            std::size_t different = 0;
+            for (std::size_t i = 0; i < a.rgba.size(); i += 4)
+                different += std::abs(a.rgba[i] - b.rgba[i]) > 2;
+            EXPECT_LE(different, a.rgba.size() / 4 / 1000) << kind << " of " << lights.front();
+        }
+}
+
+TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
+    const TempFolder folder;
+    const auto lightsOf = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", pavilion, folder / "out.png", "--size", "64x48",
+                                   "--report", folder / "report.json"});
+        const ProcessResult result = runEdgeshade(more);
+        EXPECT_EQ(result.status, 0) << result.err;
+        const Bytes report = readFile(std::filesystem::path(folder / "report.json"));
+        return nlohmann::json::parse(report.begin(), report.end())["lights"];
+    };
+    auto lights = lightsOf({"--light", "1,2,3", "--sun", "0.1,1,0.2", "--shadows", "auto"});
+    ASSERT_EQ(lights.size(), 2u);
+    EXPECT_EQ(lights[0]["position"], nlohmann::json({1.0, 2.0, 3.0, 1.0}));
+    for (const auto& light : lights) {
+        EXPECT_EQ(light["method"], "primitive-map");
+        EXPECT_EQ(light["why"], "at rest");
+        EXPECT_GT(light["bytes"], 0);
+        EXPECT_GT(light["build_ms"], 0.0);
+    }
+    lights = lightsOf({"--shadows", "primitive-map", "--gl-limits", "es2-minimum"});
+    EXPECT_EQ(lights[0]["method"], "volumes");
+    EXPECT_EQ(lights[0]["why"], "the GL looks up no floats");
+    EXPECT_EQ(lightsOf({"--shadows", "primitive-map", "--cast-masked"})[0]["why"],
+              "some casters are alpha-tested");
+    EXPECT_EQ(lightsOf({"--shadows", "primitive-map", "--caster-error", "0.05"})[0]["why"],
+              "casters are simplified");
+    EXPECT_EQ(lightsOf({})[0]["method"], "volumes");
+}
+
+TEST(Rendering, DebugTintsThePictureByWhatPrimitiveMapsHold) {
+    EXPECT_NE(pictureOf(pavilion, {"--debug", "primitive-map", "--shadows", "primitive-map"}),
+              pictureOf(pavilion, {"--shadows", "primitive-map"}));
+}
+
 TEST(Rendering, DebugTintsThePictureByItsVolumes) {
     EXPECT_NE(pictureOf(pavilion, {"--debug", "volumes"}), pavilionPicture());
     EXPECT_EQ(pictureOf(pavilion, {"--debug", "none"}), pavilionPicture());

@@ -267,5 +267,22 @@ TEST(MaskAgainstRays, SeveralBatches) {
     expectRight({scene, corner, pointLight({0.3, 5, 0.7})});
 }
 
+// Static casters are looked up then, and the animated one is counted on top of them.
+TEST(MaskAgainstRays, AnAnimatedBatchAmongStaticOnes) {
+    Scene scene = yard().scene();
+    Scene turned = SceneBuilder().box({-0.5f, 1.5f, -0.5f}, {0.5f, 2, 0.5f}).scene();
+    turned.batches[0].worldFromBatch =
+        glm::rotate(glm::translate(glm::dmat4(1.0), {1.5, 0.5, 0}), 0.7, {1.0, 2.0, 0.5});
+    turned.batches[0].node = 0;
+    scene.batches.push_back(turned.batches[0]);
+    for (const Light& light : {pointLight({0.3, 5, 0.7}), sun({0.4, 1, -0.2})}) {
+        const Case test{scene, corner, light};
+        test::expectLookedUpRight(test);
+        RenderSettings lookedUp;
+        lookedUp.shadows = ShadowMethod::primitiveMap;
+        EXPECT_GT(run(test, lookedUp).shadow, 500);
+    }
+}
+
 } // namespace
 } // namespace edgeshade

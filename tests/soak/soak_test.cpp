@@ -23,8 +23,8 @@ constexpr int width = 96, height = 64;
 /// Growth that passes for flat: what allocators and a GL's caches move about.
 constexpr double flatMegabytes = 8.0;
 
-/// Runs `step` so many times, prints the memory ten times on the way and expects it to stay where it
-/// was in the first two tenths.
+/// Runs `step` so many times, prints the memory ten times on the way and expects it to stay where
+/// it was in the first two tenths.
 template <class Step>
 void expectFlat(const char* what, int times, Step step) {
     std::size_t early = 0, most = 0;

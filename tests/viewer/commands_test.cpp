@@ -85,9 +85,15 @@ TEST(Commands, LightsComeAndGoButOneStays) {
 
 TEST(Commands, ShadowsOfThePictureOrOfTheRightSide) {
     ViewState state = start();
-    EXPECT_EQ(after(Command::nextShadows, state, stage).left.shadows, ShadowMethod::map);
-    state.split = true;
     EXPECT_EQ(after(Command::nextShadows, state, stage).left.shadows, ShadowMethod::volumes);
+    for (const ShadowMethod next :
+         {ShadowMethod::volumes, ShadowMethod::primitiveMap, ShadowMethod::map, ShadowMethod::none,
+          ShadowMethod::automatic}) {
+        state = after(Command::nextShadows, state, stage);
+        EXPECT_EQ(state.left.shadows, next);
+    }
+    state.split = true;
+    EXPECT_EQ(after(Command::nextShadows, state, stage).left.shadows, ShadowMethod::automatic);
     EXPECT_EQ(after(Command::nextShadows, state, stage).right.shadows, ShadowMethod::none);
 }
 

@@ -112,6 +112,21 @@ TEST_F(ViewerMaps, AnotherSceneStopsWhatIsBeingBuilt) {
     EXPECT_EQ(method(), "volumes");
 }
 
+TEST_F(ViewerMaps, AnAnimationThatPlaysLeavesTheMapOfWhatRests) {
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
+    Scene scene = manyBoxes();
+    Scene moving = test::SceneBuilder().box({-1, 2, -1}, {1, 2.3f, 1}).scene();
+    moving.batches[0].node = 0;
+    scene.batches.push_back(moving.batches[0]);
+    viewer.show(loadedOf(scene));
+    viewer.change(Json::parse(R"({"show_lights": false, "lights": [[0.4, 1, 0.3, 0]]})"));
+    viewer.frame(now += 0.01);
+    const Pixels counted = context.readPixels();
+    settle();
+    EXPECT_EQ(method(), "primitive-map");
+    EXPECT_LT(differing(context.readPixels(), counted), 20u);
+}
+
 TEST_F(ViewerMaps, FewSilhouettesAreCounted) {
     viewer.show(loadedOf(test::yard().scene()));
     viewer.frame(now);

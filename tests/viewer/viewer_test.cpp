@@ -179,8 +179,7 @@ TEST_F(ViewerTest, MasksOfLowerResolutionAreCountedAndGivenBack) {
     EXPECT_GT(viewer.stats().shadowBytes, bytes);
     EXPECT_GT(differing(coarse, exact), 0u);
     const SideSettings coarseSide = viewer.state().left;
-    viewer.change(
-        Json::parse(R"({"split": true, "split_at": 0.5, "right": {"shadows": "volumes"}})"));
+    viewer.change(Json::parse(R"({"split": true, "split_at": 0.5, "right": {"shadows": "auto"}})"));
     const auto both = picture();
     EXPECT_EQ(differing(columns(both, 0, 75), columns(coarse, 0, 75)), 0u);
     EXPECT_EQ(differing(columns(both, 85, width), columns(exact, 85, width)), 0u);

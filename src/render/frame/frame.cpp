@@ -31,6 +31,11 @@ double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
                                 : glm::distance(frustum.position(), point);
 }
 
+bool anyAnimated(const GpuScene& scene) {
+    return std::any_of(scene.batches.begin(), scene.batches.end(),
+                       [](const GpuBatch& batch) { return batch.animated && !batch.hidden; });
+}
+
 bool isFullyShadowed(const LightPlan& light) {
     return std::any_of(light.counts.begin(), light.counts.end(),
                        [](const CountPlan& count) { return count.fullyShadowed; });
@@ -100,11 +105,12 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
     if (!volumes_) return planFrame(task);
     task.groupCount = [&](std::size_t light) -> std::size_t {
-        if (primitiveMapOf(scene, view.lights[light].light)) return 0;
+        if (primitiveMapOf(scene, view.lights[light].light) && !anyAnimated(scene)) return 0;
         return scene.groupCount(view.lights[light], volumes_->layout());
     };
     task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
-        return volumes_->plan(scene, {view, slice, light, group});
+        const bool lookedUp = primitiveMapOf(scene, view.lights[light].light) != nullptr;
+        return volumes_->plan(scene, {view, slice, light, group, lookedUp});
     };
     volumes_->beginFrame(scene);
     if (clock && clock->wantsSilhouette()) {
@@ -312,6 +318,7 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) co
     if (!light) return shading;
     shading.light = *light;
     shading.primitives = primitiveMapOf(pass.scene, *light);
+    shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;
     shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
     shading.maskValue = 1.0f;
     return shading;

@@ -8,17 +8,13 @@ namespace {
 
 /// What primitive maps are made of and for.
 struct MapTask {
-    std::vector<bool> hidden;
     std::vector<Light> lights;
     MapChoice choice;
 };
 
-MapTask mapTask(const GpuScene& scene, const std::vector<FrameLight>& lights,
-                const RenderSettings& settings) {
+MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& settings) {
     const bool automatic = settings.shadows == ShadowMethod::automatic;
-    MapTask task{{}, {}, automatic ? MapChoice::thatPay : MapChoice::all};
-    for (const GpuBatch& batch : scene.batches)
-        task.hidden.push_back(batch.hidden);
+    MapTask task{{}, automatic ? MapChoice::thatPay : MapChoice::all};
     for (const FrameLight& of : lights)
         if (of.drawn && (of.atRest || !automatic)) task.lights.push_back(of.light);
     return task;
@@ -40,9 +36,9 @@ const char* nameOf(ShadowMethod method) {
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities) {
     if (settings.looksUpPrimitives()) {
-        const MapTask task = mapTask(scene, view.lights, settings);
-        scene.primitiveMaps.make(loaded, task.hidden, task.lights, task.choice,
-                                 settings.primitiveMap, capabilities);
+        const MapTask task = mapTask(view.lights, settings);
+        scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
+                                 capabilities);
     }
     if (const auto records = settings.records()) scene.groups.upload(loaded, view.lights, *records);
 }
@@ -53,9 +49,9 @@ bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
     std::vector<FrameLight> resting;
     std::copy_if(lights.begin(), lights.end(), std::back_inserter(resting),
                  [](const FrameLight& of) { return of.atRest; });
-    const MapTask task = mapTask(scene, resting, settings);
-    return scene.primitiveMaps.advance(loaded, task.hidden, task.lights, task.choice,
-                                       settings.primitiveMap, capabilities, milliseconds);
+    const MapTask task = mapTask(resting, settings);
+    return scene.primitiveMaps.advance(loaded, task.lights, task.choice, settings.primitiveMap,
+                                       capabilities, milliseconds);
 }
 
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,

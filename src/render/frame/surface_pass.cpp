@@ -151,7 +151,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     if (shading.map) variant.map = shading.map->kind;
     if (shading.primitives)
         variant.primitives = {shading.primitives->kind, shading.primitives->splits,
-                              shading.primitives->longestList};
+                              shading.primitives->longestList, shading.tintPrimitives};
     variant.textured = scene.textures.has(material);
     variant.colored = chunk.colored;
     variant.lit = shading.light.has_value();
@@ -192,6 +192,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.primitives)
         addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->splits,
                                variant.primitives->longestList, defines);
+    if (variant.primitives && variant.primitives->tint) defines.push_back("PRIMITIVE_MAP_TINT");
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.coarse || variant.planes) defines.push_back("PLANE");
     if (variant.orthographic) defines.push_back("ORTHOGRAPHIC");
@@ -257,7 +258,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
             binding.add(chunk.vertices, attribute.components, attribute.type,
                         attribute.type == GL_UNSIGNED_BYTE, sizeof(SurfaceVertex), attribute.offset,
                         false);
-    if (shading.primitives && casts) {
+    if (shading.primitives && casts && !view.facings->empty()) {
         drawByFacing((*view.facings)[chunk.place], used);
     } else {
         used.set("u_lightSide", 0.0f);

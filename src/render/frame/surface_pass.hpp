@@ -28,6 +28,7 @@ struct SurfaceShading {
     /// The light's shadow map, primitive map or mask of lower resolution; none: lit everywhere.
     const ShadowMapLookup* map = nullptr;
     const GpuPrimitiveMap* primitives = nullptr;
+    bool tintPrimitives = false; ///< show what its texels hold
     const CoarseMaskLookup* coarse = nullptr;
     const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
 };
@@ -53,6 +54,7 @@ class SurfacePass {
     struct PrimitiveMapVariant {
         GpuPrimitiveMap::Kind kind;
         int splits, longestList;
+        bool tint;
 
         auto operator<=>(const PrimitiveMapVariant&) const = default;
     };

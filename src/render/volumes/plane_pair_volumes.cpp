@@ -129,7 +129,7 @@ void PlanePairVolumes::beginFrame(const GpuScene& scene) {
 CountPlan PlanePairVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
     std::vector<PlacedShadow> placed;
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
-        if (scene.batches[i].hidden) continue;
+        if (!casters.counts(scene.batches[i])) continue;
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
         placed.push_back({i, volumes.planePairs->shadow(), scene.batches[i].worldFromBatch});
     }

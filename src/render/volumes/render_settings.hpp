@@ -30,6 +30,7 @@ struct RenderSettings {
     SidesLayout layout = SidesLayout::instanced;
     ShadowMapSettings map;             ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
+    bool tintPrimitives = false;       ///< show what texels of those hold
     int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
     float ambient = 0.35f; ///< 0..1; the lights share the rest
     glm::vec3 background{0.86f, 0.89f, 0.92f};

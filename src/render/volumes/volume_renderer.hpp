@@ -21,8 +21,12 @@ struct CasterGroupInSlice {
     const DepthSlice& slice;
     std::size_t light = 0; ///< index in the view
     std::size_t group = 0;
+    bool lookedUp = false; ///< static casters are in the light's primitive map
 
     const FrameLight& source() const { return view.lights[light]; }
+    bool counts(const GpuBatch& batch) const {
+        return !batch.hidden && (!lookedUp || batch.animated);
+    }
 };
 
 /// A batch, as a draw needs it.

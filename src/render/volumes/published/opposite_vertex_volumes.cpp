@@ -26,7 +26,7 @@ CountPlan OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupIn
     CountPlan plan;
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const GpuBatch& batch = scene.batches[i];
-        if (batch.hidden) continue;
+        if (!casters.counts(batch)) continue;
         plan.batches.push_back(
             {.batch = i, .light = lightInObject(casters.source().light, batch.worldFromBatch)});
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
