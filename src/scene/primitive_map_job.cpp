@@ -11,7 +11,7 @@ namespace edgeshade {
 namespace {
 
 /// Lets everything else go first: drawing must not wait for what it will be spared.
-void takeSpareTimeAlone() {
+[[maybe_unused]] void takeSpareTimeAlone() {
 #ifdef __linux__
     const sched_param parameters{};
     pthread_setschedparam(pthread_self(), SCHED_IDLE, &parameters);

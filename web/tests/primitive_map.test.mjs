@@ -1,0 +1,74 @@
+// Lights at rest are looked up in primitive maps, built between frames.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { smallPage, stateOf, useBrowser } from './support/browser.mjs';
+import { rendered, views } from './support/native.mjs';
+import { compare, picture } from './support/pictures.mjs';
+
+const shared = useBrowser();
+const change = (page, changes) =>
+  page.evaluate((all) => document.querySelector('edgeshade-viewer').change(all), changes);
+const lightsOf = (page) =>
+  page.evaluate(() => document.querySelector('edgeshade-viewer').stats.lights);
+const lookedUp = (page) => page.waitForFunction(() =>
+  document.querySelector('edgeshade-viewer').stats.lights.every(({ method }) => method === 'primitive-map'));
+
+test('lights at rest see what the native program looks up', async () => {
+  const page = await shared.open('/tests/plain.html');
+  await change(page, { left: { shadows: 'primitive-map' } });
+  for (const { name, camera, lights, astray = 100, share = 0.002 } of views) {
+    await change(page, { camera, lights });
+    await lookedUp(page);
+    const native = rendered(await stateOf(page), ['--shadows', 'primitive-map']);
+    const { pixels, different, astray: apart } = await compare(page, await picture(page), native);
+    const [{ build_ms, bytes }] = await lightsOf(page);
+    console.log(`${name}: ${different} of ${pixels} pixels differ, ${apart} away from outlines; ` +
+      `built in ${build_ms.toFixed(0)} ms, ${(bytes / 1e6).toFixed(1)} MB`);
+    assert.ok(different <= share * pixels, `${name}: ${different} of ${pixels} pixels differ`);
+    assert.ok(apart <= astray, `${name}: ${apart} pixels differ away from outlines`);
+  }
+  await shared.check(page);
+});
+
+test('by itself the viewer counts while a light moves and looks up once it rests', async () => {
+  const page = await shared.open('/tests/plain.html');
+  await change(page, { left: { shadows: 'auto' }, lights: [[1.5, 2.2, 2, 1]] });
+  assert.equal((await lightsOf(page))[0].method, 'volumes');
+  await lookedUp(page);
+  await change(page, { lights: [[1.6, 2.2, 2, 1]] });
+  assert.equal((await lightsOf(page))[0].method, 'volumes');
+  await lookedUp(page);
+  await shared.check(page);
+});
+
+test('50 lights in a row leave memory flat', async () => {
+  const page = await shared.open(smallPage);
+  await change(page, { left: { shadows: 'primitive-map' } });
+  const bytes = [];
+  for (let i = 0; i < 50; ++i) {
+    await change(page, { lights: [[0.3 + 0.01 * i, 1, 0.2, 0]] });
+    await lookedUp(page);
+    bytes.push(await page.evaluate(() => document.querySelector('edgeshade-viewer').stats.primitive_map_bytes));
+  }
+  assert.ok(Math.max(...bytes) < 1.5 * bytes[0] + 1e5, `${bytes[0]} bytes became ${Math.max(...bytes)}`);
+  await shared.check(page);
+});
+
+test('a lost context takes its maps along, and they are made again', async () => {
+  const page = await shared.open('/tests/plain.html');
+  await change(page, { left: { shadows: 'primitive-map' } });
+  await lookedUp(page);
+  await page.evaluate(async () => {
+    const canvas = document.querySelector('edgeshade-viewer').shadowRoot.querySelector('canvas');
+    const lose = canvas.getContext('webgl').getExtension('WEBGL_lose_context');
+    const lost = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve, { once: true }));
+    lose.loseContext();
+    await lost;
+    const restored = new Promise((resolve) => canvas.addEventListener('webglcontextrestored', resolve, { once: true }));
+    setTimeout(() => lose.restoreContext(), 50);
+    await restored;
+  });
+  await lookedUp(page);
+  await shared.check(page);
+});
