@@ -9,8 +9,8 @@
 namespace edgeshade {
 
 /// A chunk's triangles anew: some that are turned away from a light, those that face it, the others
-/// that are turned away. Their order within each is kept, and of triangles with the same corners
-/// the first one stays before the others: it is the one that is seen.
+/// that are turned away. Their order within each is kept, and of triangles that coincide the first
+/// one stays before the others: it is the one that is seen.
 struct SortedTriangles {
     std::vector<std::uint16_t> indices;
     std::size_t before = 0; ///< indices of the first kind

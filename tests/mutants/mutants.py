@@ -106,6 +106,6 @@ MUTANTS = (
      "primitive_map_test", "*"),
     ("of twins the one that faces the light is seen",
      "src/scene/gpu_primitive_map.cpp",
-     "if (faces[t] && !faces[first[t]]) hides[first[t]] = true;", "",
+     "before[order[i]] = true;", "",
      "primitive_map_test", "*"),
 )

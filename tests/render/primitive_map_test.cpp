@@ -61,7 +61,7 @@ PrimitiveMap mapOf(const Scene& scene, const Light& light, int size, bool others
 /// neither: too near to an edge, or to one of the ends.
 std::optional<bool> isBetween(const Corners& triangle, const glm::dvec3& point,
                               const Light& light) {
-    constexpr double near = 1e-4, nearPlane = 5e-5; // of scenes some 8 across
+    constexpr double near = 1e-4, nearPlane = 2e-4; // of scenes some 8 across
     const glm::dvec3 way = glm::dvec3(light.position) - light.position.w * point;
     const glm::dvec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
     const glm::dvec3 p = glm::cross(way, ac);

@@ -32,11 +32,14 @@ float roundedDown(double value) {
     return rounded > value ? std::nextafter(rounded, -neverDark) : rounded;
 }
 
+/// What transforming, interpolating and evaluating a point may add up to.
+constexpr double planeError = 2.0 * mapRounding;
+
 /// The plane as far from the light as points on it may be placed by rounding.
 glm::dvec3 tolerantPlane(const glm::dvec3& plane, bool directional) {
     const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
-    if (directional) return plane + glm::dvec3(0.0, 0.0, mapRounding * (1.0 + terms));
-    return plane / (1.0 + mapRounding * (1.0 + terms));
+    if (directional) return plane + glm::dvec3(0.0, 0.0, planeError * (1.0 + terms));
+    return plane / (1.0 + planeError * (1.0 + terms));
 }
 
 void addRecord(const Occluder& occluder, bool directional, std::vector<glm::vec4>& records) {
