@@ -9,6 +9,7 @@
 #include "preprocess/packing/dangling_indices.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace edgeshade {
 namespace {
@@ -132,6 +133,18 @@ void removeEmptySections(Json& json) {
         if (json.contains(section) && json[section].empty()) json.erase(section);
 }
 
+/// glTF names each extension once. The first of equal ones stays.
+void removeRepeatedNames(Json& json) {
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        if (!json.contains(list) || !json[list].is_array()) continue;
+        Json once = Json::array();
+        std::set<std::string> seen;
+        for (const Json& name : json[list])
+            if (seen.insert(name.dump()).second) once.push_back(name);
+        json[list] = std::move(once);
+    }
+}
+
 Bytes packedChecked(const GltfDocument& document, const Scene& scene,
                     const std::vector<BatchTopology>& topology, Encoding encoding,
                     const CasterSettings& settings, Warnings& warnings) {
@@ -141,6 +154,7 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene,
     Bytes binary = joinBuffers(document, json);
     readShadowHeader(document); // refuses an extension that is not sound
     removeShadowExtension(json, binary, document.path);
+    removeRepeatedNames(json);
     removeEmptySections(json);
     embedImages(document, json, binary, warnings);
     alignTo4(binary); // as joinBuffers() leaves it when the file is packed again
