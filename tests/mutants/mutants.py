@@ -49,7 +49,7 @@ MUTANTS = (
      "preprocess/volumes/opposite_pairs.cpp",
      "pairs.push_back({{q, !first}, PairedTriangle{p, first}});",
      "pairs.push_back({{q, !first}, PairedTriangle{p, !first}});",
-     "preprocess_test", "PlanePair*:OppositePairs*"),
+     "closed_chain_test", "PlanePair*"),
     ("a moving light's ball has no radius",
      "src/shadow/silhouette/light_facings.cpp",
      "all(ball.radius * longestNormal", "all(0.0f * longestNormal",
