@@ -15,8 +15,7 @@ struct PackReport {
     CasterSettings settings;
     MeshStatistics casters;
     PlanePairCosts planePairs;
-    int maxMultiplicity =
-        1; ///< opposite vertices a opposite-vertex record, as `expanded` stores them
+    int maxMultiplicity = 1;     ///< opposite vertices a record, as `expanded` stores them
     std::size_t storedBytes = 0; ///< of shadow data in the file
     std::size_t fileBytes = 0;
     double readSeconds = 0.0;

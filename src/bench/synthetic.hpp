@@ -17,9 +17,9 @@ struct SyntheticTask {
                                    60'000, 70'000, 80'000, 90'000};
     std::vector<int> multiplicities{1, 2, 3, 4, 5, 6, 7, 8, 9}; ///< opposite vertices an edge
     int turns = 9; ///< of drawing as many edges as there are: see timesInTurns()
-    MultiplicityMethod method =
-        MultiplicityMethod::referenceEdge; ///< of the opposite-vertex layouts
-    std::optional<gl::Timing> timing;      ///< nothing: bestTiming()
+    /// Of the opposite-vertex layouts.
+    MultiplicityMethod method = MultiplicityMethod::referenceEdge;
+    std::optional<gl::Timing> timing; ///< nothing: bestTiming()
 };
 
 /// One cell of the table.

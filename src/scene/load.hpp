@@ -19,8 +19,7 @@ struct LoadedScene {
     Scene scene;
     SceneImages images; ///< of the materials' images those whose pixels are at hand
     std::vector<std::shared_ptr<const PlanePairShadow>> planePairs; ///< one a batch
-    std::vector<BatchShadow>
-        shadows; ///< the opposite-vertex layout where the file has it; or empty
+    std::vector<BatchShadow> shadows; ///< with opposite vertices, where the file has them; or empty
     CasterSettings settings;
     std::string variant = {}; ///< as it was asked for, KHR_materials_variants; empty: none
 };

@@ -1,8 +1,5 @@
 #include "src/render/frame/prepare_scene.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace edgeshade {
 namespace {
 
@@ -12,11 +9,15 @@ struct MapTask {
     MapChoice choice;
 };
 
-MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& settings) {
-    const bool automatic = settings.shadows == ShadowMethod::automatic;
-    MapTask task{{}, automatic ? MapChoice::thatPay : MapChoice::all};
+bool isAutomatic(const RenderSettings& settings) {
+    return settings.shadows == ShadowMethod::automatic;
+}
+
+MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& settings,
+                bool restingAlone) {
+    MapTask task{{}, isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all};
     for (const FrameLight& of : lights)
-        if (of.drawn && (of.atRest || !automatic)) task.lights.push_back(of.light);
+        if (of.drawn && (of.atRest || !restingAlone)) task.lights.push_back(of.light);
     return task;
 }
 
@@ -36,7 +37,7 @@ const char* nameOf(ShadowMethod method) {
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities) {
     if (settings.looksUpPrimitives()) {
-        const MapTask task = mapTask(view.lights, settings);
+        const MapTask task = mapTask(view.lights, settings, isAutomatic(settings));
         scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
                                  capabilities);
     }
@@ -46,10 +47,7 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
 bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
                            const std::vector<FrameLight>& lights, const RenderSettings& settings,
                            const gl::Capabilities& capabilities, double milliseconds) {
-    std::vector<FrameLight> resting;
-    std::copy_if(lights.begin(), lights.end(), std::back_inserter(resting),
-                 [](const FrameLight& of) { return of.atRest; });
-    const MapTask task = mapTask(resting, settings);
+    const MapTask task = mapTask(lights, settings, true);
     return scene.primitiveMaps.advance(loaded, task.lights, task.choice, settings.primitiveMap,
                                        capabilities, milliseconds);
 }

@@ -1,6 +1,7 @@
 #include "src/shadow/primitive_map/footprint.hpp"
 
 #include "preprocess/mesh/components.hpp"
+#include "src/shadow/geometry/polygon.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,17 @@ constexpr double steepestPlane = 1e30;
 
 /// What double rounding may take from a value that is the sum of such terms.
 constexpr double rounding = 1e-14;
+
+/// What dot(plane, ray) reaches on the square's rays, at the corner farthest to the one side.
+double mostOn(const glm::dvec3& plane, const RaySquare& square) {
+    return std::max(plane.x * square.low.x, plane.x * square.high.x) +
+           std::max(plane.y * square.low.y, plane.y * square.high.y) + plane.z;
+}
+
+/// The same to the other side.
+double leastOn(const glm::dvec3& plane, const RaySquare& square) {
+    return -mostOn(-plane, square);
+}
 
 /// Scaled to a largest component of 1, alike for both neighbours.
 glm::dvec3 edgePlane(const glm::dvec3& a, const glm::dvec3& b) {
@@ -105,26 +117,13 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
     }
 }
 
-/// The part of a convex polygon with dot(plane, p) >= 0.
-void cut(std::vector<glm::dvec3>& polygon, const glm::dvec3& plane) {
-    std::vector<glm::dvec3> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double atA = glm::dot(plane, a), atB = glm::dot(plane, b);
-        if (atA >= 0.0) kept.push_back(a);
-        if ((atA >= 0.0) != (atB >= 0.0)) kept.push_back(a + atA / (atA - atB) * (b - a));
-    }
-    polygon = std::move(kept);
-}
-
 /// The points of the triangle in the tile's pyramid, grown a little.
-std::vector<glm::dvec3> partInTile(const std::array<glm::dvec3, 3>& corners) {
+Polygon partInTile(Polygon triangle) {
     constexpr double grown = 1.0 + 1e-3;
-    std::vector<glm::dvec3> polygon(corners.begin(), corners.end());
     for (const glm::dvec3& side : {glm::dvec3(1, 0, grown), glm::dvec3(-1, 0, grown),
                                    glm::dvec3(0, 1, grown), glm::dvec3(0, -1, grown)})
-        cut(polygon, side);
-    return polygon;
+        triangle = clipped(triangle, side);
+    return triangle;
 }
 
 } // namespace
@@ -149,8 +148,10 @@ std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t ind
     print.occluder = index;
     const glm::dmat3& axes = tiles.tiles[tile];
     std::array<glm::dvec3, 3> rays;
+    Polygon triangle;
     for (std::size_t i = 0; i < 3; ++i) {
         rays[i] = tiles.rayTo(tile, occluder.corners[i]);
+        triangle.add(rays[i]);
         print.edges[i] = occluder.edges[i] * axes;
         if (!tiles.directional) continue;
         print.depths.add(occluder.corners[i].z);
@@ -161,16 +162,16 @@ std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t ind
         print.ends[i] = glm::dvec2(rays[i]) / rays[i].z;
     print.low = glm::dvec2(INFINITY);
     print.high = glm::dvec2(-INFINITY);
-    const std::vector<glm::dvec3> part =
-        tiles.directional ? std::vector<glm::dvec3>(rays.begin(), rays.end()) : partInTile(rays);
-    for (const glm::dvec3& point : part) {
+    const Polygon part = tiles.directional ? triangle : partInTile(triangle);
+    for (std::size_t i = 0; i < part.count; ++i) {
+        const glm::dvec3& point = part.corners[i];
         if (!tiles.directional) print.depths.add(point.z);
         // Behind the light nothing is in the tile, and right at it everywhere.
         const glm::dvec2 at = point.z > 0.0 ? glm::dvec2(point) / point.z : glm::dvec2(0.0);
         print.low = glm::min(print.low, at);
         print.high = glm::max(print.high, at);
     }
-    if (part.empty() || !(print.depths.high > 0.0 || tiles.directional)) return std::nullopt;
+    if (part.count == 0 || !(print.depths.high > 0.0 || tiles.directional)) return std::nullopt;
     return print;
 }
 
@@ -178,22 +179,13 @@ bool Footprint::mayTouch(const RaySquare& square) const {
     if (high.x < square.low.x || low.x > square.high.x || high.y < square.low.y ||
         low.y > square.high.y)
         return false;
-    for (const glm::dvec3& edge : edges) {
-        // The corner that is farthest in.
-        const double most = std::max(edge.x * square.low.x, edge.x * square.high.x) +
-                            std::max(edge.y * square.low.y, edge.y * square.high.y) + edge.z;
-        if (most < -rounding) return false;
-    }
-    return true;
+    return std::all_of(edges.begin(), edges.end(),
+                       [&](const glm::dvec3& edge) { return mostOn(edge, square) >= -rounding; });
 }
 
 bool Footprint::mayCross(int i, const RaySquare& square) const {
     const glm::dvec3& edge = edges[static_cast<std::size_t>(i)];
-    const double most = std::max(edge.x * square.low.x, edge.x * square.high.x) +
-                        std::max(edge.y * square.low.y, edge.y * square.high.y) + edge.z;
-    const double least = std::min(edge.x * square.low.x, edge.x * square.high.x) +
-                         std::min(edge.y * square.low.y, edge.y * square.high.y) + edge.z;
-    if (most < -rounding || least > rounding) return false;
+    if (mostOn(edge, square) < -rounding || leastOn(edge, square) > rounding) return false;
     if (!endsKnown) return true;
     const glm::dvec2 &a = ends[static_cast<std::size_t>(i)],
                      &b = ends[static_cast<std::size_t>((i + 1) % 3)];
@@ -216,12 +208,9 @@ std::optional<bool> Footprint::covers(const glm::dvec3& ray, const Occluder& of)
 }
 
 Interval Footprint::depthsIn(const RaySquare& square, bool directional) const {
-    const double least = std::min(plane.x * square.low.x, plane.x * square.high.x) +
-                         std::min(plane.y * square.low.y, plane.y * square.high.y) + plane.z;
-    const double most = std::max(plane.x * square.low.x, plane.x * square.high.x) +
-                        std::max(plane.y * square.low.y, plane.y * square.high.y) + plane.z;
     const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
-    Interval here{least - rounding * terms, most + rounding * terms};
+    Interval here{leastOn(plane, square) - rounding * terms,
+                  mostOn(plane, square) + rounding * terms};
     if (!directional) { // along the plane the inverse of a depth is linear
         const double nearest = here.high > 0.0 ? 1.0 / here.high : 0.0;
         here = {nearest, here.low > 0.0 ? 1.0 / here.low : INFINITY};
