@@ -1,12 +1,11 @@
 // Base colour times ambient light or, with LIT, times the Lambert term of one light as far as it
 // reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. WITH_AMBIENT,
-// of LIT, both at once, and the ambient share of their sum in alpha. Other variants: MASK, the lit
-// mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials with
-// cutouts; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: DIRECTIONAL,
-// a light of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the
-// light's shadow map says, with MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl; COARSE_MASK,
-// lit as far as a mask of lower resolution says; PRIMITIVE_MAP, as a primitive map says, see
-// primitive_map_lookup.glsl, with PRIMITIVE_MAP_TINT showing what its texels hold.
+// of LIT, both at once, and the ambient share of their sum in alpha. Other variants: PLAIN, the
+// same with light itself added up, of which the display shows a power; MASK, the lit mask instead of
+// colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials with cutouts;
+// BLENDED, see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing
+// deeper than u_farthest. Of LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a
+// primitive map's texels hold.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -30,44 +29,37 @@ uniform float u_alphaCutoff;
 #ifdef MASK
 uniform float u_maskValue;
 #endif
+#if defined(LIT) || defined(PLAIN)
+varying vec3 v_normal;
+uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
+
+// 1: the triangle's front is seen, -1: its back.
+float facing() { return gl_FrontFacing ? u_mirrored : -u_mirrored; }
+#endif
 #ifdef LIT
 uniform float u_diffuse;
-uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
-varying vec3 v_normal;
-#ifdef DIRECTIONAL
-uniform vec3 u_towardsLight; // of length 1
-#else
-varying vec3 v_towardsLight;
-#endif
+#include "light.glsl"
 #endif
 #if !defined(LIT) || defined(WITH_AMBIENT)
 uniform float u_ambient;
 #endif
-#ifdef RANGED
-uniform float u_inverseRange;
+#ifdef PLAIN
+uniform float u_ambientSlope; // by how much it is more from above than from the side
+uniform float u_exposure;
+
+// What the display shows of a share of light, of colours that it shows as they are in full light.
+// A power alone, so that shadow leaves all of a colour's channels the same share.
+float displayed(float share) { return pow(max(share, 0.0) * u_exposure, 1.0 / 2.2); }
+#endif
+#ifdef LINEAR
+#include "tone_mapping.glsl"
+#include "tone_inverse.glsl"
 #endif
 #ifdef SLICED
 uniform float u_farthest;
 varying float v_depth;
 #endif
 
-#if defined(MAP) || defined(COARSE_MASK)
-uniform float u_casts; // 1: the surface is a caster, dark where it is turned away from the light
-#endif
-#ifdef MAP
-#include "shadow_map_lookup.glsl"
-#endif
-#ifdef COARSE_MASK
-#include "coarse_mask_lookup.glsl"
-#endif
-#ifdef PRIMITIVE_MAP
-#include "primitive_map_lookup.glsl"
-uniform float u_lightSide; // the light is on the front (1) or the back (-1) of these casters; 0: the
-                           // surface is no caster
-varying vec3 v_mapPosition;
-#endif
-
-#ifdef PRIMITIVE_MAP
 #ifdef PRIMITIVE_MAP_TINT
 // Blue where a texel's depth alone says dark, from green to red the more triangles are asked, none
 // where none is.
@@ -80,48 +72,14 @@ vec4 primitiveTint() {
 }
 #endif
 
-bool litByPrimitives() {
-    float seenSide = gl_FrontFacing ? u_mirrored : -u_mirrored;
-    if (seenSide * u_lightSide < 0.0) return false;
-    return primitiveMapLights(v_mapPosition, u_lightSide > 0.0);
-}
-#endif
-
 #ifdef LIT
-vec3 towardsLight() {
-#ifdef DIRECTIONAL
-    return u_towardsLight;
-#else
-    // Scaled before it is squared, so that far-off lights don't overflow.
-    return normalize(v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
-                                          max(abs(v_towardsLight.z), 1e-30)));
-#endif
-}
-
 // The light's share of a colour; nothing in the mask where it doesn't reach, which knows no half
 // shadow.
-float shareOfLight(float lit) {
+float shareOfLight(float lit, vec3 normal) {
     vec3 light = towardsLight();
-    vec3 normal = normalize(v_normal * (gl_FrontFacing ? u_mirrored : -u_mirrored));
     float lambert = max(dot(normal, light), 0.0);
-#ifdef MAP
-    if (lambert > 0.0)
-        lit = lightFromMap(normal, light);
-    else
-        lit = u_casts > 0.5 ? 0.0 : lightFromMap(-normal, light);
-#endif
-    float window = 1.0;
-#ifdef RANGED
-    vec3 reached = v_towardsLight * u_inverseRange;
-    float share = dot(reached, reached);
-    window = max(1.0 - share * share, 0.0); // see Light
-#endif
-#ifdef PRIMITIVE_MAP
-#ifndef MASK
-    if (lambert * window > 0.0)
-#endif
-        lit = litByPrimitives() ? 1.0 : 0.0;
-#endif
+    float window = lightWindow();
+    lit = lightThrough(lit, normal, light, lambert * window);
 #ifdef MASK
     return window > 0.0 ? step(0.5, lit) : 0.0;
 #else
@@ -148,18 +106,34 @@ void main() {
 #ifdef ALPHA_TEST
     if (base.a < u_alphaCutoff) discard;
 #endif
+#if defined(LIT) || defined(PLAIN)
+    vec3 normal = normalize(v_normal * facing());
+#endif
+#if !defined(LIT) || defined(WITH_AMBIENT)
+    float ambient = u_ambient;
+#ifdef PLAIN
+    ambient += u_ambientSlope * normal.y;
+#endif
+#endif
 #if defined(LIT)
-    float share = shareOfLight(lit);
+    float share = shareOfLight(lit, normal);
 #elif defined(MASK)
     float share = 1.0;
 #else
-    float share = u_ambient;
+    float share = ambient;
+#endif
+#if defined(LIT) && defined(WITH_AMBIENT)
+    share += ambient;
+#endif
+#ifdef PLAIN
+    share = displayed(share);
 #endif
 #if defined(BLENDED)
     float alpha = base.a;
+#elif defined(WITH_AMBIENT) && defined(PLAIN)
+    float alpha = share > 0.0 ? displayed(ambient) / share : 1.0;
 #elif defined(WITH_AMBIENT)
-    share += u_ambient;
-    float alpha = share > 0.0 ? u_ambient / share : 1.0;
+    float alpha = share > 0.0 ? ambient / share : 1.0;
 #else
     float alpha = 1.0;
 #endif
@@ -167,6 +141,9 @@ void main() {
     gl_FragColor = vec4(vec3(u_maskValue * share), alpha);
 #else
     gl_FragColor = vec4(base.rgb * share, alpha);
+#ifdef LINEAR
+    gl_FragColor.rgb = lightShownAs(gl_FragColor.rgb);
+#endif
 #endif
 #ifdef PRIMITIVE_MAP_TINT
     vec4 tint = primitiveTint();

@@ -1,26 +1,41 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
-// DIRECTIONAL, TEXTURED, COLORED, MAP, PRIMITIVE_MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
+// DIRECTIONAL, PLAIN, TEXTURED, COLORED, MAP, PRIMITIVE_MAP and SLICED: see surface.frag; MATERIAL,
+// TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see material.frag; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
 #ifdef COLORED
 attribute vec4 a_color;
 #endif
-#ifdef TEXTURED
+#if defined(TEXTURED) || defined(TEXCOORDS)
+#define FIRST_TEXCOORD
 attribute vec2 a_texcoord;
 #endif
-#ifdef LIT
+#ifdef TEXCOORDS_1
+attribute vec2 a_texcoord1;
+#endif
+#ifdef TEXCOORDS_2
+attribute vec4 a_texcoord23;
+#endif
+#if defined(LIT) || defined(PLAIN) || defined(MATERIAL)
+#define NORMAL
 attribute vec3 a_normal;
+#endif
+#ifdef TANGENTS
+attribute vec4 a_tangent; // w: the bitangent's sign
 #endif
 
 uniform mat4 u_clipFromObject;
-#ifdef LIT
+#ifdef NORMAL
 uniform mat3 u_normalFromObject;
-#ifndef DIRECTIONAL
-uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
-uniform vec3 u_light;               // the same space
 #endif
+#if (defined(LIT) && !defined(DIRECTIONAL)) || defined(MATERIAL)
+#define FROM_EYE
+uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
+#endif
+#if defined(LIT) && !defined(DIRECTIONAL)
+uniform vec3 u_light; // the same space
 #endif
 #if defined(MAP) || defined(PRIMITIVE_MAP)
 uniform mat4 u_mapFromObject;       // see ShadowMapView, LightTiles
@@ -31,14 +46,26 @@ invariant gl_Position;
 #ifdef COLORED
 varying vec4 v_color;
 #endif
-#ifdef TEXTURED
+#ifdef FIRST_TEXCOORD
 varying vec2 v_texcoord;
 #endif
-#ifdef LIT
-varying vec3 v_normal;
-#ifndef DIRECTIONAL
-varying vec3 v_towardsLight;
+#ifdef TEXCOORDS_1
+varying vec2 v_texcoord1;
 #endif
+#ifdef TEXCOORDS_2
+varying vec4 v_texcoord23;
+#endif
+#ifdef NORMAL
+varying vec3 v_normal;
+#endif
+#ifdef TANGENTS
+varying vec4 v_tangent;
+#endif
+#ifdef MATERIAL
+varying vec3 v_fromEye;
+#endif
+#if defined(LIT) && !defined(DIRECTIONAL)
+varying vec3 v_towardsLight;
 #endif
 #ifdef SLICED
 varying float v_depth; // along the viewing direction
@@ -54,14 +81,29 @@ void main() {
 #ifdef COLORED
     v_color = a_color;
 #endif
-#ifdef TEXTURED
+#ifdef FIRST_TEXCOORD
     v_texcoord = a_texcoord;
 #endif
-#ifdef LIT
-    v_normal = u_normalFromObject * a_normal;
-#ifndef DIRECTIONAL
-    v_towardsLight = u_light - (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
+#ifdef TEXCOORDS_1
+    v_texcoord1 = a_texcoord1;
 #endif
+#ifdef TEXCOORDS_2
+    v_texcoord23 = a_texcoord23;
+#endif
+#ifdef NORMAL
+    v_normal = u_normalFromObject * a_normal;
+#endif
+#ifdef FROM_EYE
+    vec3 fromEye = (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
+#endif
+#ifdef TANGENTS
+    v_tangent = vec4(mat3(u_eyeOffsetFromObject) * a_tangent.xyz, a_tangent.w);
+#endif
+#ifdef MATERIAL
+    v_fromEye = fromEye;
+#endif
+#if defined(LIT) && !defined(DIRECTIONAL)
+    v_towardsLight = u_light - fromEye;
 #endif
 #if defined(MAP) || defined(PRIMITIVE_MAP)
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;

@@ -31,7 +31,7 @@ std::string SceneReader::read(const std::string& name, const std::string& varian
     return sentenceOfFailure([&] {
         loaded_ = readScene(
             name, std::nullopt, ReadingLimits(), [&](LoadStage stage) { enter(onStage, stage); },
-            variant);
+            Looks{variant});
         enter(onStage, LoadStage::images);
         memory_ = loaded_.document->memory;
         choice_.emplace(*loaded_.document, loaded_.scene);

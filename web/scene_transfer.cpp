@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <cstring>
+#include <set>
 #include <type_traits>
 
 namespace edgeshade::web {
@@ -101,7 +102,10 @@ class Reader {
 template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
     archive(batch.node, batch.worldFromBatch, batch.origin, batch.positions, batch.normals,
-            batch.texcoords, batch.colors, batch.indices, batch.groups, batch.simplifiedCasters);
+            batch.texcoords, batch.colors, batch.tangents, batch.indices, batch.groups,
+            batch.simplifiedCasters);
+    for (auto& texcoords : batch.moreTexcoords)
+        archive(texcoords);
 }
 
 template <class Archive>
@@ -116,15 +120,18 @@ void transfer(Archive& archive, Maybe<PlanePairShadow> auto& shadow) {
 Bytes imagesAlone(const LoadedScene& loaded) {
     Json json = {{"asset", {{"version", "2.0"}}}};
     Bytes binary;
-    for (const Material& material : loaded.scene.materials) {
-        if (material.image < 0 || loaded.images.contains(material.image)) continue;
+    std::set<int> wanted;
+    for (const Material& material : loaded.scene.materials)
+        for (const MaterialTexture& texture : material.textures)
+            if (texture.image >= 0 && !loaded.images.contains(texture.image))
+                wanted.insert(texture.image);
+    for (const int index : wanted) {
         if (!json.contains("images"))
             json["images"] = Json(loaded.document->json["images"].size(),
                                   {{"uri", "data:application/octet-stream;base64,AA=="}});
-        const auto image = static_cast<std::size_t>(material.image);
-        if (json["images"].at(image).contains("bufferView")) continue;
+        const auto image = static_cast<std::size_t>(index);
         const std::size_t view =
-            appendView(json, binary, encodedImageBytes(*loaded.document, material.image));
+            appendView(json, binary, encodedImageBytes(*loaded.document, index));
         json["images"].at(image) = {{"bufferView", view}, {"mimeType", "image/png"}};
     }
     if (!binary.empty()) json["buffers"] = Json::array({{{"byteLength", binary.size()}}});

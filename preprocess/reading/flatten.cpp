@@ -62,8 +62,12 @@ class PieceCounter {
                              " triangles, but the limit is " + std::to_string(most) + ".");
         const std::size_t vertices =
             primitive.normals.empty() ? primitive.indices.size() : primitive.positions.size();
-        constexpr std::size_t bytesPerVertex =
+        constexpr std::size_t plainBytes =
             2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4);
+        std::size_t bytesPerVertex = plainBytes;
+        for (std::size_t channel = 1; channel < primitive.texcoords.size(); ++channel)
+            if (!primitive.texcoords[channel].empty()) bytesPerVertex += sizeof(glm::vec2);
+        if (!primitive.tangents.empty()) bytesPerVertex += sizeof(glm::vec4);
         memory_.take(instances, sizeof(Piece), field);
         memory_.take(instances * vertices, bytesPerVertex, field);
         memory_.take(instances * primitive.indices.size(), sizeof(std::uint32_t), field);
@@ -98,7 +102,7 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
                 material >= 0 && static_cast<std::size_t>(material) < scene.materials.size();
             primitives.push_back(std::make_shared<Primitive>(readPrimitive(
                 document, static_cast<std::size_t>(node.mesh), p, weights,
-                known ? scene.materials[material].texcoordSet : 0, scene.warnings, memory)));
+                known ? scene.materials[material] : Material(), scene.warnings, memory)));
             primitives.back()->material = material;
         }
 
@@ -240,11 +244,36 @@ class PieceAppender {
         const Primitive& primitive = *piece.primitive;
         batch_.positions.push_back(point);
         batch_.normals.push_back(normal);
-        const glm::vec2 uv =
-            primitive.texcoords.empty() ? glm::vec2(0.0f) : primitive.texcoords[vertex];
-        batch_.texcoords.emplace_back(material_.uvTransform * glm::vec3(uv, 1.0f));
+        batch_.texcoords.push_back(texcoord(primitive, vertex, 0));
+        for (int channel = 1; channel < material_.texcoordChannels; ++channel)
+            put(batch_.moreTexcoords[channel - 1], texcoord(primitive, vertex, channel));
+        if (!primitive.tangents.empty()) put(batch_.tangents, tangent(piece, vertex));
         batch_.colors.push_back(primitive.colors.empty() ? glm::vec4(1.0f)
                                                          : primitive.colors[vertex]);
+    }
+
+    glm::vec2 texcoord(const Primitive& primitive, std::size_t vertex, int channel) const {
+        const auto& given = primitive.texcoords[channel];
+        const glm::vec2 uv = given.empty() ? glm::vec2(0.0f) : given[vertex];
+        return material_.channels[channel].transform * glm::vec3(uv, 1.0f);
+    }
+
+    /// Where a mirror turns triangles over, bitangents turn with them.
+    glm::vec4 tangent(const Piece& piece, std::size_t vertex) const {
+        const glm::vec4& given = piece.primitive->tangents[vertex];
+        const glm::dmat3 matrix(matrixOf(document_, piece, vertex));
+        const glm::dvec3 along = matrix * glm::dvec3(given);
+        const double length = glm::length(along);
+        if (!(length > 0.0) || !std::isfinite(length)) return glm::vec4(0.0f);
+        const float sign = glm::determinant(matrix) < 0.0 ? -given.w : given.w;
+        return {glm::vec3(along / length), sign < 0.0f ? -1.0f : 1.0f};
+    }
+
+    /// As that of the vertex last added; what came before it has none.
+    template <class T>
+    void put(std::vector<T>& values, const T& value) {
+        values.resize(batch_.positions.size() - 1);
+        values.push_back(value);
     }
 
     const GltfDocument& document_;
@@ -272,19 +301,23 @@ Batch makeBatch(const GltfDocument& document, int animatedNode, const glm::dmat4
         SurfaceGroup& group = batch.groups.back();
         group.indexCount = static_cast<std::uint32_t>(batch.indices.size()) - group.firstIndex;
     }
+    for (auto& texcoords : batch.moreTexcoords)
+        if (!texcoords.empty()) texcoords.resize(batch.positions.size());
+    if (!batch.tangents.empty()) batch.tangents.resize(batch.positions.size());
     return batch;
 }
 
 } // namespace
 
-Scene flattenScene(const GltfDocument& document, double weldTolerance, const std::string& variant) {
+Scene flattenScene(const GltfDocument& document, double weldTolerance, const Looks& looks) {
     Scene scene;
     scene.warnings = document.warnings;
-    scene.materials = readMaterials(document);
+    scene.materials = readMaterials(document, scene.warnings);
+    if (looks.shading == Shading::base) std::ranges::for_each(scene.materials, keepBase);
     const NodeWalk walk = walkNodes(document, scene.warnings);
     scene.animatedNodes = walk.animatedNodes;
     PiecesByMover piecesByAnimatedNode =
-        gatherPieces(document, walk, findVariant(document, variant, scene.warnings), scene);
+        gatherPieces(document, walk, findVariant(document, looks.variant, scene.warnings), scene);
     for (auto& [animatedNode, pieces] : piecesByAnimatedNode) {
         const glm::dmat4 worldFromAnimated =
             animatedNode < 0 ? glm::dmat4(1.0) : walk.worldFromNode[animatedNode];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/gltf/gltf_document.hpp"
+#include "preprocess/scene/looks.hpp"
 #include "preprocess/scene/scene.hpp"
 
 namespace edgeshade {
@@ -10,11 +11,10 @@ namespace edgeshade {
 /// outside outside. Skins and morphs are taken at rest.
 ///
 /// `weldTolerance` (scene units, >= 0) moves vertices closer than that onto each other; 0 changes
-/// nothing. `variant` names one of KHR_materials_variants' sets of materials; an empty one, and one
-/// that there is not, which is warned of, mean the file's own. The document's warnings are the
+/// nothing. A variant that there is not is warned of and means the file's own materials. The document's warnings are the
 /// scene's first. Safe on untrusted input. Throws InputError, also for what passes the limits that
 /// the document was read with.
 Scene flattenScene(const GltfDocument& document, double weldTolerance,
-                   const std::string& variant = {});
+                   const Looks& looks = {});
 
 } // namespace edgeshade

@@ -1,129 +1,275 @@
 #include "preprocess/reading/material_reading.hpp"
 
-#include "preprocess/base/error.hpp"
+#include "preprocess/gltf/json_field.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace edgeshade {
 namespace {
 
-double numberOr(const tinygltf::Value& object, const std::string& key, double otherwise) {
-    if (!object.IsObject() || !object.Has(key)) return otherwise;
-    return object.Get(key).IsNumber() ? object.Get(key).GetNumberAsDouble() : otherwise;
+/// As a float, which the shaders take.
+float finiteFloat(const JsonField& field) {
+    const auto value = static_cast<float>(field.number());
+    if (!std::isfinite(value)) field.fail(" has a number past the range of floats");
+    return value;
 }
 
-double elementOr(const tinygltf::Value& object, const std::string& key, std::size_t element,
-                 double otherwise) {
-    if (!object.IsObject() || !object.Has(key)) return otherwise;
-    const tinygltf::Value& array = object.Get(key);
-    if (!array.IsArray() || element >= array.ArrayLen()) return otherwise;
-    const tinygltf::Value& value = array.Get(static_cast<int>(element));
-    return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
+float floatOr(const JsonField& object, const char* key, float otherwise) {
+    const auto field = object.find(key);
+    return field ? finiteFloat(*field) : otherwise;
+}
+
+/// Shares of something: what is less than 0 or more than 1 is taken for that.
+float shareOr(const JsonField& object, const char* key, float otherwise) {
+    return glm::clamp(floatOr(object, key, otherwise), 0.0f, 1.0f);
+}
+
+template <glm::length_t N>
+glm::vec<N, float> vectorOr(const JsonField& object, const char* key,
+                            const glm::vec<N, float>& otherwise) {
+    const auto field = object.find(key);
+    if (!field) return otherwise;
+    field->requireArray();
+    if (field->size() != N) field->numbers(N); // says so
+    glm::vec<N, float> vector;
+    for (glm::length_t c = 0; c < N; ++c)
+        vector[c] = finiteFloat(field->item(static_cast<std::size_t>(c)));
+    return vector;
 }
 
 /// KHR_texture_transform's matrix: translation * rotation * scale.
-glm::mat3 uvTransformOf(const tinygltf::Value& transform) {
-    const auto rotation = static_cast<float>(numberOr(transform, "rotation", 0.0));
-    const auto scaleU = static_cast<float>(elementOr(transform, "scale", 0, 1.0));
-    const auto scaleV = static_cast<float>(elementOr(transform, "scale", 1, 1.0));
-    const auto offsetU = static_cast<float>(elementOr(transform, "offset", 0, 0.0));
-    const auto offsetV = static_cast<float>(elementOr(transform, "offset", 1, 0.0));
+glm::mat3 uvTransformOf(const JsonField& transform) {
+    const float rotation = floatOr(transform, "rotation", 0.0f);
+    const auto scale = vectorOr(transform, "scale", glm::vec2(1.0f));
+    const auto offset = vectorOr(transform, "offset", glm::vec2(0.0f));
     const float c = std::cos(rotation), s = std::sin(rotation);
-    return {
-        {c * scaleU, -s * scaleU, 0.0f}, {s * scaleV, c * scaleV, 0.0f}, {offsetU, offsetV, 1.0f}};
+    return {{c * scale.x, -s * scale.x, 0.0f},
+            {s * scale.y, c * scale.y, 0.0f},
+            {offset.x, offset.y, 1.0f}};
 }
 
-Sampler samplerOf(const tinygltf::Sampler& given) {
-    Sampler sampler;
-    sampler.wrapS = given.wrapS;
-    sampler.wrapT = given.wrapT;
-    if (given.minFilter >= 0) sampler.minFilter = given.minFilter;
-    if (given.magFilter >= 0) sampler.magFilter = given.magFilter;
-    return sampler;
-}
+/// Reads one material.
+class MaterialReader {
+  public:
+    MaterialReader(const JsonField& root, const JsonField& source, Warnings& warnings)
+        : root_(root), source_(source), warnings_(warnings) {}
 
-void setTexture(const GltfDocument& document, Material& material, int texture, int texcoordSet,
-                const tinygltf::Value* transform) {
-    if (texture < 0) return;
-    material.texture = texture;
-    material.texcoordSet = texcoordSet;
-    const auto& textures = document.model.textures;
-    const bool exists = static_cast<std::size_t>(texture) < textures.size();
-    if (exists && textures[texture].sampler >= 0)
-        material.sampler = samplerOf(document.model.samplers[textures[texture].sampler]);
-    if (!transform) return;
-    material.uvTransform = uvTransformOf(*transform);
-    material.texcoordSet = static_cast<int>(numberOr(*transform, "texCoord", texcoordSet));
-}
+    Material read() {
+        const auto mode = source_.find("alphaMode");
+        const std::string alphaMode = mode ? mode->text() : "OPAQUE";
+        if (alphaMode == "MASK") material_.alphaMode = AlphaMode::mask;
+        if (alphaMode == "BLEND") material_.alphaMode = AlphaMode::blend;
+        material_.alphaCutoff = floatOr(source_, "alphaCutoff", 0.5f);
+        const auto metallic = source_.find("pbrMetallicRoughness");
+        if (metallic) readBaseColor(*metallic, "baseColorFactor", "baseColorTexture");
+        source_.ifExtension("KHR_materials_unlit",
+                            [&](const JsonField&) { material_.unlit = true; });
+        source_.ifExtension("KHR_materials_pbrSpecularGlossiness", [&](const JsonField& glossy) {
+            material_.specularGlossiness = true;
+            material_.of(TextureSlot::baseColor) = {};
+            material_.baseColorFactor = glm::vec4(1.0f);
+            readBaseColor(glossy, "diffuseFactor", "diffuseTexture");
+            orLeaveOut("its highlights", [&] { readSpecularGlossiness(glossy); });
+        });
+        if (metallic && !material_.specularGlossiness)
+            orLeaveOut("its metal and roughness", [&] { readMetallicRoughness(*metallic); });
+        if (material_.unlit) keepBase(material_);
+        if (!material_.unlit) readWhatReflects();
+        assignChannels();
+        return material_;
+    }
 
-const tinygltf::Value* textureTransform(const tinygltf::ExtensionMap& extensions) {
-    const auto found = extensions.find("KHR_texture_transform");
-    return found == extensions.end() ? nullptr : &found->second;
-}
+  private:
+    /// What a scene can be drawn without: nothing of it is left where it is broken.
+    template <class Read>
+    void orLeaveOut(const std::string& what, Read read) {
+        const Material before = material_;
+        if (!readOrWarn(warnings_, what + " are left out", read)) material_ = before;
+    }
 
-/// The same of a texture that tinygltf does not know.
-const tinygltf::Value* textureTransform(const tinygltf::Value& info) {
-    if (!info.Has("extensions")) return nullptr;
-    const tinygltf::Value& extensions = info.Get("extensions");
-    return extensions.Has("KHR_texture_transform") ? &extensions.Get("KHR_texture_transform")
-                                                   : nullptr;
-}
+    template <class Read>
+    void readExtension(const char* name, const std::string& what, Read read) {
+        source_.ifExtension(name, [&](const JsonField& extension) {
+            orLeaveOut(what, [&] {
+                extension.requireObject();
+                read(extension);
+            });
+        });
+    }
 
-void readMetallicRoughness(const GltfDocument& document, const tinygltf::Material& source,
-                           Material& material) {
-    const auto& factor = source.pbrMetallicRoughness.baseColorFactor;
-    for (glm::length_t c = 0; c < 4 && static_cast<std::size_t>(c) < factor.size(); ++c)
-        material.baseColorFactor[c] = static_cast<float>(factor[c]);
-    const tinygltf::TextureInfo& info = source.pbrMetallicRoughness.baseColorTexture;
-    setTexture(document, material, info.index, info.texCoord, textureTransform(info.extensions));
-}
+    void readTexture(const JsonField& object, const char* key, TextureSlot slot) {
+        object.ifPresent(key, [&](const JsonField& info) {
+            info.requireObject();
+            MaterialTexture texture;
+            texture.texture = info.member("index").index();
+            const auto set = info.find("texCoord");
+            texture.texcoordSet = set ? set->index() : 0;
+            info.ifExtension("KHR_texture_transform", [&](const JsonField& transform) {
+                texture.uvTransform = uvTransformOf(transform);
+                for (glm::length_t c = 0; c < 3; ++c)
+                    if (!std::isfinite(glm::dot(texture.uvTransform[c], glm::vec3(1.0f))))
+                        transform.fail(" has a number past the range of floats");
+                if (const auto own = transform.find("texCoord")) texture.texcoordSet = own->index();
+            });
+            texture.sampler = samplerOf(texture.texture);
+            material_.of(slot) = texture;
+        });
+    }
 
-/// The archived KHR_materials_pbrSpecularGlossiness: its diffuse colour stands for ours.
-void readSpecularGlossiness(const GltfDocument& document, const tinygltf::Value& extension,
-                            Material& material) {
-    for (glm::length_t c = 0; c < 4; ++c)
-        material.baseColorFactor[c] =
-            static_cast<float>(elementOr(extension, "diffuseFactor", c, 1.0));
-    if (!extension.Has("diffuseTexture")) return;
-    const tinygltf::Value& info = extension.Get("diffuseTexture");
-    setTexture(document, material, static_cast<int>(numberOr(info, "index", -1.0)),
-               static_cast<int>(numberOr(info, "texCoord", 0.0)), textureTransform(info));
-}
+    /// A texture that doesn't exist is warned of where images are chosen.
+    Sampler samplerOf(int texture) const {
+        Sampler sampler;
+        const auto textures = root_.find("textures");
+        if (!textures || static_cast<std::size_t>(texture) >= textures->size()) return sampler;
+        const JsonField field = textures->item(static_cast<std::size_t>(texture));
+        const auto index = field.find("sampler");
+        if (!index) return sampler;
+        const JsonField samplers = root_.member("samplers");
+        const JsonField given = samplers.item(
+            static_cast<std::size_t>(index->indexInto(samplers.size(), "samplers")));
+        const auto take = [&](const char* key, int& value) {
+            if (const auto number = given.find(key)) value = number->index();
+        };
+        take("wrapS", sampler.wrapS);
+        take("wrapT", sampler.wrapT);
+        take("minFilter", sampler.minFilter);
+        take("magFilter", sampler.magFilter);
+        return sampler;
+    }
 
-/// Numbers that doubles hold and floats do not must not reach the shaders.
-void requireFinite(const GltfDocument& document, const Material& material,
-                   const std::string& field) {
-    bool finite = std::isfinite(material.alphaCutoff);
-    for (glm::length_t c = 0; c < 4; ++c)
-        finite = finite && std::isfinite(material.baseColorFactor[c]);
-    for (glm::length_t c = 0; c < 3; ++c)
-        finite = finite && std::isfinite(glm::dot(material.uvTransform[c], glm::vec3(1.0f)));
-    if (!finite)
-        throw InputError(document.where(field) + " has a number past the range of floats.");
-}
+    void readBaseColor(const JsonField& object, const char* factor, const char* texture) {
+        material_.baseColorFactor = vectorOr(object, factor, material_.baseColorFactor);
+        readTexture(object, texture, TextureSlot::baseColor);
+    }
 
-Material readMaterial(const GltfDocument& document, std::size_t index) {
-    const tinygltf::Material& source = document.model.materials[index];
-    const std::string field = "materials[" + std::to_string(index) + "]";
-    Material material;
-    if (source.alphaMode == "MASK") material.alphaMode = AlphaMode::mask;
-    if (source.alphaMode == "BLEND") material.alphaMode = AlphaMode::blend;
-    material.alphaCutoff = static_cast<float>(source.alphaCutoff);
-    material.unlit = source.extensions.contains("KHR_materials_unlit");
-    readMetallicRoughness(document, source, material);
-    const auto glossy = source.extensions.find("KHR_materials_pbrSpecularGlossiness");
-    if (glossy != source.extensions.end())
-        readSpecularGlossiness(document, glossy->second, material);
-    requireFinite(document, material, field);
-    return material;
-}
+    void readMetallicRoughness(const JsonField& metallic) {
+        material_.metallic = shareOr(metallic, "metallicFactor", 1.0f);
+        material_.roughness = shareOr(metallic, "roughnessFactor", 1.0f);
+        if (material_.metallic > 0.0f || material_.roughness > 0.0f)
+            readTexture(metallic, "metallicRoughnessTexture", TextureSlot::metallicRoughness);
+    }
+
+    /// The archived KHR_materials_pbrSpecularGlossiness.
+    void readSpecularGlossiness(const JsonField& glossy) {
+        material_.metallic = 0.0f;
+        material_.specularColor =
+            glm::clamp(vectorOr(glossy, "specularFactor", glm::vec3(1.0f)), 0.0f, 1.0f);
+        material_.roughness = 1.0f - shareOr(glossy, "glossinessFactor", 1.0f);
+        readTexture(glossy, "specularGlossinessTexture", TextureSlot::metallicRoughness);
+    }
+
+    void readWhatReflects() {
+        orLeaveOut("its normals", [&] {
+            readTexture(source_, "normalTexture", TextureSlot::normal);
+            if (const auto info = source_.find("normalTexture"))
+                material_.normalScale = floatOr(*info, "scale", 1.0f);
+        });
+        orLeaveOut("its occlusion", [&] {
+            const auto info = source_.find("occlusionTexture");
+            if (!info) return;
+            material_.occlusionStrength = shareOr(*info, "strength", 1.0f);
+            if (material_.occlusionStrength > 0.0f)
+                readTexture(source_, "occlusionTexture", TextureSlot::occlusion);
+        });
+        orLeaveOut("what it gives off", [&] { readEmission(); });
+        readExtension("KHR_materials_ior", "its highlights", [&](const JsonField& extension) {
+            const float ior = floatOr(extension, "ior", 1.5f);
+            if (ior != 0.0f && ior < 1.0f)
+                extension.member("ior").fail(" is " + std::to_string(ior) +
+                                             ", but must be 0, or 1 or more");
+            const float share = (ior - 1.0f) / (ior + 1.0f); // of 0 all, as the extension has it
+            material_.dielectricReflectance = share * share;
+        });
+        if (!material_.specularGlossiness)
+            readExtension("KHR_materials_specular", "its highlights",
+                          [&](const JsonField& extension) { readSpecular(extension); });
+        readExtension("KHR_materials_clearcoat", "its clear coats",
+                      [&](const JsonField& extension) { readClearcoat(extension); });
+        readExtension("KHR_materials_transmission", "its glass", [&](const JsonField& extension) {
+            material_.transmission = shareOr(extension, "transmissionFactor", 0.0f);
+        });
+    }
+
+    void readEmission() {
+        material_.emissive =
+            glm::max(vectorOr(source_, "emissiveFactor", glm::vec3(0.0f)), glm::vec3(0.0f));
+        source_.ifExtension("KHR_materials_emissive_strength", [&](const JsonField& extension) {
+            material_.emissive *= std::max(floatOr(extension, "emissiveStrength", 1.0f), 0.0f);
+        });
+        if (!std::isfinite(glm::dot(material_.emissive, glm::vec3(1.0f))))
+            source_.member("emissiveFactor").fail(" has a number past the range of floats");
+        if (material_.emissive != glm::vec3(0.0f))
+            readTexture(source_, "emissiveTexture", TextureSlot::emissive);
+    }
+
+    void readSpecular(const JsonField& extension) {
+        material_.specular = shareOr(extension, "specularFactor", 1.0f);
+        material_.specularColor = glm::max(
+            vectorOr(extension, "specularColorFactor", glm::vec3(1.0f)), glm::vec3(0.0f));
+        if (material_.specular == 0.0f) return;
+        readTexture(extension, "specularTexture", TextureSlot::specular);
+        readTexture(extension, "specularColorTexture", TextureSlot::specularColor);
+    }
+
+    void readClearcoat(const JsonField& extension) {
+        material_.clearcoat = shareOr(extension, "clearcoatFactor", 0.0f);
+        material_.clearcoatRoughness = shareOr(extension, "clearcoatRoughnessFactor", 0.0f);
+        if (material_.clearcoat == 0.0f) return;
+        readTexture(extension, "clearcoatTexture", TextureSlot::clearcoat);
+        readTexture(extension, "clearcoatRoughnessTexture", TextureSlot::clearcoatRoughness);
+        readTexture(extension, "clearcoatNormalTexture", TextureSlot::clearcoatNormal);
+        if (const auto info = extension.find("clearcoatNormalTexture"))
+            material_.clearcoatNormalScale = floatOr(*info, "scale", 1.0f);
+    }
+
+    /// Textures that take the same set, transformed alike, share a channel.
+    void assignChannels() {
+        const MaterialTexture& base = material_.baseColor();
+        material_.channels[0] = {base.texcoordSet, base.uvTransform};
+        bool named = base.texture >= 0;
+        for (std::size_t slot = 1; slot < textureSlots; ++slot) {
+            MaterialTexture& texture = material_.textures[slot];
+            if (texture.texture < 0) continue;
+            if (!named) material_.channels[0] = {texture.texcoordSet, texture.uvTransform};
+            named = true;
+            int channel = 0;
+            const auto fits = [&] {
+                return material_.channels[channel].set == texture.texcoordSet &&
+                       material_.channels[channel].transform == texture.uvTransform;
+            };
+            while (channel < material_.texcoordChannels && !fits())
+                ++channel;
+            if (channel == mostTexcoordChannels) {
+                readOrWarn(warnings_, "a texture that takes a fifth is left out", [&] {
+                    source_.fail(" takes more than four kinds of texture coordinates");
+                });
+                texture = {};
+                continue;
+            }
+            if (channel == material_.texcoordChannels)
+                material_.channels[material_.texcoordChannels++] = {texture.texcoordSet,
+                                                                    texture.uvTransform};
+            texture.channel = channel;
+        }
+    }
+
+    const JsonField& root_;
+    const JsonField& source_;
+    Warnings& warnings_;
+    Material material_;
+};
 
 } // namespace
 
-std::vector<Material> readMaterials(const GltfDocument& document) {
+std::vector<Material> readMaterials(const GltfDocument& document, Warnings& warnings) {
     std::vector<Material> materials;
-    for (std::size_t i = 0; i < document.model.materials.size(); ++i)
-        materials.push_back(readMaterial(document, i));
+    const JsonField root(document.path, document.json);
+    root.ifPresent("materials", [&](const JsonField& all) {
+        all.forEachItem([&](const JsonField& source) {
+            materials.push_back(MaterialReader(root, source, warnings).read());
+        });
+    });
     materials.emplace_back();
     return materials;
 }

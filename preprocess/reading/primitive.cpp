@@ -124,7 +124,7 @@ bool isTriangleMode(int mode) {
 } // namespace
 
 Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::size_t primitiveIndex,
-                        const std::vector<double>& morphWeights, int texcoordSet,
+                        const std::vector<double>& morphWeights, const Material& material,
                         Warnings& warnings, MemoryBudget& memory) {
     const tinygltf::Primitive& source = document.model.meshes[mesh].primitives[primitiveIndex];
     const std::string field =
@@ -146,8 +146,13 @@ Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::siz
     primitive.positions = asVectors<3>(positions);
     const std::size_t count = primitive.positions.size();
     if (reader.has("NORMAL")) primitive.normals = asVectors<3>(reader.read("NORMAL", 3, count));
-    const std::string texcoord = "TEXCOORD_" + std::to_string(texcoordSet);
-    if (reader.has(texcoord)) primitive.texcoords = asVectors<2>(reader.read(texcoord, 2, count));
+    for (int channel = 0; channel < material.texcoordChannels; ++channel) {
+        const std::string name = "TEXCOORD_" + std::to_string(material.channels[channel].set);
+        if (reader.has(name))
+            primitive.texcoords[channel] = asVectors<2>(reader.read(name, 2, count));
+    }
+    if (material.hasNormalTexture() && reader.has("TANGENT") && reader.has("NORMAL"))
+        primitive.tangents = asVectors<4>(reader.read("TANGENT", 4, count));
     if (reader.has("COLOR_0")) {
         FloatArray colors = reader.read("COLOR_0", 3, 4, count);
         primitive.colors.assign(count, glm::vec4(1.0f));

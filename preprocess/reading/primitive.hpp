@@ -2,7 +2,9 @@
 
 #include "preprocess/base/warnings.hpp"
 #include "preprocess/gltf/gltf_document.hpp"
+#include "preprocess/scene/material.hpp"
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -13,7 +15,9 @@ namespace edgeshade {
 struct Primitive {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec2> texcoords; ///< the set that the base colour texture uses
+    /// One array for each channel that was asked for.
+    std::array<std::vector<glm::vec2>, mostTexcoordChannels> texcoords;
+    std::vector<glm::vec4> tangents;  ///< with the bitangent's sign
     std::vector<glm::vec4> colors;    ///< linear, alpha 1 where the file has none
     std::vector<glm::uvec4> joints;
     std::vector<glm::vec4> weights;
@@ -23,10 +27,11 @@ struct Primitive {
 
 /// Reads a primitive: accessors or KHR_draco_mesh_compression, triangles, strips or fans, morph
 /// targets blended with `morphWeights`. Points and lines give an empty primitive and a warning.
-/// `texcoordSet` picks TEXCOORD_n; `memory` counts what is read. Safe on untrusted input. Throws
+/// Texture coordinates are those of the material's channels, not yet transformed; tangents are read
+/// where it has normals by texture. `memory` counts what is read. Safe on untrusted input. Throws
 /// InputError, also for values that are NaN or infinite, naming the accessor.
 Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::size_t primitive,
-                        const std::vector<double>& morphWeights, int texcoordSet,
+                        const std::vector<double>& morphWeights, const Material& material,
                         Warnings& warnings, MemoryBudget& memory);
 
 } // namespace edgeshade

@@ -47,7 +47,10 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const LoadedScene loaded = options.load();
+    const bool full = std::ranges::any_of(settings, [](const BenchSetting& setting) {
+        return setting.settings.render.shading == Shading::full;
+    });
+    const LoadedScene loaded = options.load(full ? Shading::full : Shading::base);
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);

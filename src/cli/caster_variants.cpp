@@ -12,7 +12,7 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
     const auto found = std::find_if(others_.begin(), others_.end(),
                                     [&](const auto& other) { return other->settings == wanted; });
     if (found != others_.end()) return *found;
-    LoadedScene other = loadScene(path_, wanted, own_.document->memory.limits(), {}, own_.variant);
+    LoadedScene other = loadScene(path_, wanted, own_.document->memory.limits(), {}, own_.looks);
     other.images = own_.images; // the same pixels, kept once
     return others_.emplace_back(std::make_shared<const LoadedScene>(std::move(other)));
 }

@@ -29,6 +29,7 @@ const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
 
+const Choices<Shading> shadingNames = {{"full", Shading::full}, {"base", Shading::base}};
 const Choices<int> maskScaleNames = {{"1", 1}, {"1/2", 2}, {"1/4", 4}};
 
 template <class Value>
@@ -80,6 +81,22 @@ void addPrimitiveMapMemory(CLI::App& verb, DrawSettings& settings) {
             "volumes are counted (67108864)")
         ->check(CLI::Range(std::size_t{1} << 16, std::size_t{1} << 32))
         ->type_name("BYTES");
+}
+
+void addShadingOptions(CLI::App& verb, DrawSettings& settings) {
+    addChoice(verb, "--shading", settings.render.shading, shadingNames,
+              "What surfaces are drawn with: all that their materials say, or base colour and "
+              "Lambert's law (full)");
+    verb.add_option_function<float>(
+            "--exposure",
+            [&settings](float stops) {
+                settings.render.exposure = stops;
+                settings.fullOptions.push_back("--exposure");
+            },
+            "Light is taken 2^EV times before the display's colours are made of it (0)")
+        ->check(finite())
+        ->check(CLI::Range(-20.0, 20.0))
+        ->type_name("EV");
 }
 
 void addMaskScale(CLI::App& verb, DrawSettings& settings) {
@@ -143,14 +160,20 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
         ->type_name("N|auto");
     addMaskScale(verb, settings);
     addPrimitiveMapMemory(verb, settings);
-    verb.add_option("--ambient", settings.render.ambient,
-                    "Share of ambient light; the lights share the rest (0.35)")
+    addShadingOptions(verb, settings);
+    verb.add_option("--ambient", settings.ambient,
+                    "Share of ambient light, as the display shows it; the lights share the rest "
+                    "(0.5; 0.35 with --shading base)")
         ->check(finite())
         ->check(CLI::Range(0.0, 1.0))
         ->type_name("0..1");
 }
 
 void resolve(DrawSettings& settings) {
+    const bool full = settings.render.shading == Shading::full;
+    settings.render.ambient = settings.ambient.value_or(full ? 0.5f : 0.35f);
+    if (!full && !settings.fullOptions.empty())
+        throw Error(ExitStatus::usage, settings.fullOptions.front() + " needs --shading full.");
     const bool published = settings.layout == VolumeLayout::oppositeVertices;
     MultiplicityMethod& method = settings.render.multiplicity;
     method = settings.multiplicity.value_or(published ? MultiplicityMethod::referenceEdge
@@ -181,6 +204,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     settings.mapOptions.clear();
     settings.volumeOptions.clear();
     settings.primitiveMapOptions.clear();
+    settings.fullOptions.clear();
     // Either of the two that is typed here says what the other one is.
     settings.multiplicity.reset();
     settings.layout.reset();
@@ -246,7 +270,9 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},
+        {"shading", nameIn(shadingNames, render.shading)},
         {"ambient", render.ambient}};
+    if (render.shading == Shading::full) json["exposure"] = render.exposure;
     if (render.shadows == ShadowMethod::volumes)
         json["mask-scale"] = nameIn(maskScaleNames, render.maskScale);
     if (render.shadows == ShadowMethod::map)

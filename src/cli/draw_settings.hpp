@@ -4,6 +4,7 @@
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,12 +17,16 @@ enum class InstancingChoice { automatic, on, off, multiDraw };
 
 /// How pictures are drawn, as typed: what `--against` can vary.
 struct DrawSettings {
+    DrawSettings() { render.shading = Shading::full; }
+
     RenderSettings render;
     std::optional<MultiplicityMethod> multiplicity; ///< as typed; see resolve()
     std::optional<VolumeLayout> layout;             ///< likewise
     std::optional<SilhouetteChoice> silhouette;     ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;               ///< nothing: as many as pay
+    std::optional<float> ambient;                 ///< as typed; see resolve()
+    std::vector<std::string> fullOptions;         ///< those that only full shading has
     std::vector<std::string> mapOptions;          ///< those typed that only shadow maps have
     std::vector<std::string> volumeOptions;       ///< those that only shadow volumes have
     std::vector<std::string> primitiveMapOptions; ///< those that only primitive maps have
@@ -33,7 +38,7 @@ struct DrawSettings {
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Works out render.multiplicity and render.silhouette from what was typed: plane-pair records hold
+/// Works out render.ambient, render.multiplicity and render.silhouette from what was typed: plane-pair records hold
 /// planes, published ones opposite vertices, so that layout or method follows from the other.
 /// Throws Error(usage) where they don't go together, and for options that another one makes
 /// meaningless.
@@ -43,6 +48,15 @@ void resolve(DrawSettings& settings);
 /// casters' too, e.g. "caster-error=0.01".
 /// Throws Error(usage).
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
+
+/// What of materials has to be read for all of them.
+template <class Settings>
+Shading shadingFor(const Settings& settings) {
+    return std::ranges::any_of(
+               settings, [](const auto& one) { return one.render.shading == Shading::full; })
+               ? Shading::full
+               : Shading::base;
+}
 
 /// The layout that the choice means in this context.
 SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities);

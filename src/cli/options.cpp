@@ -230,7 +230,7 @@ void addReportOption(CLI::App& verb, std::string& path) {
 }
 
 Camera cameraFor(const ViewOptions& options, const Scene& scene) {
-    const Camera framing = framingCamera(worldBounds(scene), options.fovDegrees, options.aspect());
+    const Camera framing = framingCamera(scene, options.fovDegrees, options.aspect());
     const Camera camera{options.from.value_or(framing.from), options.to.value_or(framing.to),
                         options.fovDegrees};
     if (camera.from == camera.to)

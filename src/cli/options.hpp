@@ -56,7 +56,9 @@ struct SceneOptions {
     gl::Limits glLimits = gl::Limits::device;
     std::string variant; ///< of its materials; empty: the file's own
 
-    LoadedScene load() const { return loadScene(input, casters.wanted(), limits, {}, variant); }
+    LoadedScene load(Shading shading) const {
+        return loadScene(input, casters.wanted(), limits, {}, {variant, shading});
+    }
 };
 
 /// The words that an option takes, in the order in which help and messages list them.

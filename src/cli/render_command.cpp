@@ -95,7 +95,7 @@ void tintVolumes(GpuScene& scene, const FrameView& view, const Renderer& rendere
 
 void render(const RenderOptions& options) {
     Stopwatch watch;
-    const LoadedScene loaded = options.load();
+    const LoadedScene loaded = options.load(options.settings.render.shading);
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);

@@ -31,10 +31,12 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
     state.camera = cameraFor(options.view, scene);
     state.lights = request.lights;
     state.left = {render.shadows, render.map.size, render.multiplicity, render.maskScale};
+    state.shading = render.shading;
     state.ambient = render.ambient;
+    state.exposure = render.exposure;
     const Json all = viewer::toJson(state);
     Json typed;
-    for (const char* key : {"camera", "lights", "ambient", "left"})
+    for (const char* key : {"camera", "lights", "shading", "ambient", "exposure", "left"})
         typed[key] = all[key];
     return typed;
 }
@@ -45,7 +47,7 @@ void view(const WindowOptions& options) {
                     "The window's camera is in perspective and looks from --camera-from to "
                     "--camera-to: --camera-matrix and --ortho are for render, compare and bench.");
     const auto load = [&](const std::filesystem::path& path, const std::string& variant) {
-        LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits, {}, variant);
+        LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits, {}, {variant});
         printWarnings(loaded.scene.warnings.sentences());
         return loaded;
     };

@@ -75,7 +75,7 @@ void App::fitToWindow() {
 void App::show(const std::filesystem::path& path, LoadedScene loaded) {
     std::vector<std::string> variants = variantNames(*loaded.document);
     variants.insert(variants.begin(), "");
-    const auto shown = std::find(variants.begin(), variants.end(), loaded.variant);
+    const auto shown = std::find(variants.begin(), variants.end(), loaded.looks.variant);
     const auto index =
         shown == variants.end() ? 0 : static_cast<std::size_t>(shown - variants.begin());
     viewer_.show(std::move(loaded));

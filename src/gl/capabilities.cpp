@@ -51,6 +51,8 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.fragmentHighpMantissaBits = highpMantissaBits(GL_FRAGMENT_SHADER);
     capabilities.instancing =
         Instancing::find(capabilities.version, capabilities.extensions, lookUp);
+    capabilities.multisampling =
+        Multisampling::find(capabilities.version, capabilities.extensions, lookUp);
     capabilities.timerQueries = TimerQueries::find(capabilities.extensions, lookUp);
     return capabilities;
 }
@@ -73,6 +75,7 @@ Capabilities limited(Capabilities capabilities, Limits limits) {
     lower(capabilities.vertexHighpMantissaBits, leastMantissaBits);
     lower(capabilities.fragmentHighpMantissaBits, leastMantissaBits);
     capabilities.instancing.reset();
+    capabilities.multisampling.reset();
     capabilities.timerQueries.reset();
     return capabilities;
 }

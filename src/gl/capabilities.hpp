@@ -2,6 +2,7 @@
 
 #include "src/gl/entry_points.hpp"
 #include "src/gl/instancing.hpp"
+#include "src/gl/multisampling.hpp"
 #include "src/gl/timer_queries.hpp"
 
 #include <optional>
@@ -42,6 +43,7 @@ struct Capabilities {
     int fragmentHighpMantissaBits = 0; ///< 0: the fragment stage has no highp
     Limits limits = Limits::device;
     std::optional<Instancing> instancing;
+    std::optional<Multisampling> multisampling;
     std::optional<TimerQueries> timerQueries;
 
     /// Whether the processor draws: Mesa's llvmpipe and softpipe, SwiftShader.

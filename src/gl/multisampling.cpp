@@ -21,29 +21,47 @@ constexpr GLenum largestSamples = 0x8D57;
 
 } // namespace
 
+std::optional<Multisampling> Multisampling::find(const std::string& version,
+                                                 const std::string& extensions,
+                                                 void* (*lookUp)(const char*)) {
+    const auto suffix = entryPointSuffix(version, extensions, "framebuffer_multisample");
+    if (!suffix) return std::nullopt;
+    Multisampling found;
+    found.storage_ =
+        reinterpret_cast<Storage>(lookUp(("glRenderbufferStorageMultisample" + *suffix).c_str()));
+    found.blit_ = reinterpret_cast<Blit>(lookUp(("glBlitFramebuffer" + *suffix).c_str()));
+    if (!found.storage_ || !found.blit_) return std::nullopt;
+    return found;
+}
+
+void Multisampling::average(Name from, Name into, int width, int height) const {
+    glBindFramebuffer(readFramebuffer, from);
+    glBindFramebuffer(drawFramebuffer, into);
+    blit_(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, into);
+    requireNoError("averaging samples");
+}
+
 MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samples,
                                                  const std::string& version,
                                                  const std::string& extensions,
                                                  void* (*lookUp)(const char*))
     : width_(width), height_(height) {
-    const auto suffix = entryPointSuffix(version, extensions, "framebuffer_multisample");
-    if (!suffix) unavailable(samples);
-    const auto storage =
-        reinterpret_cast<Storage>(lookUp(("glRenderbufferStorageMultisample" + *suffix).c_str()));
-    blit_ = reinterpret_cast<Blit>(lookUp(("glBlitFramebuffer" + *suffix).c_str()));
+    const auto found = Multisampling::find(version, extensions, lookUp);
     GLint most = 0;
-    glGetIntegerv(largestSamples, &most);
-    if (!storage || !blit_ || samples > most) unavailable(samples);
+    if (found) glGetIntegerv(largestSamples, &most);
+    if (samples > most) unavailable(samples);
+    multisampling_ = *found;
 
     Name names[2] = {};
     glGenRenderbuffers(2, names);
     color_ = Renderbuffer(names[0]);
     depthStencil_ = Renderbuffer(names[1]);
     glBindRenderbuffer(GL_RENDERBUFFER, color_.name());
-    storage(GL_RENDERBUFFER, samples, GL_RGBA8_OES, width, height);
+    multisampling_.makeStorage(samples, GL_RGBA8_OES, width, height);
     glGetRenderbufferParameteriv(GL_RENDERBUFFER, 0x8CAB /* RENDERBUFFER_SAMPLES */, &samples_);
     glBindRenderbuffer(GL_RENDERBUFFER, depthStencil_.name());
-    storage(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8_OES, width, height);
+    multisampling_.makeStorage(samples, GL_DEPTH24_STENCIL8_OES, width, height);
 
     Name framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
@@ -62,11 +80,7 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
 }
 
 void MultisampledFramebuffer::resolve() const {
-    glBindFramebuffer(readFramebuffer, framebuffer_.name());
-    glBindFramebuffer(drawFramebuffer, 0);
-    blit_(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    requireNoError("averaging samples");
+    multisampling_.average(framebuffer_.name(), 0, width_, height_);
 }
 
 void MultisampledFramebuffer::bind() const {

@@ -2,12 +2,37 @@
 
 #include "src/gl/objects.hpp"
 
+#include <optional>
 #include <string>
 
 namespace edgeshade::gl {
 
-/// A multisampled framebuffer beside the default one, which GLES 2 has only as an extension: core
-/// names from ES 3.0 on, else GL_ANGLE_framebuffer_multisample or GL_NV_framebuffer_multisample.
+/// Renderbuffers of several samples a pixel and their averaging, which GLES 2 has only as an
+/// extension: core names from ES 3.0 on, else GL_ANGLE_framebuffer_multisample or
+/// GL_NV_framebuffer_multisample.
+class Multisampling {
+  public:
+    /// Nothing where the GL has none.
+    static std::optional<Multisampling> find(const std::string& version,
+                                             const std::string& extensions,
+                                             void* (*lookUp)(const char*));
+
+    /// Makes storage for the bound renderbuffer.
+    void makeStorage(int samples, unsigned format, int width, int height) const {
+        storage_(0x8D41 /* RENDERBUFFER */, samples, format, width, height);
+    }
+    /// Averages the colours of one framebuffer into another of the same size, and leaves that bound.
+    void average(Name from, Name into, int width, int height) const;
+
+  private:
+    using Storage = void (*)(unsigned, int, unsigned, int, int);
+    using Blit = void (*)(int, int, int, int, int, int, int, int, unsigned, unsigned);
+
+    Storage storage_ = nullptr;
+    Blit blit_ = nullptr;
+};
+
+/// A multisampled framebuffer beside the default one.
 class MultisampledFramebuffer {
   public:
     /// Makes it and binds it for drawing. Throws Error(unavailable) if this context can't.
@@ -23,10 +48,7 @@ class MultisampledFramebuffer {
     int samples() const { return samples_; }
 
   private:
-    using Storage = void (*)(unsigned, int, unsigned, int, int);
-    using Blit = void (*)(int, int, int, int, int, int, int, int, unsigned, unsigned);
-
-    Blit blit_ = nullptr;
+    Multisampling multisampling_;
     Framebuffer framebuffer_;
     Renderbuffer color_;
     Renderbuffer depthStencil_;

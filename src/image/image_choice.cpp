@@ -21,15 +21,18 @@ std::set<std::size_t> usedMaterials(const Scene& scene) {
 ImageChoice::ImageChoice(const GltfDocument& document, Scene& scene) : scene_(scene) {
     const std::size_t count = document.model.textures.size();
     for (const std::size_t m : usedMaterials(scene)) {
-        const int texture = scene.materials[m].texture;
-        if (texture < 0 || sources_.contains(texture)) continue;
-        const auto index = static_cast<std::size_t>(texture);
-        if (index < count)
-            sources_[texture] = sourcesOf(document, index, scene.warnings);
-        else
-            scene.warnings.add(document.where("materials[") + std::to_string(m) +
-                               "] has the texture " + std::to_string(texture) + ", but there are " +
-                               std::to_string(count) + " textures; it is left out.");
+        for (const MaterialTexture& used : scene.materials[m].textures) {
+            const int texture = used.texture;
+            if (texture < 0 || sources_.contains(texture)) continue;
+            const auto index = static_cast<std::size_t>(texture);
+            if (index < count)
+                sources_[texture] = sourcesOf(document, index, scene.warnings);
+            else
+                scene.warnings.add(document.where("materials[") + std::to_string(m) +
+                                   "] has the texture " + std::to_string(texture) +
+                                   ", but there are " + std::to_string(count) +
+                                   " textures; it is left out.");
+        }
     }
 }
 
@@ -53,11 +56,12 @@ void ImageChoice::decide(int image, const std::function<std::shared_ptr<const Im
 }
 
 SceneImages ImageChoice::finish() {
-    for (Material& material : scene_.materials) {
-        const auto found = sources_.find(material.texture);
-        if (found != sources_.end() && !found->second.empty())
-            material.image = found->second.front();
-    }
+    for (Material& material : scene_.materials)
+        for (MaterialTexture& texture : material.textures) {
+            const auto found = sources_.find(texture.texture);
+            if (found != sources_.end() && !found->second.empty())
+                texture.image = found->second.front();
+        }
     std::erase_if(taken_, [](const auto& image) { return !image.second; });
     return std::move(taken_);
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 
 namespace edgeshade::lab {
 namespace {
@@ -129,17 +130,26 @@ class Jury {
         return frame;
     }
 
-    /// The program's pictures without shadows, which the oracle's picture is put together from.
-    /// Contenders with the same slices and ambient light share them.
-    void drawUnshadowed(RenderSettings plain, FrameView frame) {
-        const auto key = std::pair(frame.slices.size(), plain.ambient);
+    /// The program's pictures without shadows. Contenders with the same slices and the same look
+    /// share them.
+    void drawUnshadowed(RenderSettings plain, const FrameView& frame) {
+        const auto key = std::tuple(frame.slices.size(), plain.shading, plain.ambient,
+                                    plain.exposure);
         if (unshadowed_ == key) return;
         unshadowed_ = key;
         plain.shadows = ShadowMethod::none;
-        Renderer renderer = studio_.rendererFor(plain);
-        pictures_.drawUnshadowed(std::move(frame), [&](const FrameView& view) {
-            return studio_.draw(renderer, loaded_, view);
-        });
+        const auto renderer = std::make_shared<Renderer>(studio_.rendererFor(plain));
+        const auto drawn = std::make_shared<std::map<std::uint32_t, std::vector<std::uint8_t>>>();
+        pictures_.unshadowed = [this, frame, renderer, drawn](std::uint32_t lights) {
+            if (const auto found = drawn->find(lights); found != drawn->end()) return found->second;
+            FrameView view = frame;
+            for (std::size_t i = 0; i < view.lights.size(); ++i)
+                view.lights[i].drawn = (lights >> i & 1u) != 0;
+            auto picture = studio_.draw(*renderer, loaded_, view);
+            constexpr std::size_t most = 16;
+            if (drawn->size() < most) drawn->emplace(lights, picture);
+            return picture;
+        };
     }
 
     const LoadedScene& loaded_;
@@ -149,7 +159,8 @@ class Jury {
     JudgedView judged_;
     std::map<const LoadedScene*, FrameView> frames_; ///< of judged_
     Pictures pictures_;
-    std::optional<std::pair<std::size_t, float>> unshadowed_; ///< slices, ambient of the pictures
+    /// What the pictures without shadows were drawn with: slices and look.
+    std::optional<std::tuple<std::size_t, Shading, float, float>> unshadowed_;
 };
 
 /// The bias with the fewest wrong pixels over the first views.

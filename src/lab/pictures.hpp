@@ -1,7 +1,5 @@
 #pragma once
 
-#include "src/shadow/geometry/frame_view.hpp"
-
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -12,15 +10,9 @@ namespace edgeshade::lab {
 struct Pictures {
     std::vector<std::uint8_t> mask;  ///< the program's lit mask of light 0
     std::vector<std::uint8_t> image; ///< the program's picture
-    /// The picture with no light, with the first, and with the first and each other, all without
-    /// shadows: what the oracle's picture is put together from, rounded as the program does, which
-    /// draws the first light with ambient light.
-    std::vector<std::uint8_t> ambient;
-    std::vector<std::vector<std::uint8_t>> unshadowed;
-
-    /// Takes these last from `draw`, which draws the frame without shadows.
-    void drawUnshadowed(FrameView frame,
-                        const std::function<std::vector<std::uint8_t>(const FrameView&)>& draw);
+    /// The program's picture without shadows, with those lights alone whose bits are set: what the
+    /// oracle's picture takes each pixel from, whatever the surfaces are shaded with.
+    std::function<std::vector<std::uint8_t>(std::uint32_t lights)> unshadowed;
 };
 
 } // namespace edgeshade::lab

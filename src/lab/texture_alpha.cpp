@@ -111,26 +111,26 @@ class AlphaSurface {
 AlphaLookup textureAlpha(const LoadedScene& loaded) {
     const auto images = std::make_shared<SceneImages>();
     for (const Material& material : loaded.scene.materials)
-        if (material.alphaMode == AlphaMode::mask && material.image >= 0 &&
-            !images->contains(material.image))
-            images->emplace(material.image, pixelsOf(loaded, material.image));
+        if (const int image = material.baseColor().image;
+            material.alphaMode == AlphaMode::mask && image >= 0 && !images->contains(image))
+            images->emplace(image, pixelsOf(loaded, image));
     const Scene* scene = &loaded.scene;
     AlphaLookup lookup;
     lookup.at = [images, scene](const EyeTriangle& triangle, double u, double v) {
         const AlphaSurface surface(*scene, triangle);
         const float factor = surface.factor({u, v});
-        const auto image = images->find(surface.material().image);
+        const auto image = images->find(surface.material().baseColor().image);
         if (image == images->end()) return factor;
-        const AlphaTexture texture(*image->second, surface.material().sampler);
+        const AlphaTexture texture(*image->second, surface.material().baseColor().sampler);
         return factor * texture.at(surface.texcoord({u, v}) * texture.size());
     };
     lookup.range = [images, scene](const EyeTriangle& triangle,
                                    const std::array<glm::dvec2, 3>& places) {
         const AlphaSurface surface(*scene, triangle);
         const float factor = surface.factor(places[0]);
-        const auto image = images->find(surface.material().image);
+        const auto image = images->find(surface.material().baseColor().image);
         if (image == images->end()) return glm::vec2(factor);
-        const AlphaTexture texture(*image->second, surface.material().sampler);
+        const AlphaTexture texture(*image->second, surface.material().baseColor().sampler);
         std::array<glm::dvec2, 3> texels;
         for (std::size_t i = 0; i < texels.size(); ++i)
             texels[i] = surface.texcoord(places[i]) * texture.size();

@@ -1,5 +1,6 @@
 #include "src/lab/verdicts.hpp"
 
+#include "src/lab/oracle_picture.hpp"
 #include "src/lab/tie.hpp"
 
 #include <algorithm>
@@ -14,14 +15,17 @@ namespace {
 
 constexpr int tolerance = 2; // of 255, in the image (contract)
 
-using Color = std::array<int, 3>;
-
 /// One view: pictures and answers side by side.
 class View {
   public:
     View(const Oracle& oracle, const std::vector<Answer>& answers, const Pictures& pictures)
-        : oracle_(oracle), answers_(answers), pictures_(pictures), width_(oracle.question().width),
-          height_(oracle.question().height) {}
+        : answers_(answers), pictures_(pictures), expected_(pictures),
+          width_(oracle.question().width), height_(oracle.question().height) {
+        follow();
+    }
+
+    /// To be called when answers have changed.
+    void follow() { expected_.follow(answers_); }
 
     bool wrongInMask(std::size_t i) const {
         const bool surface = pictures_.mask[4 * i + 3] != 0;
@@ -31,7 +35,7 @@ class View {
     }
 
     bool wrongInImage(std::size_t i) const {
-        const Color expected = oracleColor(i);
+        const OraclePicture::Color& expected = expected_.at(i);
         for (std::size_t c = 0; c < 3; ++c)
             if (std::abs(expected[c] - pictures_.image[4 * i + c]) > tolerance) return true;
         return false;
@@ -54,25 +58,9 @@ class View {
     }
 
   private:
-    /// The program's own unshadowed lights, put together by the oracle's answer.
-    Color oracleColor(std::size_t i) const {
-        Color color;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const std::size_t at = 4 * i + c;
-            color[c] = pictures_.ambient[at];
-            for (std::size_t light = 0; light < pictures_.unshadowed.size(); ++light) {
-                const auto& without = light == 0 ? pictures_.ambient : pictures_.unshadowed[0];
-                if ((answers_[i].lit >> light & 1u) != 0)
-                    color[c] += pictures_.unshadowed[light][at] - without[at];
-            }
-            color[c] = std::min(color[c], 255);
-        }
-        return color;
-    }
-
-    const Oracle& oracle_;
     const std::vector<Answer>& answers_;
     const Pictures& pictures_;
+    OraclePicture expected_;
     int width_, height_;
 };
 
@@ -110,7 +98,7 @@ WrongCounts& WrongCounts::operator+=(const WrongCounts& other) {
 
 Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
                              const Pictures& pictures, int subpixelBits) {
-    const View view(oracle, answers, pictures);
+    View view(oracle, answers, pictures);
     const int width = oracle.question().width;
     const auto wrongPixels = [&] {
         std::vector<std::size_t> wrong;
@@ -132,6 +120,7 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
     });
     for (std::size_t s = 0; s < suspects.size(); ++s)
         answers[suspects[s]] = verdicts[s].answer;
+    view.follow();
 
     struct Tie {
         bool coarsest = false, device = false; ///< on that grid

@@ -1,5 +1,7 @@
 #include "src/scene/gpu_scene.hpp"
 
+#include <algorithm>
+
 namespace edgeshade {
 namespace {
 
@@ -76,7 +78,13 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         {}, {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
         gpu.batches.push_back(
-            {batch.worldFromBatch, batch.node >= 0, false, uploadSurfaces(batch), {}});
+            {batch.worldFromBatch, batch.node >= 0, false, uploadSurfaces(batch, scene.materials), {}});
+    gpu.plain = std::all_of(gpu.batches.begin(), gpu.batches.end(), [&](const GpuBatch& batch) {
+        return std::all_of(batch.surfaces.begin(), batch.surfaces.end(), [&](const auto& chunk) {
+            const Material& material = gpu.materials[chunk.material];
+            return material.unlit || material.alphaMode == AlphaMode::blend || material.isPlain();
+        });
+    });
     if (records) addVolumes(gpu, loaded, *records);
     return gpu;
 }

@@ -27,22 +27,22 @@ const char* nameOf(LoadStage stage) {
 
 LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
-                      const std::function<void(LoadStage)>& onStage, const std::string& variant) {
+                      const std::function<void(LoadStage)>& onStage, const Looks& looks) {
     if (onStage) onStage(LoadStage::read);
     LoadedScene loaded;
     loaded.document = std::make_shared<const GltfDocument>(readGltf(path, limits));
-    loaded.variant = variant;
+    loaded.looks = looks;
     const auto header = readShadowHeader(*loaded.document);
     loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
     if (onStage) onStage(LoadStage::flatten);
-    loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, variant);
+    loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, looks);
     return loaded;
 }
 
 void addShadows(LoadedScene& loaded) {
     const auto header = readShadowHeader(*loaded.document);
     const bool fits = header && header->settings == loaded.settings;
-    if (fits && loaded.variant.empty()) {
+    if (fits && loaded.looks.variant.empty()) {
         readCasters(*loaded.document, *header, loaded.scene);
         if (header->encoding != Encoding::none)
             loaded.shadows = readShadows(*loaded.document, *header, loaded.scene);
@@ -58,8 +58,8 @@ void addShadows(LoadedScene& loaded) {
 
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits,
-                      const std::function<void(LoadStage)>& onStage, const std::string& variant) {
-    LoadedScene loaded = readScene(path, wanted, limits, onStage, variant);
+                      const std::function<void(LoadStage)>& onStage, const Looks& looks) {
+    LoadedScene loaded = readScene(path, wanted, limits, onStage, looks);
     if (onStage) onStage(LoadStage::images);
     loaded.images = decodeImages(*loaded.document, loaded.scene);
     if (onStage) onStage(LoadStage::shadows);

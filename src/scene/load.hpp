@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/base/limits.hpp"
+#include "preprocess/scene/looks.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
 #include "src/image/scene_images.hpp"
@@ -21,7 +22,7 @@ struct LoadedScene {
     std::vector<std::shared_ptr<const PlanePairShadow>> planePairs; ///< one a batch
     std::vector<BatchShadow> shadows; ///< with opposite vertices, where the file has them; or empty
     CasterSettings settings;
-    std::string variant = {}; ///< as it was asked for, KHR_materials_variants; empty: none
+    Looks looks = {}; ///< as they were asked for
 };
 
 /// What loading does, in this order.
@@ -32,18 +33,18 @@ const char* nameOf(LoadStage stage);
 
 /// Reads a file, packed or not. `wanted`: what the user asked for, if anything; shadow data packed
 /// with other settings are left aside and made anew, with a warning. What passes `limits` is
-/// refused. `onStage` is called at the start of each stage. `variant`: see flattenScene(); what it
-/// shades may differ, so that nothing packed is used with it. Throws InputError.
+/// refused. `onStage` is called at the start of each stage. `looks`: see flattenScene(); what a
+/// variant shades may differ, so that nothing packed is used with it. Throws InputError.
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
                       const std::function<void(LoadStage)>& onStage = {},
-                      const std::string& variant = {});
+                      const Looks& looks = {});
 
 /// Its first two stages; decoding the images is the caller's.
 LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
                       const std::function<void(LoadStage)>& onStage = {},
-                      const std::string& variant = {});
+                      const Looks& looks = {});
 
 /// Its last stage. Throws InputError.
 void addShadows(LoadedScene& loaded);

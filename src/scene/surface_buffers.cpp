@@ -25,7 +25,30 @@ bool isWhite(const SurfaceVertex& vertex) {
                        [](std::uint8_t value) { return value == 255; });
 }
 
-SurfaceChunk upload(const Batch& batch, const SurfacePart& part) {
+/// What the batch has of it; zeros for the rest.
+SurfaceDetail detailOf(const Batch& batch, std::uint32_t index) {
+    SurfaceDetail detail{};
+    if (!batch.tangents.empty()) detail.tangent = batch.tangents[index];
+    for (std::size_t channel = 0; channel < batch.moreTexcoords.size(); ++channel)
+        if (!batch.moreTexcoords[channel].empty())
+            detail.texcoords[channel] = batch.moreTexcoords[channel][index];
+    return detail;
+}
+
+void uploadDetails(const Batch& batch, const Material& material, const SurfacePart& part,
+                   SurfaceChunk& chunk) {
+    chunk.tangents = material.hasNormalTexture() && !batch.tangents.empty() &&
+                     std::all_of(part.vertices.begin(), part.vertices.end(),
+                                 [&](std::uint32_t v) { return batch.tangents[v].w != 0.0f; });
+    if (!chunk.tangents && material.texcoordChannels == 1) return;
+    std::vector<SurfaceDetail> details;
+    details.reserve(part.vertices.size());
+    for (const std::uint32_t index : part.vertices)
+        details.push_back(detailOf(batch, index));
+    chunk.details = gl::vertexBuffer<SurfaceDetail>(details);
+}
+
+SurfaceChunk upload(const Batch& batch, const Material& material, const SurfacePart& part) {
     SurfaceChunk chunk;
     chunk.material = part.material;
     std::vector<SurfaceVertex> vertices;
@@ -39,6 +62,7 @@ SurfaceChunk upload(const Batch& batch, const SurfacePart& part) {
     }
     chunk.center = glm::vec3(sum / static_cast<double>(vertices.size()));
     chunk.vertices = gl::vertexBuffer<SurfaceVertex>(vertices);
+    uploadDetails(batch, material, part, chunk);
     chunk.indices = gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(part.indices)));
     chunk.indexCount = static_cast<int>(part.indices.size());
     return chunk;
@@ -46,10 +70,11 @@ SurfaceChunk upload(const Batch& batch, const SurfacePart& part) {
 
 } // namespace
 
-std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch) {
+std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch,
+                                         const std::vector<Material>& materials) {
     std::vector<SurfaceChunk> chunks;
     for (const SurfacePart& part : surfacePartsOf(batch)) {
-        chunks.push_back(upload(batch, part));
+        chunks.push_back(upload(batch, materials[part.material], part));
         chunks.back().place = chunks.size() - 1;
     }
     return chunks;

@@ -15,19 +15,28 @@ struct SurfaceVertex {
     std::uint8_t color[4]; ///< sRGB, alpha linear
 };
 
+/// What a vertex has besides where its material asks for more; 40 bytes.
+struct SurfaceDetail {
+    glm::vec4 tangent; ///< w: the bitangent's sign
+    glm::vec2 texcoords[mostTexcoordChannels - 1]; ///< after the first
+};
+
 /// A SurfacePart on the GPU.
 struct SurfaceChunk {
     std::size_t place = 0; ///< its number among the batch's
     std::size_t material = 0;
     gl::Buffer vertices; ///< SurfaceVertex
+    gl::Buffer details;  ///< SurfaceDetail; none where the material needs none
     gl::Buffer indices;  ///< 16-bit
     int indexCount = 0;
     bool colored = false;   ///< some vertex isn't white
+    bool tangents = false;  ///< all vertices have one
     glm::vec3 center{0.0f}; ///< mean of the vertices, in the batch's space
     Box bounds;             ///< in the batch's space
 };
 
 /// Uploads a batch's surfaces, in the order of surfacePartsOf().
-std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch);
+std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch,
+                                         const std::vector<Material>& materials);
 
 } // namespace edgeshade

@@ -8,17 +8,17 @@
 
 namespace edgeshade {
 
-/// The base colour textures of a scene's materials, on the GPU.
+/// The textures of a scene's materials, on the GPU.
 class Textures {
   public:
     /// Uploads what the materials use. Throws InputError, Error(unavailable).
     Textures(const LoadedScene& loaded, const gl::Capabilities& capabilities);
 
-    /// The material's texture; a white one where it has none.
-    gl::Name of(const Material& material) const;
+    /// A white one where there is none.
+    gl::Name of(const MaterialTexture& texture) const;
 
-    /// Whether the material has a texture of its own.
-    bool has(const Material& material) const;
+    /// Whether there is one.
+    bool has(const MaterialTexture& texture) const;
 
   private:
     using Key = std::pair<int, Sampler>; ///< image, how it is looked up

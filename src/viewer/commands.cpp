@@ -157,8 +157,7 @@ bool runOnCamera(Command command, ViewState& state, const Stage& stage) {
         camera = zoomedBy(state, stage, 1.0 / zoomStep);
         return true;
     case Command::fit:
-        camera =
-            framingCamera(stage.bounds, camera.fovDegrees, stage.aspect(), camera.from - camera.to);
+        camera = stage.framed(camera.fovDegrees, camera.from - camera.to);
         return true;
     default:
         return false;
@@ -169,7 +168,7 @@ bool runOnCamera(Command command, ViewState& state, const Stage& stage) {
 
 ViewState framed(const ViewState& state, const Stage& stage) {
     ViewState result = state;
-    result.camera = framingCamera(stage.bounds, Camera().fovDegrees, stage.aspect());
+    result.camera = stage.framed(Camera().fovDegrees, framingDirection());
     result.lights = {defaultLight()};
     result.chosenLight = 0;
     result.time = 0.0;

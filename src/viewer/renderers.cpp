@@ -3,24 +3,26 @@
 namespace edgeshade::viewer {
 
 /// What makes no difference is left out, so that settings which draw alike share a renderer.
-Renderers::Key Renderers::keyOf(const SideSettings& side) {
+Renderers::Key Renderers::keyOf(const SideSettings& side, Shading shading) {
     const bool map = side.shadows == ShadowMethod::map;
     const bool volumes = side.shadows != ShadowMethod::map && side.shadows != ShadowMethod::none;
     return {side.shadows, map ? side.mapSize : 0,
-            volumes ? side.multiplicity : MultiplicityMethod::plane, volumes ? side.maskScale : 1};
+            volumes ? side.multiplicity : MultiplicityMethod::plane, volumes ? side.maskScale : 1, shading};
 }
 
 Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
-    std::unique_ptr<Renderer>& renderer = renderers_[keyOf(side)];
+    std::unique_ptr<Renderer>& renderer = renderers_[keyOf(side, state.shading)];
     if (!renderer) {
         RenderSettings settings = base_;
         settings.shadows = side.shadows;
+        settings.shading = state.shading;
         settings.multiplicity = side.multiplicity;
         settings.map.size = side.mapSize;
         settings.maskScale = side.maskScale;
         renderer = std::make_unique<Renderer>(settings, capabilities_);
     }
     renderer->setAmbient(state.ambient);
+    renderer->setExposure(state.exposure);
     renderer->setBackground(state.background);
     return *renderer;
 }
@@ -28,9 +30,10 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
 void Renderers::dropUnusedTargets(const ViewState& state) {
     std::erase_if(renderers_, [&](const auto& entry) {
         const bool used =
-            entry.first == keyOf(state.left) || (state.split && entry.first == keyOf(state.right));
+            entry.first == keyOf(state.left, state.shading) ||
+            (state.split && entry.first == keyOf(state.right, state.shading));
         const bool hasTargets =
-            entry.second && entry.second->mapBytes() + entry.second->maskBytes() > 0;
+            entry.second && entry.second->mapBytes() + entry.second->maskBytes() + entry.second->lightBytes() > 0;
         return !used && hasTargets;
     });
 }

@@ -33,8 +33,8 @@ class Renderers {
     std::size_t volumeBytes() const;
 
   private:
-    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int>;
-    static Key keyOf(const SideSettings& side);
+    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int, Shading>;
+    static Key keyOf(const SideSettings& side, Shading shading);
 
     RenderSettings base_;
     gl::Capabilities capabilities_;

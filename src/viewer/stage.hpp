@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/shadow/geometry/framing.hpp"
 #include "src/viewer/light_handles.hpp"
 
 #include <functional>
@@ -15,6 +16,14 @@ struct Stage {
     /// The first surface on a ray; may be empty: none.
     std::function<std::optional<glm::dvec3>(const Ray&)> firstHit;
 
+    /// See framingCamera(); may be empty: the bounds are framed.
+    std::function<Camera(double fovDegrees, double aspect, const glm::dvec3& direction)> framing;
+
+    /// A camera that shows all of the scene from there.
+    Camera framed(double fovDegrees, const glm::dvec3& direction) const {
+        return framing ? framing(fovDegrees, aspect(), direction)
+                       : framingCamera(bounds, fovDegrees, aspect(), direction);
+    }
     double aspect() const { return static_cast<double>(width) / height; }
     /// The scene's size; 1 where it has none.
     double size() const { return bounds.diagonal() > 0.0 ? bounds.diagonal() : 1.0; }

@@ -27,6 +27,7 @@ constexpr Words<MultiplicityMethod, 4> multiplicityWords = {
      {"reference-edge", MultiplicityMethod::referenceEdge},
      {"three-edge", MultiplicityMethod::threeEdge},
      {"single-edge", MultiplicityMethod::singleEdge}}};
+constexpr Words<Shading, 2> shadingWords = {{{"full", Shading::full}, {"base", Shading::base}}};
 constexpr Words<DebugView, 2> debugWords = {
     {{"none", DebugView::none}, {"volumes", DebugView::volumes}}};
 
@@ -229,7 +230,9 @@ Json toJson(const ViewState& state) {
               {"fov", state.camera.fovDegrees}}},
             {"lights", lights},
             {"chosen_light", state.chosenLight},
+            {"shading", wordOf(shadingWords, state.shading)},
             {"ambient", shortDecimal(state.ambient)},
+            {"exposure", shortDecimal(state.exposure)},
             {"background", toJson(state.background)},
             {"left", toJson(state.left)},
             {"right", toJson(state.right)},
@@ -259,6 +262,10 @@ ViewState changed(const ViewState& base, const Json& changes) {
                 value.integer(0, std::max(0, static_cast<int>(state.lights.size()) - 1)));
         else if (key == "ambient")
             state.ambient = static_cast<float>(value.number(0.0, 1.0));
+        else if (key == "shading")
+            state.shading = value.oneOf(shadingWords);
+        else if (key == "exposure")
+            state.exposure = static_cast<float>(value.number(-mostExposure, mostExposure));
         else if (key == "background")
             state.background = glm::vec3(value.place<3>(0.0, 1.0));
         else if (key == "left")

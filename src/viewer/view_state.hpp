@@ -20,6 +20,8 @@ enum class DebugView {
     volumes, ///< the chosen light's shadow volumes, tinted
 };
 
+inline constexpr float mostExposure = 20.0f; // EV, up or down
+
 // Ranges of the animation's speed and time.
 inline constexpr double slowest = 0.1;
 inline constexpr double fastest = 10.0;
@@ -30,7 +32,9 @@ struct ViewState {
     Camera camera;
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
-    float ambient = 0.35f;
+    Shading shading = Shading::full;
+    float ambient = 0.5f;   ///< see RenderSettings
+    float exposure = 0.0f; ///< EV, within mostExposure
     glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     SideSettings left; ///< of the whole picture where there is no split
     SideSettings right{ShadowMethod::map};
@@ -44,7 +48,8 @@ struct ViewState {
 };
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [[x,y,z,w], …],
-///  "chosen_light": 0, "ambient": 0.35, "background": [r,g,b], "left": {"shadows":
+///  "chosen_light": 0, "shading": "full|base",
+///  "ambient": 0.5, "exposure": 0, "background": [r,g,b], "left": {"shadows":
 ///  "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity": "plane",
 ///  "mask_scale": 1|2|4},
 ///  "right": {…}, "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,

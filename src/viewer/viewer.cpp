@@ -153,6 +153,9 @@ void Viewer::Parts::applyPose() {
 /// Forgets what was worked out for the batches where they were.
 void Viewer::Parts::sceneMoved() {
     stage.bounds = worldBounds(loaded->scene);
+    stage.framing = [this](double fovDegrees, double aspect, const glm::dvec3& direction) {
+        return framingCamera(loaded->scene, fovDegrees, aspect, direction);
+    };
     edgeCounts.reset();
     layers.clear();
     if (gpu && gpu->scene) gpu->scene->groups.clear();

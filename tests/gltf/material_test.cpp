@@ -14,7 +14,8 @@ Material materialOf(const Json& json) {
     GltfBuilder gltf;
     gltf.addMaterial(json);
     gltf.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
-    return readMaterials(parseGltf(gltf.glb(), "test.glb")).at(0);
+    Warnings warnings;
+    return readMaterials(parseGltf(gltf.glb(), "test.glb"), warnings).at(0);
 }
 
 /// Three shapes: opaque (4 triangles), MASK (4) and BLEND (12), listed in the opposite order.
@@ -88,7 +89,7 @@ TEST(Material, BaseColourAndItsTextureAreRead) {
         {{"pbrMetallicRoughness",
           {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}}, {"baseColorTexture", {{"index", 1}}}}}});
     EXPECT_EQ(material.baseColorFactor, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
-    EXPECT_EQ(material.texture, 1);
+    EXPECT_EQ(material.baseColor().texture, 1);
 }
 
 TEST(Material, SpecularGlossinessDiffuseStandsForTheBaseColour) {
@@ -100,8 +101,8 @@ TEST(Material, SpecularGlossinessDiffuseStandsForTheBaseColour) {
                        {{"diffuseFactor", {0.5, 0.25, 1, 1}},
                         {"diffuseTexture", {{"index", 1}, {"texCoord", 1}}}}}}}});
     EXPECT_EQ(material.baseColorFactor, glm::vec4(0.5f, 0.25f, 1.0f, 1.0f));
-    EXPECT_EQ(material.texture, 1);
-    EXPECT_EQ(material.texcoordSet, 1);
+    EXPECT_EQ(material.baseColor().texture, 1);
+    EXPECT_EQ(material.baseColor().texcoordSet, 1);
 }
 
 TEST(Material, ItsSamplerSaysHowTexelsAreLookedUp) {
@@ -110,7 +111,11 @@ TEST(Material, ItsSamplerSaysHowTexelsAreLookedUp) {
         gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
         gltf.json["samplers"] = Json::array({sampler});
         gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
-        return readMaterials(parseGltf(gltf.glb(), "test.glb")).at(0).sampler;
+        Warnings warnings;
+        return readMaterials(parseGltf(gltf.glb(), "test.glb"), warnings)
+            .at(0)
+            .baseColor()
+            .sampler;
     };
     EXPECT_EQ(samplerOf(Json::object()), Sampler());
     EXPECT_TRUE(Sampler().takesMipmaps());
@@ -129,7 +134,7 @@ TEST(Material, SpecularGlossinessTexturesMayBeTransformed) {
             {{"diffuseTexture",
               {{"index", 1},
                {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 0.25}}}}}}}}}}}}});
-    EXPECT_EQ(material.uvTransform[2], glm::vec3(0.5f, 0.25f, 1.0f));
+    EXPECT_EQ(material.baseColor().uvTransform[2], glm::vec3(0.5f, 0.25f, 1.0f));
 }
 
 TEST(Material, TextureTransformsAreBakedIntoTexcoords) {

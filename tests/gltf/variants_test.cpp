@@ -29,7 +29,7 @@ GltfBuilder sceneOfVariants() {
 }
 
 Scene sceneIn(const GltfBuilder& gltf, const std::string& variant) {
-    return flattenScene(parseGltf(gltf.glb(), "test.glb"), 0.0, variant);
+    return flattenScene(parseGltf(gltf.glb(), "test.glb"), 0.0, {variant});
 }
 
 std::size_t materialIn(const std::string& variant) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <GLES2/gl2.h>
+#include <map>
 
 namespace edgeshade::test {
 namespace {
@@ -43,7 +44,14 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
     };
 
     lab::Pictures pictures;
-    pictures.drawUnshadowed(frame, [&](const FrameView& view) { return draw(plain, view); });
+    std::map<std::uint32_t, std::vector<std::uint8_t>> unshadowed;
+    for (std::uint32_t lights = 0; lights < 1u << frame.lights.size(); ++lights) {
+        FrameView view = frame;
+        for (std::size_t i = 0; i < view.lights.size(); ++i)
+            view.lights[i].drawn = (lights >> i & 1u) != 0;
+        unshadowed[lights] = draw(plain, view);
+    }
+    pictures.unshadowed = [unshadowed](std::uint32_t lights) { return unshadowed.at(lights); };
     pictures.image = draw(shadows, frame);
     frame.mask = true;
     pictures.mask = draw(shadows, frame);

@@ -21,8 +21,8 @@ struct Fixture {
     explicit Fixture(const Sampler& sampler, int texels = 4) : texels_(texels) {
         Material material;
         material.alphaMode = AlphaMode::mask;
-        material.image = 0;
-        material.sampler = sampler;
+        material.of(TextureSlot::baseColor).image = 0;
+        material.of(TextureSlot::baseColor).sampler = sampler;
         loaded.scene = test::SceneBuilder()
                            .material(material)
                            .triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0})

@@ -29,8 +29,9 @@ struct Fixture {
         question.lights = {pointLight({1, 8, 2})};
         question.width = question.height = size;
         pictures.mask.assign(4 * pixelCount, 255);
-        pictures.ambient.assign(4 * pixelCount, 80);
-        pictures.unshadowed = {std::vector<std::uint8_t>(4 * pixelCount, 200)};
+        pictures.unshadowed = [](std::uint32_t lights) {
+            return std::vector<std::uint8_t>(4 * pixelCount, lights == 0 ? 80 : 200);
+        };
         pictures.image.assign(4 * pixelCount, 200);
     }
 
@@ -93,7 +94,10 @@ TEST(Verdicts, WhatTheProgramDrawsIsRight) {
     view.mask = false;
     RenderSettings plain;
     plain.shadows = ShadowMethod::none;
-    fixture.pictures.unshadowed = {test::drawScene(fixture.scene, view, plain)};
+    const auto lit = test::drawScene(fixture.scene, view, plain);
+    fixture.pictures.unshadowed = [lit](std::uint32_t lights) {
+        return lights == 0 ? std::vector<std::uint8_t>(lit.size(), 80) : lit;
+    };
     const lab::WrongCounts counts = fixture.counts();
     EXPECT_EQ(counts.wrongMaskBeyond1px, 0u);
     EXPECT_LE(counts.wrongMaskPixels, 20u);

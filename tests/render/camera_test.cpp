@@ -1,4 +1,6 @@
+#include "src/shadow/geometry/framing.hpp"
 #include "src/shadow/geometry/frustum.hpp"
+#include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -71,7 +73,35 @@ TEST(Camera, FramingSeesEveryCornerOfTheBox) {
         }
 }
 
+TEST(Camera, FramingFillsThePictureWithWhatThereIs) {
+    // A tower on a slab, from all around, for every shape of picture.
+    const Scene scene = test::SceneBuilder()
+                            .box({990, 5, 1000}, {1010, 6, 1010})
+                            .box({1004, 6, 1003}, {1005, 21, 1004})
+                            .scene();
+    for (const double aspect : {0.3, 1.0, 1.78, 5.0})
+        for (const glm::dvec3 from : {glm::dvec3(1, 1, 1), glm::dvec3(-1, 0.2, 0.1),
+                                      glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0)}) {
+            const Camera camera = framingCamera(scene, 45.0, aspect, glm::normalize(from));
+            glm::dvec2 low(1e9), high(-1e9);
+            for (const Batch& batch : scene.batches)
+                for (const glm::vec3& position : batch.positions) {
+                    const glm::dvec2 seen = project(
+                        camera, aspect,
+                        glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+                    low = glm::min(low, seen);
+                    high = glm::max(high, seen);
+                }
+            const glm::dvec2 size = high - low;
+            EXPECT_GE(std::min(low.x, low.y), -0.96);
+            EXPECT_LE(std::max(high.x, high.y), 0.96);
+            EXPECT_GT(std::max(size.x, size.y), 1.85) << aspect; // of 2
+        }
+}
+
 TEST(Camera, FramesAnEmptySceneToo) {
+    const Camera nothing = framingCamera(Scene(), 45.0, 1.5);
+    EXPECT_NE(nothing.from, nothing.to);
     const Camera camera = framingCamera(Box(), 45.0, 1.5);
     EXPECT_NE(camera.from, camera.to);
 }

@@ -7,8 +7,8 @@ const whole = new Set(['map-size', 'mask-scale']);
 
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'ambient', 'shadows', 'map-size', 'multiplicity', 'mask-scale', 'split',
-  'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'playing', 'speed', 'time',
+  'camera', 'light', 'sun', 'shading', 'ambient', 'exposure', 'shadows', 'map-size', 'multiplicity',
+  'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'playing', 'speed', 'time',
 ];
 
 function numbers(text, counts, name) {
@@ -55,7 +55,9 @@ export function changesFromAttributes(get) {
   }
   if (Object.keys(left).length) changes.left = left;
   if (Object.keys(right).length) changes.right = right;
+  if (has('shading')) changes.shading = get('shading');
   if (has('ambient')) changes.ambient = number('ambient');
+  if (has('exposure')) changes.exposure = number('exposure');
   if (has('split')) changes.split = get('split') !== 'off';
   if (has('split-at')) changes.split_at = number('split-at');
   if (has('debug')) changes.debug = get('debug');

@@ -23,7 +23,12 @@ export interface ViewState {
   camera: { from: Vector; to: Vector; fov: number };
   lights: Light[];
   chosen_light: number;
+  /** All that materials say, or base colour and Lambert's law. */
+  shading: 'full' | 'base';
+  /** Share of ambient light as the display shows it, 0..1. */
   ambient: number;
+  /** Of full shading: light is taken 2^exposure times, -20..20. */
+  exposure: number;
   /** Behind the scene, 0..1. */
   background: Vector;
   left: SideSettings;
@@ -114,7 +119,9 @@ export interface EdgeshadeViewerEventMap {
  *   camera      "fromX,fromY,fromZ toX,toY,toZ", with the field of view in degrees as a 7th number
  *   light       "x,y,z" or "x,y,z,range", point lights separated by ";"
  *   sun         "x,y,z" towards the sun, separated likewise
+ *   shading     full (the default): all that materials say; base: base colour and Lambert's law
  *   ambient     0..1
+ *   exposure    of full shading, in EV, -20..20
  *   shadows     auto (the default), volumes, primitive-map, map or none; map-size: of a map, in
  *               texels; multiplicity; mask-scale: 1, 2 or 4, pixels along the edge of those that
  *               volumes are counted once for

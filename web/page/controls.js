@@ -77,6 +77,7 @@ export function connectControls(viewer) {
     azimuth: slider('azimuth', (v) => `${Math.round(v)}°`, aimSun),
     elevation: slider('elevation', (v) => `${Math.round(v)}°`, aimSun),
     ambient: slider('ambient', (v) => `${Math.round(100 * v)} %`, (ambient) => viewer.change({ ambient })),
+    exposure: slider('exposure', (v) => `${v > 0 ? '+' : ''}${v.toFixed(1)} EV`, (exposure) => viewer.change({ exposure })),
     lights: check('show-lights', (on) => viewer.change({ show_lights: on })),
     split: check('split', (on) => viewer.change({ split: on })),
     debug: check('debug', (on) => viewer.change({ debug: on ? 'volumes' : 'none' })),
@@ -114,6 +115,7 @@ export function connectControls(viewer) {
     }
     $('light-remove').disabled = state.lights.length < 2;
     show.ambient(state.ambient);
+    show.exposure(state.exposure);
     show.lights(state.show_lights);
     for (const side of ['left', 'right']) {
       sides[side].shadows(state[side].shadows);

@@ -13,7 +13,9 @@ export function hashOf(model, state) {
   put('camera', list([...state.camera.from, ...state.camera.to, state.camera.fov]));
   put('light', state.lights.map((light) => list(light)).join(';'));
   if (state.chosen_light) put('chosen', state.chosen_light);
+  if (state.shading !== 'full') put('shading', state.shading);
   put('ambient', short(state.ambient));
+  if (state.exposure) put('exposure', short(state.exposure));
   put('shadows', state.left.shadows);
   if (state.left.shadows === 'map') put('map-size', state.left.map_size);
   if (state.left.mask_scale > 1) put('mask-scale', state.left.mask_scale);
@@ -74,7 +76,9 @@ export function readHash(hash) {
     changes.lights = text.split(';').map((light) => numbers(light, 'light', 4, 5));
   });
   take('chosen', (text) => { changes.chosen_light = one('chosen')(text); });
+  take('shading', (text) => { changes.shading = text; });
   take('ambient', (text) => { changes.ambient = one('ambient')(text); });
+  take('exposure', (text) => { changes.exposure = one('exposure')(text); });
   take('shadows', () => { changes.left = sideOf(words, '', 'shadows'); });
   take('right', () => { changes.right = sideOf(words, 'right-', 'right'); });
   take('split', (text) => {

@@ -14,7 +14,7 @@ void setCapAlphaTest(const gl::Program& program, const Material& material,
     // Nothing of a BLEND surface is in the depth buffer, so all of it counts as cut out.
     const bool blend = material.alphaMode == AlphaMode::blend;
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, textures.of(material));
+    glBindTexture(GL_TEXTURE_2D, textures.of(material.baseColor()));
     program.setSampler("u_texture", 0);
     program.set("u_alphaScale", material.baseColorFactor.a);
     program.set("u_alphaCutoff", blend ? aboveAnyAlpha : material.alphaCutoff);

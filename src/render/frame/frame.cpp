@@ -7,6 +7,7 @@
 #include "src/shadow/geometry/light_reach.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
@@ -31,6 +32,25 @@ double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
                                 : glm::distance(frustum.position(), point);
 }
 
+/// Where lines of sight come from, from the camera's position.
+glm::vec4 eyeFrom(const Frustum& frustum) {
+    const glm::dvec4 eye = frustum.eye();
+    return glm::vec4(glm::dvec3(eye) - frustum.position() * eye.w, eye.w);
+}
+
+/// What of white light the display shows so.
+float lightShown(float displayed) {
+    return std::pow(displayed, 2.2f);
+}
+
+/// Of the neutral environment: how much more of it comes from above than from the side.
+constexpr float neutralSlope = 0.35f;
+
+/// Whether plain surfaces need no curve but a power: nothing is brighter than the display shows.
+bool isPlain(const RenderSettings& settings) {
+    return settings.exposure <= 0.0f;
+}
+
 bool anyAnimated(const GpuScene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(),
                        [](const GpuBatch& batch) { return batch.animated && !batch.hidden; });
@@ -52,6 +72,20 @@ void forEachCount(const FramePlan& frame, const FrameView& view, Use use) {
         }
 }
 
+/// Where the view's camera sees a batch from, and where its light's map has it.
+BatchView viewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
+                 const DepthSlice& slice, const SurfaceShading& shading) {
+    BatchView result = batchViewOf(batch, view, slice);
+    if (shading.map)
+        result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
+    if (shading.primitives) {
+        result.mapFromObject = glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
+        result.facings =
+            &shading.primitives->facings[static_cast<std::size_t>(&batch - scene.batches.data())];
+    }
+    return result;
+}
+
 } // namespace
 
 SidesLayout bestLayout(const gl::Capabilities& capabilities) {
@@ -60,8 +94,10 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
-      surfaces_(settings.map.pcf) {
+      surfaces_(capabilities, settings.map.pcf),
+      linearIsPossible_(LinearTarget::isPossible(capabilities)) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
+    if (settings.shading == Shading::full && linearIsPossible_) linear_.emplace(capabilities);
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
 }
@@ -73,6 +109,26 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
         const gl::FramebufferKeeper keeper;
         coarse_->fit(view.width, view.height);
     }
+    GLint framebuffer = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+    sum_ = lightSum(scene, view);
+    drawSlices(scene, view, clock);
+    if (sum_.linear) linear_->show(static_cast<gl::Name>(framebuffer));
+}
+
+Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) {
+    if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return {};
+    LightSum sum{.full = true, .darkens = false};
+    if (view.lights.size() == 1) {
+        sum.replaces = true;
+        sum.darkens = scene.plain && isPlain(settings_);
+        return sum;
+    }
+    sum.linear = linear_ && linear_->bind(view.width, view.height);
+    return sum;
+}
+
+void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
     plan_ = planned(scene, view, clock);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
@@ -100,6 +156,7 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
     FrameTask task{.view = view,
                    .open = gl::scissored(view.width, view.height),
                    .ownStencil = coarse_.has_value(),
+                   .ambientApart = sum_.full && !sum_.replaces,
                    .groupCount = [](std::size_t) { return std::size_t{0}; },
                    .planCount = {}};
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
@@ -149,16 +206,7 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
     const glm::dvec3 eye = view.frustum.position();
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
-        BatchView batchView = batchViewOf(batch, view, slice);
-        if (shading.map)
-            batchView.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
-        if (shading.primitives) {
-            batchView.mapFromObject =
-                glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
-            batchView.facings =
-                &shading.primitives
-                     ->facings[static_cast<std::size_t>(&batch - scene.batches.data())];
-        }
+        const BatchView batchView = viewOf(scene, batch, view, slice, shading);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             runs += surfaces_.draw(scene, batch, batchView, eye, shading, kind);
     }
@@ -183,7 +231,10 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     glDisable(GL_STENCIL_TEST);
     if (pass.first) {
         const glm::vec4 clear =
-            pass.view.mask ? glm::vec4(0.0f) : glm::vec4(settings_.background, 1.0f);
+            pass.view.mask ? glm::vec4(0.0f)
+            : sum_.linear
+                ? glm::vec4(LinearTarget::lightShownAs(settings_.background), 1.0f)
+                : glm::vec4(settings_.background, 1.0f);
         glClearColor(clear.r, clear.g, clear.b, clear.a);
     }
     // Depth and stencil at once: one without the other is dear where they share their bytes.
@@ -195,9 +246,9 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
         shading.withAmbient = true;
         shading.map = map ? &*map : nullptr;
         // Alpha, which is 1, is the volumes'.
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, pass.plan.lights[*pass.plan.first].isCounted());
+        const bool counted = pass.plan.lights[*pass.plan.first].isCounted();
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, counted && sum_.darkens);
     }
-    shading.ambient = settings_.ambient;
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
 }
 
@@ -205,10 +256,25 @@ void Renderer::drawShadow(const SlicePass& pass) {
     const gl::ScissorScope cut(pass.plan.lights[*pass.plan.first].reach);
     count(pass, *pass.plan.first, 0);
     const StageScope stage(pass.clock, FrameStage::lit);
-    mark_.darkenCounted();
-    mark_.clear();
+    if (sum_.darkens) {
+        mark_.darkenCounted();
+        mark_.clear();
+    } else {
+        drawAmbientInShadow(pass);
+    }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_STENCIL_TEST);
+}
+
+void Renderer::drawAmbientInShadow(const SlicePass& pass) {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    glDisable(GL_BLEND);
+    // Of surfaces that coincide the first is drawn, as it was with the light.
+    glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    drawSurfaces(pass.scene, pass.view, pass.slice, shadingOf(pass, nullptr));
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.
@@ -243,19 +309,26 @@ void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) 
     }
 
     const StageScope stage(pass.clock, FrameStage::lit);
-    glEnable(GL_BLEND);
     const bool counted = plan.isCounted() && !coarse_ && !plan.inGroups();
     if (!counted) clearStencil();
-    if (plan.inGroups() && !coarse_) // what a group has shaded has alpha 0 and takes no light
-        glBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ZERO, GL_ONE);
-    else
-        glBlendFunc(GL_ONE, GL_ONE);
+    setLightBlending(plan.inGroups() && !coarse_);
     // Of surfaces that coincide the first is lit, as it is by ambient light.
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     drawLit(pass, light, map ? &*map : nullptr);
     glDisable(GL_STENCIL_TEST);
+}
+
+/// `marked`: what a group has shaded has alpha 0 and takes no light.
+void Renderer::setLightBlending(bool marked) const {
+    glEnable(GL_BLEND);
+    const GLenum light = marked ? GL_DST_ALPHA : GL_ONE;
+    const GLenum dark = marked ? GL_ONE_MINUS_DST_ALPHA : GL_ZERO;
+    if (marked)
+        glBlendFuncSeparate(light, sum_.replaces ? dark : GL_ONE, GL_ZERO, GL_ONE);
+    else
+        glBlendFunc(light, sum_.replaces ? dark : GL_ONE);
 }
 
 /// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.
@@ -315,13 +388,30 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) co
     SurfaceShading shading;
     shading.mask = pass.view.mask;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
+    shading.ambient = settings_.ambient;
+    if (sum_.full) setFull(pass, shading);
     if (!light) return shading;
     shading.light = *light;
+    shading.withAmbient = sum_.replaces;
     shading.primitives = primitiveMapOf(pass.scene, *light);
     shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;
-    shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
+    if (!shading.full)
+        shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
     shading.maskValue = 1.0f;
     return shading;
+}
+
+void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
+    FullShading& full = shading.full.emplace();
+    full.plainIsShort = sum_.replaces && isPlain(settings_);
+    full.linear = sum_.linear;
+    full.exposure = std::exp2(settings_.exposure);
+    shading.ambient = lightShown(settings_.ambient);
+    full.ambientSlope = neutralSlope * shading.ambient;
+    full.lightColor =
+        glm::vec3((1.0f - shading.ambient) / static_cast<float>(pass.view.lights.size()));
+    shading.diffuse = full.lightColor.r;
+    full.eye = eyeFrom(pass.view.frustum);
 }
 
 void Renderer::drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map) {
@@ -342,7 +432,7 @@ void Renderer::drawBlended(const SlicePass& pass) {
     struct Item {
         double distance;
         const SurfaceChunk* chunk;
-        BatchView view;
+        const GpuBatch* batch;
     };
     std::vector<Item> items;
     for (const GpuBatch& batch : pass.scene.batches)
@@ -350,8 +440,7 @@ void Renderer::drawBlended(const SlicePass& pass) {
             const bool blends = pass.scene.materials[chunk.material].alphaMode == AlphaMode::blend;
             if (!blends || batch.hidden) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
-            items.push_back({distanceFrom(pass.view.frustum, center), &chunk,
-                             batchViewOf(batch, pass.view, pass.slice)});
+            items.push_back({distanceFrom(pass.view.frustum, center), &chunk, &batch});
         }
     std::stable_sort(items.begin(), items.end(),
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });
@@ -362,13 +451,35 @@ void Renderer::drawBlended(const SlicePass& pass) {
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_LESS);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    SurfaceShading shading;
-    shading.ambient = 1.0f; // what is see-through takes no part in shadows
-    shading.farthest = static_cast<float>(pass.slice.far);
     for (const Item& item : items)
-        surfaces_.drawChunk(pass.scene, *item.chunk, item.view, pass.view.frustum.position(),
-                            shading);
+        drawSeeThrough(pass, *item.batch, *item.chunk);
+}
+
+/// In base shading as bright as in full light; else in all lights.
+void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
+                              const SurfaceChunk& chunk) {
+    const auto draw = [&](SurfaceShading shading) {
+        shading.farthest = static_cast<float>(pass.slice.far);
+        surfaces_.drawChunk(pass.scene, chunk, viewOf(pass.scene, batch, pass.view, pass.slice, shading),
+                            pass.view.frustum.position(), shading);
+    };
+    if (!sum_.full || pass.scene.materials[chunk.material].unlit) {
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        SurfaceShading shading = shadingOf(pass, nullptr);
+        shading.ambient = 1.0f;
+        return draw(shading);
+    }
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    bool first = true;
+    for (const FrameLight& light : pass.view.lights) {
+        if (!light.drawn) continue;
+        SurfaceShading shading = shadingOf(pass, &light.light);
+        shading.withAmbient = first;
+        draw(shading);
+        first = false;
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+    if (first) draw(shadingOf(pass, nullptr));
 }
 
 void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {

@@ -3,6 +3,7 @@
 #include "src/gl/capabilities.hpp"
 #include "src/gl/scissor.hpp"
 #include "src/render/frame/coarse_mask.hpp"
+#include "src/render/frame/linear_target.hpp"
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
 #include "src/render/shadow_map/shadow_map_pass.hpp"
@@ -26,6 +27,12 @@ namespace edgeshade {
 /// ambient share of both, which is what is left in shadow. Colours in light are rounded once
 /// instead of twice then, surfaces that coincide are lit once, and colours in shadow are off by a
 /// unit of 255 at the most.
+///
+/// With full shading what one light and ambient light leave on the display is no sum: the light's
+/// share is drawn over the ambient one, or, where it was drawn with it, the ambient one over it
+/// where there is shadow; only plain surfaces (Material::isPlain()) still take their ambient share
+/// from alpha. Several lights are added up in a LinearTarget; where the GL has none the display's
+/// colours are.
 ///
 /// Depth slices are drawn from far to near, each with a depth range of its own: caps are cut at a
 /// slice's near plane, and what is nearer lies in front of everything visible there; nearer slices
@@ -57,6 +64,7 @@ class Renderer {
 
     const RenderSettings& settings() const { return settings_; }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
+    void setExposure(float stops) { settings_.exposure = stops; }
     void setBackground(const glm::vec3& color) { settings_.background = color; }
     void setMapBias(float texels) {
         settings_.map.biasTexels = texels;
@@ -72,9 +80,12 @@ class Renderer {
     /// Memory of the framebuffers for masks of lower resolution.
     std::size_t maskBytes() const { return coarse_ ? coarse_->bytes() : 0; }
 
+    /// That of the one that lights are added up in.
+    std::size_t lightBytes() const { return linear_ ? linear_->bytes() : 0; }
+
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() + (volumes_ ? volumes_->bytes() : 0);
+        return mapBytes() + maskBytes() + lightBytes() + (volumes_ ? volumes_->bytes() : 0);
     }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
@@ -92,6 +103,16 @@ class Renderer {
         StageClock* clock = nullptr;
     };
 
+    /// How what lights leave is put together in one frame.
+    struct LightSum {
+        bool full = false;    ///< Shading::full
+        bool darkens = true;  ///< shadow leaves colours the share that alpha says
+        bool replaces = false; ///< the one light is drawn over ambient light
+        bool linear = false;  ///< light itself is added up
+    };
+
+    LightSum lightSum(const GpuScene& scene, const FrameView& view);
+    void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
     /// Whether nothing is counted where no surface is; the published method counts everywhere.
     bool cutsToVisible() const;
     /// Plans the frame, and uploads what it draws.
@@ -105,8 +126,12 @@ class Renderer {
     void drawShadowedLight(const SlicePass& pass, std::size_t light);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
     void drawShadow(const SlicePass& pass);
+    /// What ambient light leaves, where the stencil isn't 0.
+    void drawAmbientInShadow(const SlicePass& pass);
+    void setLightBlending(bool marked) const;
     /// By the light, or by nothing.
     SurfaceShading shadingOf(const SlicePass& pass, const Light* light) const;
+    void setFull(const SlicePass& pass, SurfaceShading& shading) const;
     void countAndMark(const SlicePass& pass, std::size_t light);
     void setCounting();
     void count(const SlicePass& pass, std::size_t light, std::size_t group);
@@ -115,6 +140,7 @@ class Renderer {
     const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const Light& light) const;
     void drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const SlicePass& pass);
+    void drawSeeThrough(const SlicePass& pass, const GpuBatch& batch, const SurfaceChunk& chunk);
     void restoreAlpha(const GpuScene& scene, const FrameView& view);
     /// Returns vertex runs.
     std::size_t drawSurfaces(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
@@ -124,9 +150,12 @@ class Renderer {
     std::unique_ptr<VolumeRenderer> volumes_; ///< where shadows are volumes
     VolumeCounter counter_;
     FramePlan plan_; ///< of the last frame
+    LightSum sum_;   ///< likewise
     SurfacePass surfaces_;
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
+    std::optional<LinearTarget> linear_;
+    bool linearIsPossible_;
     std::optional<CoarseMask> coarse_;  ///< where volumes are counted at a lower resolution
     std::size_t vertexRuns_ = 0;        ///< of the last frame
 };

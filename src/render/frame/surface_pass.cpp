@@ -34,6 +34,20 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
     program.set("u_diffuse", shading.diffuse);
 }
 
+void setFullShading(gl::Program& program, const FullShading& full) {
+    program.set("u_ambientSlope", full.ambientSlope);
+    program.set("u_exposure", full.exposure);
+    program.set("u_lightColor", full.lightColor);
+    program.set("u_eye", full.eye);
+}
+
+/// Which units the lookups of light.glsl leave to a material, the environment and its textures.
+constexpr int unitsOfLookups(const SurfaceShading& shading) {
+    if (shading.map) return shading.map->kind == ShadowMapKind::pointApart ? 7 : 2;
+    if (shading.primitives) return 4;
+    return shading.coarse ? 3 : 1;
+}
+
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
     const bool apart = map.kind == ShadowMapKind::pointApart;
     const GLenum target = map.kind == ShadowMapKind::point ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
@@ -105,6 +119,7 @@ void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool cast
 /// light, which of surfaces that coincide is drawn for the first as well.
 SurfaceShading unlitShading(SurfaceShading shading) {
     const bool addsLight = shading.light && !shading.withAmbient;
+    if (shading.full) shading.full->plainIsShort = false;
     shading.ambient = addsLight ? 0.0f : 1.0f;
     shading.light.reset();
     shading.withAmbient = false;
@@ -136,15 +151,45 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
 
 } // namespace
 
-const std::array<SurfacePass::Attribute, 4> SurfacePass::attributes_ = {{
-    {"a_position", 3, GL_FLOAT, offsetof(SurfaceVertex, position), nullptr},
-    {"a_texcoord", 2, GL_FLOAT, offsetof(SurfaceVertex, texcoord), &Variant::textured},
-    {"a_color", 4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, color), &Variant::colored},
-    {"a_normal", 3, GL_FLOAT, offsetof(SurfaceVertex, normal), &Variant::lit},
+const std::array<SurfacePass::Attribute, 7> SurfacePass::attributes_ = {{
+    {"a_position", 3, GL_FLOAT, offsetof(SurfaceVertex, position), false,
+     [](const Variant&) { return true; }},
+    {"a_texcoord", 2, GL_FLOAT, offsetof(SurfaceVertex, texcoord), false,
+     [](const Variant& of) { return of.textured || (of.material && of.material->takes(0)); }},
+    {"a_color", 4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, color), false,
+     [](const Variant& of) { return of.colored; }},
+    {"a_normal", 3, GL_FLOAT, offsetof(SurfaceVertex, normal), false,
+     [](const Variant& of) { return of.lit || of.plain || of.material; }},
+    {"a_tangent", 4, GL_FLOAT, offsetof(SurfaceDetail, tangent), true,
+     [](const Variant& of) { return of.material && of.material->tangents; }},
+    {"a_texcoord1", 2, GL_FLOAT, offsetof(SurfaceDetail, texcoords), true,
+     [](const Variant& of) { return of.material && of.material->takes(1); }},
+    {"a_texcoord23", 4, GL_FLOAT, offsetof(SurfaceDetail, texcoords) + sizeof(glm::vec2), true,
+     [](const Variant& of) {
+         return of.material && (of.material->takes(2) || of.material->takes(3));
+     }},
 }};
 
+/// How full shading draws the chunk, if it is what is asked for.
+void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
+                              const SurfaceShading& shading, Variant& variant) const {
+    const Material& material = scene.materials[chunk.material];
+    if (!shading.full || shading.mask || shading.planes || shading.tintPrimitives) return;
+    variant.linear = shading.full->linear;
+    if (material.unlit) return;
+    const bool simple = material.isPlain() && material.alphaMode != AlphaMode::blend;
+    if (simple && shading.full->plainIsShort) {
+        variant.plain = true;
+        return;
+    }
+    const bool ambient = !shading.light || shading.withAmbient;
+    variant.material = featuresOf(scene, chunk, ambient, derivatives_,
+                                  textureUnits_ - unitsOfLookups(shading));
+    variant.textured = false;
+}
+
 SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
-                                            const SurfaceShading& shading) {
+                                            const SurfaceShading& shading) const {
     const Material& material = scene.materials[chunk.material];
     Variant variant{};
     variant.alphaMode = material.alphaMode;
@@ -152,7 +197,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     if (shading.primitives)
         variant.primitives = {shading.primitives->kind, shading.primitives->splits,
                               shading.primitives->longestList, shading.tintPrimitives};
-    variant.textured = scene.textures.has(material);
+    variant.textured = scene.textures.has(material.baseColor());
     variant.colored = chunk.colored;
     variant.lit = shading.light.has_value();
     variant.withAmbient = variant.lit && shading.withAmbient;
@@ -166,6 +211,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
                               : shading.coarse ? &shading.coarse->space
                                                : nullptr;
     variant.orthographic = space && space->depthRange;
+    addMaterial(scene, chunk, shading, variant);
     return variant;
 }
 
@@ -175,6 +221,9 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     std::vector<std::string> defines;
     if (variant.alphaMode == AlphaMode::mask) defines.push_back("ALPHA_TEST");
     if (variant.alphaMode == AlphaMode::blend) defines.push_back("BLENDED");
+    if (variant.material) addDefines(*variant.material, defines);
+    if (variant.plain) defines.push_back("PLAIN");
+    if (variant.linear) defines.push_back("LINEAR");
     if (variant.textured) defines.push_back("TEXTURED");
     if (variant.colored) defines.push_back("COLORED");
     if (variant.lit) defines.push_back("LIT");
@@ -202,7 +251,9 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     return programs_
         .emplace(variant,
                  gl::Program(shaders::surface_vert,
-                             variant.planes ? shaders::coarse_surface_frag : shaders::surface_frag,
+                             variant.planes     ? shaders::coarse_surface_frag
+                             : variant.material ? shaders::material_frag
+                                                : shaders::surface_frag,
                              defines, names))
         .first->second;
 }
@@ -246,18 +297,22 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     used.set("u_mirrored", view.mirrored ? -1.0f : 1.0f);
     used.set("u_baseColor", srgbFromLinear(material.baseColorFactor));
     used.set("u_alphaCutoff", material.alphaCutoff);
+    if (shading.full) setFullShading(used, *shading.full);
+    if (variant.material)
+        setMaterial(used, *variant.material, material, scene.textures, unitsOfLookups(shading));
     if (variant.textured) {
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, scene.textures.of(material));
+        glBindTexture(GL_TEXTURE_2D, scene.textures.of(material.baseColor()));
         used.setSampler("u_texture", 0);
     }
 
     AttributeBinding binding(nullptr);
     for (const Attribute& attribute : attributes_)
         if (attribute.isOf(variant))
-            binding.add(chunk.vertices, attribute.components, attribute.type,
-                        attribute.type == GL_UNSIGNED_BYTE, sizeof(SurfaceVertex), attribute.offset,
-                        false);
+            binding.add(attribute.detail ? chunk.details : chunk.vertices, attribute.components,
+                        attribute.type, attribute.type == GL_UNSIGNED_BYTE,
+                        attribute.detail ? sizeof(SurfaceDetail) : sizeof(SurfaceVertex),
+                        attribute.offset, false);
     if (shading.primitives && casts && !view.facings->empty()) {
         drawByFacing((*view.facings)[chunk.place], used);
     } else {

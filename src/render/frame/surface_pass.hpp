@@ -3,6 +3,7 @@
 #include "src/gl/program.hpp"
 #include "src/render/drawing/batch_view.hpp"
 #include "src/render/frame/coarse_mask.hpp"
+#include "src/render/frame/material_features.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/light.hpp"
@@ -15,9 +16,23 @@
 
 namespace edgeshade {
 
+/// Full shading: what materials send back of linear light (glTF 2.0, appendix B), as the display
+/// shows it.
+struct FullShading {
+    /// Plain surfaces take surface.frag's short way: the light is white, and no brighter than what
+    /// the display shows of it.
+    bool plainIsShort = false;
+    bool linear = false;        ///< light itself is written, to be mapped later
+    float ambientSlope = 0.0f;  ///< of `ambient` from the side to above
+    float exposure = 1.0f;      ///< a factor
+    glm::vec3 lightColor{0.0f}; ///< what a white Lambert surface sends back of it, straight on
+    glm::vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; ///< from the camera's position, world axes, homogeneous
+};
+
 /// What the surfaces write: base colour times ambient light or times that of one light or both, or,
 /// for the lit mask, `maskValue`.
 struct SurfaceShading {
+    std::optional<FullShading> full; ///< nothing: Shading::base
     std::optional<Light> light; ///< nothing: ambient light
     bool withAmbient = false;   ///< light and ambient light, whose share of both is in alpha
     float ambient = 0.0f;
@@ -39,7 +54,9 @@ struct SurfaceShading {
 class SurfacePass {
   public:
     /// `pcf`: how many texels of a shadow map are compared, along each axis; odd.
-    explicit SurfacePass(int pcf = 1) : pcf_(pcf) {}
+    explicit SurfacePass(const gl::Capabilities& capabilities, int pcf = 1)
+        : textureUnits_(capabilities.textureUnits),
+          derivatives_(capabilities.has("GL_OES_standard_derivatives")), pcf_(pcf) {}
 
     /// Draws the batch's surfaces of the given kind, in the order of its chunks. Returns vertex
     /// runs.
@@ -60,8 +77,11 @@ class SurfacePass {
     };
     struct Variant {
         AlphaMode alphaMode;
+        std::optional<MaterialFeatures> material; ///< of material.frag
         std::optional<ShadowMapKind> map;
         std::optional<PrimitiveMapVariant> primitives;
+        bool plain;    ///< full shading of what needs no material.frag
+        bool linear;   ///< writes light itself
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
@@ -75,29 +95,33 @@ class SurfacePass {
         bool orthographic; ///< looks it up or draws it for such a picture
 
         auto key() const {
-            return std::tie(alphaMode, map, primitives, textured, colored, lit, withAmbient,
-                            directional, ranged, mask, sliced, coarse, planes, orthographic);
+            return std::tie(alphaMode, material, map, primitives, plain, linear, textured, colored,
+                            lit, withAmbient, directional, ranged, mask, sliced, coarse, planes,
+                            orthographic);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };
-    /// Of SurfaceVertex, as the variants that need it read it.
+    /// Of SurfaceVertex or SurfaceDetail, as the variants that need it read it.
     struct Attribute {
         const char* name;
         int components;
         unsigned type; ///< GL enum; bytes are normalised
         std::size_t offset;
-        bool Variant::*needed; ///< null: by all
-
-        bool isOf(const Variant& variant) const { return !needed || variant.*needed; }
+        bool detail; ///< of SurfaceDetail
+        bool (*isOf)(const Variant&);
     };
-    static const std::array<Attribute, 4> attributes_; ///< in the order of their locations
+    static const std::array<Attribute, 7> attributes_; ///< in the order of their locations
 
     std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                          const glm::dvec3& eye, const SurfaceShading& shading);
-    static Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
-                             const SurfaceShading& shading);
+    Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
+                      const SurfaceShading& shading) const;
+    void addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
+                     const SurfaceShading& shading, Variant& variant) const;
     gl::Program& program(const Variant& variant);
 
+    int textureUnits_;
+    bool derivatives_;
     int pcf_;
     std::map<Variant, gl::Program> programs_;
 };

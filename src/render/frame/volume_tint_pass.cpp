@@ -14,7 +14,7 @@ const VolumeTints VolumeTintPass::tints = {{1.0f, 0.5f, 0.1f, 0.10f},
                                            {0.15f, 0.4f, 1.0f, 0.10f}};
 
 VolumeTintPass::VolumeTintPass(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : volumes_(makeVolumeRenderer(settings, capabilities, tints)) {}
+    : surfaces_(capabilities), volumes_(makeVolumeRenderer(settings, capabilities, tints)) {}
 
 void VolumeTintPass::draw(GpuScene& scene, const FrameView& view, const FramePlan& plan,
                           std::size_t light) {

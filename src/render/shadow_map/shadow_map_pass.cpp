@@ -133,7 +133,7 @@ void ShadowMapPass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk,
                 false);
     if (material.alphaMode == AlphaMode::mask) {
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, scene.textures.of(material));
+        glBindTexture(GL_TEXTURE_2D, scene.textures.of(material.baseColor()));
         program.setSampler("u_texture", 0);
         program.set("u_alphaScale", material.baseColorFactor.a);
         program.set("u_alphaCutoff", material.alphaCutoff);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/scene/material.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/render/volumes/multiplicity_method.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
@@ -22,7 +23,8 @@ enum class SilhouetteChoice {
     proposed, ///< those that may be silhouettes, see PotentialSilhouettes
 };
 
-/// How frames are drawn; fixed for a renderer, but for `ambient` and `background`.
+/// How frames are drawn; fixed for a renderer, but for `ambient`, `exposure` and
+/// `background`.
 struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
@@ -32,7 +34,9 @@ struct RenderSettings {
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
     int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
-    float ambient = 0.35f; ///< 0..1; the lights share the rest
+    Shading shading = Shading::base;
+    float ambient = 0.35f; ///< 0..1, as the display shows it; the lights share the rest
+    float exposure = 0.0f; ///< of full shading, in EV: light is taken 2^exposure times
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
     bool looksUpPrimitives() const {

@@ -20,7 +20,8 @@ glm::dmat4 viewFromWorld(const Camera& camera);
 /// Half the picture's height a unit of depth.
 double tangentOfHalfFov(double fovDegrees);
 
-/// A camera that sees the whole box from slightly above.
+/// A camera that sees the whole box from slightly above: what measured views are laid around; see
+/// framing.hpp for pictures.
 Camera framingCamera(const Box& box, double fovDegrees, double aspect);
 
 /// A camera that sees the whole box from `direction`, which points from the box to the eye.

@@ -35,7 +35,7 @@ FramePlan planFrame(const FrameTask& task) {
             const bool byItself = !light.reach.empty() && !light.inGroups() && !task.ownStencil;
             if (byItself && !plan.first) plan.first = i;
         }
-        plan.withAmbient = plan.first && !task.view.mask;
+        plan.withAmbient = plan.first && !task.view.mask && !task.ambientApart;
     }
     return frame;
 }

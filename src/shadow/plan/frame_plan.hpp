@@ -42,6 +42,7 @@ struct FrameTask {
     const FrameView& view;
     PixelRectangle open;     ///< the pixels that may be drawn at all
     bool ownStencil = false; ///< volumes are counted in another framebuffer than the picture's
+    bool ambientApart = false; ///< no light is drawn together with ambient light
     /// How many groups the casters of the light with that index come in; 0: its shadows
     /// are no volumes.
     std::function<std::size_t(std::size_t light)> groupCount;

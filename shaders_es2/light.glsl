@@ -1,0 +1,73 @@
+// Of LIT variants of surface.frag and material.frag: where the light is seen from a fragment, how
+// far it reaches, and whether shadow lets it through: by the light's shadow map (MAP, with
+// MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl), by a mask of lower resolution
+// (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl), or as the
+// stencil says. DIRECTIONAL: a light of one direction; RANGED: one that doesn't reach everywhere.
+#ifdef DIRECTIONAL
+uniform vec3 u_towardsLight; // of length 1
+#else
+varying vec3 v_towardsLight;
+#endif
+#ifdef RANGED
+uniform float u_inverseRange;
+#endif
+
+#if defined(MAP) || defined(COARSE_MASK)
+uniform float u_casts; // 1: the surface is a caster, dark where it is turned away from the light
+#endif
+#ifdef MAP
+#include "shadow_map_lookup.glsl"
+#endif
+#ifdef COARSE_MASK
+#include "coarse_mask_lookup.glsl"
+#endif
+#ifdef PRIMITIVE_MAP
+#include "primitive_map_lookup.glsl"
+uniform float u_lightSide; // the light is on the front (1) or the back (-1) of these casters; 0: the
+                           // surface is no caster
+varying vec3 v_mapPosition;
+
+bool litByPrimitives() {
+    if (facing() * u_lightSide < 0.0) return false;
+    return primitiveMapLights(v_mapPosition, u_lightSide > 0.0);
+}
+#endif
+
+vec3 towardsLight() {
+#ifdef DIRECTIONAL
+    return u_towardsLight;
+#else
+    // Scaled before it is squared, so that far-off lights don't overflow.
+    return normalize(v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
+                                          max(abs(v_towardsLight.z), 1e-30)));
+#endif
+}
+
+// What the light's range leaves of it, 0..1.
+float lightWindow() {
+#ifdef RANGED
+    vec3 reached = v_towardsLight * u_inverseRange;
+    float share = dot(reached, reached);
+    return max(1.0 - share * share, 0.0); // see Light
+#else
+    return 1.0;
+#endif
+}
+
+// What shadow leaves of the light, 0..1. `lit`: what a mask of lower resolution says; `normal`
+// points towards the eye; `weight`: 0 where nothing would be seen of it.
+float lightThrough(float lit, vec3 normal, vec3 light, float weight) {
+#ifdef MAP
+    if (dot(normal, light) > 0.0)
+        lit = lightFromMap(normal, light);
+    else
+        lit = u_casts > 0.5 ? 0.0 : lightFromMap(-normal, light);
+#endif
+#ifdef PRIMITIVE_MAP
+#ifndef MASK
+    if (weight > 0.0)
+#endif
+        lit = litByPrimitives() ? 1.0 : 0.0;
+#endif
+    return lit;
+}

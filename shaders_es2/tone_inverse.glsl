@@ -1,0 +1,13 @@
+// The light that the display shows as this colour, of sRGB: what is drawn as it is among what is
+// mapped later (see tone_mapping.glsl). Bright colours keep their hue, not all of their depth.
+vec3 lightShownAs(vec3 color) {
+    vec3 light = linearFromSrgb(color);
+    float most = max(light.r, max(light.g, light.b));
+    if (most > shown) {
+        float room = 1.0 - shown;
+        float kept = min(most, 0.999);
+        light *= (room * room / (1.0 - kept) + shown - room) / most;
+    }
+    float least = min(light.r, min(light.g, light.b));
+    return light + (least < reflected ? 2.0 * sqrt(reflected * least) - least : reflected);
+}

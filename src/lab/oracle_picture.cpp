@@ -1,0 +1,24 @@
+#include "src/lab/oracle_picture.hpp"
+
+#include <map>
+
+namespace edgeshade::lab {
+
+void OraclePicture::follow(const std::vector<Answer>& answers) {
+    const bool first = colors_.empty();
+    colors_.resize(answers.size());
+    lit_.resize(answers.size());
+    std::map<std::uint32_t, std::vector<std::size_t>> wanted; // pixels by their lights
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (first || lit_[i] != answers[i].lit) wanted[answers[i].lit].push_back(i);
+    for (const auto& [lights, pixels] : wanted) {
+        const std::vector<std::uint8_t> picture = pictures_.unshadowed(lights);
+        for (const std::size_t i : pixels) {
+            for (std::size_t c = 0; c < 3; ++c)
+                colors_[i][c] = picture[4 * i + c];
+            lit_[i] = lights;
+        }
+    }
+}
+
+} // namespace edgeshade::lab

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "src/lab/oracle.hpp"
+#include "src/lab/pictures.hpp"
+
+namespace edgeshade::lab {
+
+/// What the program's picture would be if every pixel were lit as the oracle says: the program's own
+/// shading with the oracle's visibility.
+class OraclePicture {
+  public:
+    using Color = std::array<int, 3>;
+
+    explicit OraclePicture(const Pictures& pictures) : pictures_(pictures) {}
+
+    /// Draws what is needed for these answers, as far as they are others than those before.
+    void follow(const std::vector<Answer>& answers);
+
+    const Color& at(std::size_t pixel) const { return colors_[pixel]; }
+
+  private:
+    const Pictures& pictures_;
+    std::vector<Color> colors_;
+    std::vector<std::uint32_t> lit_; ///< by which lights the colours were drawn
+};
+
+} // namespace edgeshade::lab

@@ -1,0 +1,160 @@
+#include "src/render/frame/linear_target.hpp"
+
+#include "shaders_es2.hpp"
+#include "src/render/drawing/attributes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <GLES2/gl2.h>
+#include <GLES2/gl2ext.h>
+#include <glm/gtc/color_space.hpp>
+
+namespace edgeshade {
+namespace {
+
+constexpr GLenum rgba16f = 0x881A;
+constexpr GLenum halfFloat = 0x140B; ///< ES 3.0's; OES_texture_half_float has another one
+
+void attachTexture(gl::Name texture) {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+}
+
+gl::Framebuffer makeFramebuffer() {
+    gl::Name name = 0;
+    glGenFramebuffers(1, &name);
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    return gl::Framebuffer(name);
+}
+
+bool isComplete() {
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
+           glGetError() == GL_NO_ERROR;
+}
+
+} // namespace
+
+bool LinearTarget::isPossible(const gl::Capabilities& capabilities) {
+    const bool draws = capabilities.has("GL_EXT_color_buffer_half_float") ||
+                       capabilities.has("GL_EXT_color_buffer_float");
+    const bool holds = capabilities.has("GL_OES_texture_half_float") ||
+                       capabilities.version.starts_with("OpenGL ES 3");
+    return draws && holds;
+}
+
+LinearTarget::LinearTarget(const gl::Capabilities& capabilities)
+    : capabilities_(capabilities),
+      program_(shaders::fill_vert, shaders::show_light_frag, {}, {"a_corner"}) {
+    constexpr std::array<float, 6> corners = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
+    triangle_ = gl::vertexBuffer<float>(corners);
+}
+
+bool LinearTarget::bind(int width, int height) {
+    if (refused_) return false;
+    GLint bound = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &bound);
+    if (size_ != glm::ivec2(width, height) && !make(width, height)) {
+        refused_ = true;
+        glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+        return false;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, sampled_.name() ? sampled_.name() : framebuffer_.name());
+    return true;
+}
+
+bool LinearTarget::make(int width, int height) {
+    size_ = {width, height};
+    sampled_ = {};
+    depthStencil_.reset();
+    const bool made = makeTexture(GL_RGBA, GL_HALF_FLOAT_OES) || makeTexture(rgba16f, halfFloat);
+    if (!made) return false;
+    if (capabilities_.samples > 1 && capabilities_.multisampling) return makeSamples();
+    depthStencil_.emplace(width, height, capabilities_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    depthStencil_->attach();
+    return isComplete();
+}
+
+bool LinearTarget::makeTexture(unsigned internalFormat, unsigned type) {
+    gl::Name name = 0;
+    glGenTextures(1, &name);
+    light_ = gl::Texture(name);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size_.x, size_.y, 0, GL_RGBA,
+                 type, nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    framebuffer_ = makeFramebuffer();
+    attachTexture(name);
+    return isComplete();
+}
+
+bool LinearTarget::makeSamples() {
+    gl::Name names[2] = {};
+    glGenRenderbuffers(2, names);
+    sampledLight_ = gl::Renderbuffer(names[0]);
+    sampledDepth_ = gl::Renderbuffer(names[1]);
+    sampled_ = makeFramebuffer();
+    const auto store = [&](const gl::Renderbuffer& buffer, GLenum format) {
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
+        capabilities_.multisampling->makeStorage(capabilities_.samples, format, size_.x, size_.y);
+        glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    };
+    store(sampledLight_, rgba16f);
+    store(sampledDepth_, GL_DEPTH24_STENCIL8_OES);
+    const auto attach = [](GLenum attachment, const gl::Renderbuffer& buffer) {
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
+    };
+    attach(GL_COLOR_ATTACHMENT0, sampledLight_);
+    attach(GL_DEPTH_ATTACHMENT, sampledDepth_);
+    attach(GL_STENCIL_ATTACHMENT, sampledDepth_);
+    return isComplete();
+}
+
+void LinearTarget::show(gl::Name framebuffer) {
+    if (sampled_.name())
+        capabilities_.multisampling->average(sampled_.name(), framebuffer_.name(), size_.x,
+                                             size_.y);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_BLEND);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    program_.use();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, light_.name());
+    program_.setSampler("u_light", 0);
+    program_.set("u_size", 1.0f / glm::vec2(size_));
+    {
+        AttributeBinding binding(nullptr);
+        binding.add(triangle_, 2, GL_FLOAT, false, 2 * sizeof(float), 0, false);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glEnable(GL_DEPTH_TEST);
+}
+
+/// As tone_inverse.glsl has it.
+glm::vec3 LinearTarget::lightShownAs(const glm::vec3& color) {
+    constexpr float reflected = 0.04f, shown = 0.8f - reflected;
+    glm::vec3 light = glm::convertSRGBToLinear(color);
+    const float most = std::max({light.r, light.g, light.b});
+    if (most > shown) {
+        constexpr float room = 1.0f - shown;
+        light *= (room * room / (1.0f - std::min(most, 0.999f)) + shown - room) / most;
+    }
+    const float least = std::min({light.r, light.g, light.b});
+    return light + (least < reflected ? 2.0f * std::sqrt(reflected * least) - least : reflected);
+}
+
+std::size_t LinearTarget::bytes() const {
+    const auto pixels = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
+    const std::size_t samples =
+        sampled_.name() ? static_cast<std::size_t>(capabilities_.samples) * 12 : 0;
+    return pixels * (8 + samples) + (depthStencil_ ? depthStencil_->bytes() : 0);
+}
+
+} // namespace edgeshade

@@ -1,0 +1,112 @@
+#include "src/render/frame/material_features.hpp"
+
+#include <algorithm>
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+namespace {
+
+using enum TextureSlot;
+
+/// A texture as the shader knows it.
+struct Map {
+    TextureSlot slot;
+    const char* define;
+    const char* sampler;
+};
+constexpr Map maps[] = {
+    {baseColor, "TEXTURED", "u_texture"},
+    {metallicRoughness, "REFLECTANCE_MAP", "u_reflectanceMap"},
+    {normal, "NORMAL_MAP", "u_normalMap"},
+    {occlusion, "OCCLUSION_MAP", "u_occlusionMap"},
+    {emissive, "EMISSIVE_MAP", "u_emissiveMap"},
+    {specular, "SPECULAR_MAP", "u_specularMap"},
+    {specularColor, "SPECULAR_COLOR_MAP", "u_specularColorMap"},
+    {clearcoat, "CLEARCOAT_MAP", "u_clearcoatMap"},
+    {clearcoatRoughness, "CLEARCOAT_ROUGHNESS_MAP", "u_clearcoatRoughnessMap"},
+    {clearcoatNormal, "CLEARCOAT_NORMAL_MAP", "u_clearcoatNormalMap"},
+};
+static_assert(std::size(maps) == textureSlots);
+
+constexpr const char* coordinates[mostTexcoordChannels] = {
+    "v_texcoord", "v_texcoord1", "v_texcoord23.xy", "v_texcoord23.zw"};
+
+bool isNormal(TextureSlot slot) {
+    return slot == normal || slot == clearcoatNormal;
+}
+
+} // namespace
+
+bool MaterialFeatures::takes(int channel) const {
+    return std::find(channels.begin(), channels.end(), channel) != channels.end();
+}
+
+MaterialFeatures featuresOf(const GpuScene& scene, const SurfaceChunk& chunk, bool ambient,
+                            bool derivatives, int textureUnits) {
+    const Material& material = scene.materials[chunk.material];
+    MaterialFeatures features;
+    features.channels.fill(-1);
+    features.glossy = material.specularGlossiness;
+    features.emissive = ambient && material.emissive != glm::vec3(0.0f);
+    features.clearcoat = material.clearcoat > 0.0f;
+    features.ambient = ambient;
+    for (const Map& map : maps) {
+        const MaterialTexture& texture = material.of(map.slot);
+        const bool seen = map.slot != occlusion || ambient;
+        const bool shown = map.slot != emissive || features.emissive;
+        const bool turned = !isNormal(map.slot) || chunk.tangents || derivatives;
+        if (!scene.textures.has(texture) || !seen || !shown || !turned || textureUnits == 0)
+            continue;
+        features.channels[static_cast<std::size_t>(map.slot)] =
+            static_cast<signed char>(texture.channel);
+        --textureUnits;
+    }
+    features.tangents =
+        chunk.tangents && (features.has(normal) || features.has(clearcoatNormal));
+    return features;
+}
+
+void addDefines(const MaterialFeatures& features, std::vector<std::string>& defines) {
+    defines.push_back("MATERIAL");
+    if (features.ambient) defines.push_back("AMBIENT");
+    if (features.glossy) defines.push_back("GLOSSY");
+    if (features.emissive) defines.push_back("EMISSIVE");
+    if (features.clearcoat) defines.push_back("CLEARCOAT");
+    if (features.takes(0)) defines.push_back("TEXCOORDS");
+    if (features.takes(1)) defines.push_back("TEXCOORDS_1");
+    if (features.takes(2) || features.takes(3)) defines.push_back("TEXCOORDS_2");
+    bool derived = false;
+    for (const Map& map : maps) {
+        if (!features.has(map.slot)) continue;
+        const int channel = features.channels[static_cast<std::size_t>(map.slot)];
+        defines.push_back(map.define);
+        defines.push_back(std::string(map.define) + "_UV " + coordinates[channel]);
+        derived = derived || (isNormal(map.slot) && !features.tangents);
+    }
+    if (features.tangents) defines.push_back("TANGENTS");
+    if (derived) defines.push_back("DERIVED_TANGENTS");
+}
+
+void setMaterial(gl::Program& program, const MaterialFeatures& features, const Material& material,
+                 const Textures& textures, int firstUnit) {
+    program.set("u_baseColor", material.baseColorFactor);
+    program.set("u_reflectance",
+                glm::vec4(material.metallic, material.roughness, material.dielectricReflectance,
+                          material.specular));
+    program.set("u_specularColor", material.specularColor);
+    program.set("u_emissive", material.emissive);
+    program.set("u_normalScale", material.normalScale);
+    program.set("u_occlusionStrength", material.occlusionStrength);
+    program.set("u_transmission", material.transmission);
+    program.set("u_clearcoat", glm::vec3(material.clearcoat, material.clearcoatRoughness,
+                                         material.clearcoatNormalScale));
+    int unit = firstUnit;
+    for (const Map& map : maps) {
+        if (!features.has(map.slot)) continue;
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D, textures.of(material.of(map.slot)));
+        program.setSampler(map.sampler, unit++);
+    }
+}
+
+} // namespace edgeshade

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "src/shadow/geometry/camera.hpp"
+
+namespace edgeshade {
+
+/// The direction from a scene to the eye that suits any scene: from slightly above.
+glm::dvec3 framingDirection();
+
+/// The nearest camera from `direction` that shows all vertices of the scene with a small margin
+/// around them: their picture touches it left and right, or above and below, or all four where they
+/// fit it. It looks at the depth of the scene's middle. Takes time linear in the vertices.
+Camera framingCamera(const Scene& scene, double fovDegrees, double aspect,
+                     const glm::dvec3& direction = framingDirection());
+
+} // namespace edgeshade
