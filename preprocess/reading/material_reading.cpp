@@ -1,6 +1,7 @@
 #include "preprocess/reading/material_reading.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 
 #include <cmath>
 
@@ -47,10 +48,10 @@ void setTexture(const GltfDocument& document, Material& material, int texture, i
     if (texture < 0) return;
     material.texture = texture;
     material.texcoordSet = texcoordSet;
-    const auto& textures = document.model.textures;
+    const auto& textures = document.model->textures;
     const bool exists = static_cast<std::size_t>(texture) < textures.size();
     if (exists && textures[texture].sampler >= 0)
-        material.sampler = samplerOf(document.model.samplers[textures[texture].sampler]);
+        material.sampler = samplerOf(document.model->samplers[textures[texture].sampler]);
     if (!transform) return;
     material.uvTransform = uvTransformOf(*transform);
     material.texcoordSet = static_cast<int>(numberOr(*transform, "texCoord", texcoordSet));
@@ -103,7 +104,7 @@ void requireFinite(const GltfDocument& document, const Material& material,
 }
 
 Material readMaterial(const GltfDocument& document, std::size_t index) {
-    const tinygltf::Material& source = document.model.materials[index];
+    const tinygltf::Material& source = document.model->materials[index];
     const std::string field = "materials[" + std::to_string(index) + "]";
     Material material;
     if (source.alphaMode == "MASK") material.alphaMode = AlphaMode::mask;
@@ -122,7 +123,7 @@ Material readMaterial(const GltfDocument& document, std::size_t index) {
 
 std::vector<Material> readMaterials(const GltfDocument& document) {
     std::vector<Material> materials;
-    for (std::size_t i = 0; i < document.model.materials.size(); ++i)
+    for (std::size_t i = 0; i < document.model->materials.size(); ++i)
         materials.push_back(readMaterial(document, i));
     materials.emplace_back();
     return materials;
