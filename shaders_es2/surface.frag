@@ -6,7 +6,8 @@
 // a light of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the
 // light's shadow map says, with MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl; COARSE_MASK,
 // lit as far as a mask of lower resolution says; PRIMITIVE_MAP, as a primitive map says, see
-// primitive_map_lookup.glsl, with PRIMITIVE_MAP_TINT showing what its texels hold.
+// primitive_map_lookup.glsl, with SIDED where some of its triangles face the light and others don't,
+// and PRIMITIVE_MAP_TINT showing what its texels hold.
 #ifdef COARSE_MASK
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -62,8 +63,14 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #endif
 #ifdef PRIMITIVE_MAP
 #include "primitive_map_lookup.glsl"
-uniform float u_lightSide; // the light is on the front (1) or the back (-1) of these casters; 0: the
-                           // surface is no caster
+// The light is on the front (1) or the back (-1) of this caster; 0: the surface is no caster.
+#ifdef SIDED
+varying float v_lightSide;
+#define LIGHT_SIDE v_lightSide
+#else
+uniform float u_lightSide;
+#define LIGHT_SIDE u_lightSide
+#endif
 varying vec3 v_mapPosition;
 #endif
 
@@ -74,7 +81,7 @@ varying vec3 v_mapPosition;
 vec4 primitiveTint() {
     if (!findPrimitiveTexel(v_mapPosition)) return vec4(0.0);
     if (primitiveDepth > primitiveHeader.x) return vec4(0.1, 0.2, 0.9, 0.6);
-    float asked = primitiveCount(u_lightSide > 0.0);
+    float asked = primitiveCount(LIGHT_SIDE > 0.0);
     float many = min(asked / 8.0, 1.0);
     return vec4(many, 1.0 - many, 0.0, asked > 0.0 ? 0.6 : 0.0);
 }
@@ -82,8 +89,8 @@ vec4 primitiveTint() {
 
 bool litByPrimitives() {
     float seenSide = gl_FrontFacing ? u_mirrored : -u_mirrored;
-    if (seenSide * u_lightSide < 0.0) return false;
-    return primitiveMapLights(v_mapPosition, u_lightSide > 0.0);
+    if (seenSide * LIGHT_SIDE < 0.0) return false;
+    return primitiveMapLights(v_mapPosition, LIGHT_SIDE > 0.0);
 }
 #endif
 

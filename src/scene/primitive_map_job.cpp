@@ -96,7 +96,7 @@ bool PrimitiveMapJob::step() {
         triangles_.emplace_back();
         if (!of.animated)
             triangles_.back() =
-                sortedByFacing(*of.batch, glm::inverse(of.worldFromBatch) * light_.position);
+                sidedTriangles(*of.batch, glm::inverse(of.worldFromBatch) * light_.position);
     } else if (joined_) {
         return false;
     } else if (!builder_) {

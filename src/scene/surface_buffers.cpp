@@ -12,14 +12,6 @@ std::uint8_t byteOf(float value) {
     return static_cast<std::uint8_t>(glm::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-SurfaceVertex vertexOf(const Batch& batch, std::uint32_t index) {
-    const glm::vec4 color = srgbFromLinear(batch.colors[index]);
-    return {batch.positions[index],
-            batch.normals[index],
-            batch.texcoords[index],
-            {byteOf(color.r), byteOf(color.g), byteOf(color.b), byteOf(color.a)}};
-}
-
 bool isWhite(const SurfaceVertex& vertex) {
     return std::all_of(std::begin(vertex.color), std::end(vertex.color),
                        [](std::uint8_t value) { return value == 255; });
@@ -32,7 +24,7 @@ SurfaceChunk upload(const Batch& batch, const SurfacePart& part) {
     vertices.reserve(part.vertices.size());
     glm::dvec3 sum(0.0);
     for (const std::uint32_t index : part.vertices) {
-        const SurfaceVertex& vertex = vertices.emplace_back(vertexOf(batch, index));
+        const SurfaceVertex& vertex = vertices.emplace_back(surfaceVertexOf(batch, index));
         sum += vertex.position;
         chunk.bounds.add(vertex.position);
         chunk.colored = chunk.colored || !isWhite(vertex);
@@ -45,6 +37,14 @@ SurfaceChunk upload(const Batch& batch, const SurfacePart& part) {
 }
 
 } // namespace
+
+SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index) {
+    const glm::vec4 color = srgbFromLinear(batch.colors[index]);
+    return {batch.positions[index],
+            batch.normals[index],
+            batch.texcoords[index],
+            {byteOf(color.r), byteOf(color.g), byteOf(color.b), byteOf(color.a)}};
+}
 
 std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch) {
     std::vector<SurfaceChunk> chunks;

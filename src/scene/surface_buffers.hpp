@@ -15,6 +15,9 @@ struct SurfaceVertex {
     std::uint8_t color[4]; ///< sRGB, alpha linear
 };
 
+/// That of a batch's vertex.
+SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index);
+
 /// A SurfacePart on the GPU.
 struct SurfaceChunk {
     std::size_t place = 0; ///< its number among the batch's

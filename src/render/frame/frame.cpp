@@ -155,9 +155,8 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
         if (shading.primitives) {
             batchView.mapFromObject =
                 glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
-            batchView.facings =
-                &shading.primitives
-                     ->facings[static_cast<std::size_t>(&batch - scene.batches.data())];
+            batchView.sided =
+                &shading.primitives->sided[static_cast<std::size_t>(&batch - scene.batches.data())];
         }
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             runs += surfaces_.draw(scene, batch, batchView, eye, shading, kind);

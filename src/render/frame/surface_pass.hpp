@@ -73,14 +73,15 @@ class SurfacePass {
         bool coarse;       ///< looks up a mask of lower resolution
         bool planes;       ///< draws what such a mask stores of surfaces
         bool orthographic; ///< looks it up or draws it for such a picture
+        bool sided;        ///< its vertices know which side the light is on
 
         auto key() const {
             return std::tie(alphaMode, map, primitives, textured, colored, lit, withAmbient,
-                            directional, ranged, mask, sliced, coarse, planes, orthographic);
+                            directional, ranged, mask, sliced, coarse, planes, orthographic, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };
-    /// Of SurfaceVertex, as the variants that need it read it.
+    /// Of SurfaceVertex, or of SidedVertex, as the variants that need it read it.
     struct Attribute {
         const char* name;
         int components;
@@ -90,7 +91,7 @@ class SurfacePass {
 
         bool isOf(const Variant& variant) const { return !needed || variant.*needed; }
     };
-    static const std::array<Attribute, 4> attributes_; ///< in the order of their locations
+    static const std::array<Attribute, 5> attributes_; ///< in the order of their locations
 
     std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                          const glm::dvec3& eye, const SurfaceShading& shading);
