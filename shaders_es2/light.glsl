@@ -23,13 +23,20 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #endif
 #ifdef PRIMITIVE_MAP
 #include "primitive_map_lookup.glsl"
-uniform float u_lightSide; // the light is on the front (1) or the back (-1) of these casters; 0: the
-                           // surface is no caster
+// The light is on the front (1) or the back (-1) of this caster; 0: the surface is no caster. SIDED:
+// some triangles of the surface face the light and others don't.
+#ifdef SIDED
+varying float v_lightSide;
+#define LIGHT_SIDE v_lightSide
+#else
+uniform float u_lightSide;
+#define LIGHT_SIDE u_lightSide
+#endif
 varying vec3 v_mapPosition;
 
 bool litByPrimitives() {
-    if (facing() * u_lightSide < 0.0) return false;
-    return primitiveMapLights(v_mapPosition, u_lightSide > 0.0);
+    if (facing() * LIGHT_SIDE < 0.0) return false;
+    return primitiveMapLights(v_mapPosition, LIGHT_SIDE > 0.0);
 }
 #endif
 

@@ -109,6 +109,7 @@ struct Surface {
     vec3 diffuse;
     vec3 reflectance; // at normal incidence
     float grazingReflectance;
+    vec2 dielectric; // what keeps light from being scattered: both of these, without the metal's
     float roughness;
 #ifdef CLEARCOAT
     vec3 coatNormal;
@@ -145,6 +146,8 @@ vec3 mappedNormal(vec3 geometric, vec3 texel, float scale, vec2 place) {
 }
 #endif
 
+float strongest(vec3 color) { return max(color.r, max(color.g, color.b)); }
+
 vec4 baseColor() {
     vec4 base = u_baseColor;
 #ifdef COLORED
@@ -178,7 +181,8 @@ Surface surfaceOf(vec3 base) {
 #endif
     surface.reflectance = specularColor;
     surface.grazingReflectance = 1.0;
-    surface.diffuse = base * (1.0 - max(specularColor.r, max(specularColor.g, specularColor.b)));
+    surface.dielectric = vec2(strongest(specularColor), 1.0);
+    surface.diffuse = base * (1.0 - surface.dielectric.x);
 #else
 #ifdef REFLECTANCE_MAP
     vec4 texel = texture2D(u_reflectanceMap, REFLECTANCE_MAP_UV);
@@ -195,6 +199,7 @@ Surface surfaceOf(vec3 base) {
     vec3 dielectric = min(u_reflectance.z * specularColor, vec3(1.0)) * specular;
     surface.reflectance = mix(dielectric, base, metallic);
     surface.grazingReflectance = mix(specular, 1.0, metallic);
+    surface.dielectric = vec2(strongest(dielectric), specular);
     surface.diffuse = base * (1.0 - metallic);
 #endif
     surface.roughness = clamp(surface.roughness, 0.05, 1.0); // a mirror shows no point light
@@ -244,8 +249,8 @@ void addLight(Surface surface, vec3 light, vec3 color, inout Seen seen) {
     vec3 reflectance =
         mix(surface.reflectance, vec3(surface.grazingReflectance), weight);
     float alpha = surface.roughness * surface.roughness;
-    float most = max(reflectance.r, max(reflectance.g, reflectance.b));
-    vec3 scattered = surface.diffuse * (1.0 - most) * nl;
+    vec3 scattered =
+        surface.diffuse * ((1.0 - mix(surface.dielectric.x, surface.dielectric.y, weight)) * nl);
     vec3 mirrored = reflectance * (microfacets(alpha, nl, nv, nh) * nl);
 #ifdef CLEARCOAT
     float left = beneathCoat(surface);
@@ -276,8 +281,7 @@ void addAmbient(Surface surface, float occlusion, inout Seen seen) {
     vec3 all = once + again;
     vec3 around = environmentDiffuse(surface.normal);
     vec3 mirror = environmentSpecular(reflect(-surface.toEye, surface.normal), surface.roughness);
-    vec3 scattered =
-        surface.diffuse * (1.0 - max(all.r, max(all.g, all.b))) * around;
+    vec3 scattered = surface.diffuse * (1.0 - strongest(all)) * around;
     vec3 mirrored = once * mirror + again * around;
 #ifdef CLEARCOAT
     float left = beneathCoat(surface);

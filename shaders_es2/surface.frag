@@ -66,7 +66,7 @@ varying float v_depth;
 vec4 primitiveTint() {
     if (!findPrimitiveTexel(v_mapPosition)) return vec4(0.0);
     if (primitiveDepth > primitiveHeader.x) return vec4(0.1, 0.2, 0.9, 0.6);
-    float asked = primitiveCount(u_lightSide > 0.0);
+    float asked = primitiveCount(LIGHT_SIDE > 0.0);
     float many = min(asked / 8.0, 1.0);
     return vec4(many, 1.0 - many, 0.0, asked > 0.0 ? 0.6 : 0.0);
 }

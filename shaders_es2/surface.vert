@@ -1,7 +1,8 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
-// DIRECTIONAL, PLAIN, TEXTURED, COLORED, MAP, PRIMITIVE_MAP and SLICED: see surface.frag; MATERIAL,
-// TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see material.frag; PLANE: see coarse_plane.glsl.
+// DIRECTIONAL, PLAIN, TEXTURED, COLORED, MAP, PRIMITIVE_MAP, SIDED and SLICED: see surface.frag
+// and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see material.frag;
+// PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -24,6 +25,10 @@ attribute vec3 a_normal;
 #endif
 #ifdef TANGENTS
 attribute vec4 a_tangent; // w: the bitangent's sign
+#endif
+
+#ifdef SIDED
+attribute float a_lightSide;
 #endif
 
 uniform mat4 u_clipFromObject;
@@ -73,6 +78,9 @@ varying float v_depth; // along the viewing direction
 #if defined(MAP) || defined(PRIMITIVE_MAP)
 varying vec3 v_mapPosition;
 #endif
+#ifdef SIDED
+varying float v_lightSide;
+#endif
 #ifdef PLANE
 varying vec3 v_clip;
 #endif
@@ -107,6 +115,9 @@ void main() {
 #endif
 #if defined(MAP) || defined(PRIMITIVE_MAP)
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
+#endif
+#ifdef SIDED
+    v_lightSide = a_lightSide;
 #endif
     gl_Position = rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, vec4(a_position, 1.0)));
 #ifdef SLICED

@@ -2,8 +2,8 @@
 """Checks and draws which folder's sources include which other's.
 
     tests/check_rooms.py            fails where an include points up the list of rooms, where headers
-                                    include each other in a circle, or where a library that must not
-                                    see GL, JSON or tinygltf does
+                                    include each other in a circle, or where a room sees GL, JSON or
+                                    tinygltf that must not
     tests/check_rooms.py --draw     draws docs/figures/rooms.svg anew
 """
 
@@ -33,6 +33,11 @@ NO_GL = ROOMS[:14]
 # Nor do these see JSON: what draws and what judges know nothing of files.
 NO_FILES = PURE + ("src/gl",) + tuple(
     room for room in ROOMS if room.startswith(("src/render/", "src/lab", "src/bench", "src/plot")))
+
+# tinygltf is seen by the sources of two rooms alone, by one header, and includes stay small.
+TINYGLTF = "tiny_gltf.h"
+SEES_TINYGLTF = ("preprocess/gltf", "preprocess/reading")
+TINYGLTF_HEADER = "preprocess/gltf/tinygltf_model.hpp"
 
 INCLUDE = re.compile(r'^\s*#include\s+(?:"([^"]+)"|<([^>]+)>)', re.M)
 
@@ -117,6 +122,10 @@ def faults(includes):
                     yield way + f"; {here} knows nothing of GL."
                 if here in NO_FILES and library.startswith(JSON):
                     yield way + f"; {here} knows nothing of files."
+                if library == TINYGLTF and here not in SEES_TINYGLTF:
+                    yield way + f"; only {' and '.join(SEES_TINYGLTF)} do."
+                elif library == TINYGLTF and path.endswith(".hpp") and path != TINYGLTF_HEADER:
+                    yield way + f"; of headers only {TINYGLTF_HEADER} does."
 
 
 def drawing(includes):

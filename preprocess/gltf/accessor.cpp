@@ -1,6 +1,7 @@
 #include "preprocess/gltf/accessor.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +107,7 @@ struct ElementRange {
 ElementRange elements(const GltfDocument& document, int view, std::size_t offset, std::size_t count,
                       std::size_t elementSize, bool strided, const std::string& field) {
     const auto bytes = bufferViewBytes(document, view);
-    const std::size_t viewStride = document.model.bufferViews[view].byteStride;
+    const std::size_t viewStride = document.model->bufferViews[view].byteStride;
     const std::size_t stride = strided && viewStride != 0 ? viewStride : elementSize;
     const bool fits =
         stride >= elementSize &&
@@ -157,6 +158,18 @@ void forEachElement(const GltfDocument& document, const tinygltf::Accessor& acce
     }
 }
 
+/// tinygltf's name of it.
+int typeOf(ElementType type) {
+    switch (type) {
+    case ElementType::scalar:
+        return TINYGLTF_TYPE_SCALAR;
+    case ElementType::vec3:
+        return TINYGLTF_TYPE_VEC3;
+    default:
+        return TINYGLTF_TYPE_VEC4;
+    }
+}
+
 /// Counts what the accessor takes once it is read, a float or an index a component.
 void takeFor(const GltfDocument& document, int index, const std::string& field,
              MemoryBudget& memory) {
@@ -170,7 +183,7 @@ void takeFor(const GltfDocument& document, int index, const std::string& field,
 
 const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
                                      const std::string& field) {
-    const auto& accessors = document.model.accessors;
+    const auto& accessors = document.model->accessors;
     if (accessor < 0 || static_cast<std::size_t>(accessor) >= accessors.size())
         throw InputError(document.where(field) + " is accessor " + std::to_string(accessor) +
                          ", but there are " + std::to_string(accessors.size()) + ".");
@@ -179,6 +192,14 @@ const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
                          "].count is " + std::to_string(accessors[accessor].count) +
                          ", which is too many.");
     return accessors[accessor];
+}
+
+std::size_t elementCount(const GltfDocument& document, int accessor, const std::string& field) {
+    return accessorAt(document, accessor, field).count;
+}
+
+int bufferViewOf(const GltfDocument& document, int accessor, const std::string& field) {
+    return accessorAt(document, accessor, field).bufferView;
 }
 
 FloatArray readFloats(const GltfDocument& document, int index, const std::string& field) {
@@ -252,7 +273,7 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int index,
     return readIndices(document, index, field);
 }
 
-void requireKind(const GltfDocument& document, int index, int type, bool mayBeSmall,
+void requireKind(const GltfDocument& document, int index, ElementType type, bool mayBeSmall,
                  const char* wanted, const std::string& field) {
     const tinygltf::Accessor& accessor = accessorAt(document, index, field);
     const int component = accessor.componentType;
@@ -262,7 +283,7 @@ void requireKind(const GltfDocument& document, int index, int type, bool mayBeSm
                          component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
     const bool isRight = component == TINYGLTF_COMPONENT_TYPE_FLOAT ||
                          (mayBeSmall && isSmall && accessor.normalized);
-    if (accessor.type == type && isRight) return;
+    if (accessor.type == typeOf(type) && isRight) return;
     throw InputError(
         document.where(field) + " is accessors[" + std::to_string(index) + "], " +
         document.json["accessors"][static_cast<std::size_t>(index)]["type"].get<std::string>() +

@@ -7,6 +7,17 @@
 
 namespace edgeshade {
 
+/// What an accessor's elements are made of, by glTF's numbers (glTF 2.0, 3.6.2.2).
+enum class ComponentType : int {
+    unsignedByte = 5121,
+    unsignedShort = 5123,
+    unsignedInt = 5125,
+    float32 = 5126
+};
+
+/// And what they are, of those that are asked for.
+enum class ElementType { scalar, vec3, vec4 };
+
 /// An accessor's elements as floats, `components` a element, one after the other.
 struct FloatArray {
     std::vector<float> values;
@@ -37,10 +48,14 @@ std::vector<std::uint32_t> readIndices(const GltfDocument& document, int accesso
 const tinygltf::Accessor& accessorAt(const GltfDocument& document, int accessor,
                                      const std::string& field);
 
-/// Refuses an accessor that holds anything but floats of this tinygltf type or, if `mayBeSmall`,
-/// normalised bytes or shorts (the tables of glTF 2.0, 3.11, and EXT_mesh_gpu_instancing). `wanted`
-/// says so in a message. Throws InputError naming `field`.
-void requireKind(const GltfDocument& document, int accessor, int type, bool mayBeSmall,
+/// How many elements it has, and its buffer view, -1 for none. Throw the same.
+std::size_t elementCount(const GltfDocument& document, int accessor, const std::string& field);
+int bufferViewOf(const GltfDocument& document, int accessor, const std::string& field);
+
+/// Refuses an accessor that holds anything but floats of this type or, if `mayBeSmall`, normalised
+/// bytes or shorts (the tables of glTF 2.0, 3.11, and EXT_mesh_gpu_instancing). `wanted` says so in
+/// a message. Throws InputError naming `field`.
+void requireKind(const GltfDocument& document, int accessor, ElementType type, bool mayBeSmall,
                  const char* wanted, const std::string& field);
 
 } // namespace edgeshade

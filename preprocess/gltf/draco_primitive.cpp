@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/draco_claim.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 
 #include <draco/compression/decode.h>
 

@@ -4,6 +4,7 @@
 #include "preprocess/gltf/data_uri.hpp"
 #include "preprocess/gltf/json_field.hpp"
 #include "preprocess/gltf/percent_encoding.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -57,7 +58,7 @@ Bytes resolveUri(const GltfDocument& document, const std::string& field, const s
 }
 
 std::span<const std::uint8_t> bufferViewBytes(const GltfDocument& document, int view) {
-    const auto& views = document.model.bufferViews;
+    const auto& views = document.model->bufferViews;
     if (view < 0 || static_cast<std::size_t>(view) >= views.size())
         throw InputError(document.where("bufferView ") + std::to_string(view) +
                          " does not exist; there are " + std::to_string(views.size()) + ".");
@@ -83,7 +84,7 @@ Bytes encodedImageBytes(const GltfDocument& document, int image) {
     const JsonField source = images->item(static_cast<std::size_t>(image));
     if (const auto view = source.find("bufferView")) {
         const auto bytes = bufferViewBytes(
-            document, view->indexInto(document.model.bufferViews.size(), "bufferViews"));
+            document, view->indexInto(document.model->bufferViews.size(), "bufferViews"));
         return Bytes(bytes.begin(), bytes.end());
     }
     if (const auto uri = source.find("uri")) return resolveUri(document, uri->name(), uri->text());

@@ -3,27 +3,29 @@
 #include "preprocess/base/file_io.hpp"
 #include "preprocess/base/limits.hpp"
 #include "preprocess/base/warnings.hpp"
+#include "preprocess/gltf/tinygltf_fwd.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
-#include <tiny_gltf.h>
 #include <vector>
 
 namespace edgeshade {
 
 /// A glTF 2.0 asset in memory: what it says and the bytes it refers to.
 ///
-/// `model` is tinygltf's typed view of `json`; its own buffers and images stay empty. Bytes are
-/// reached through bufferViewBytes(), which has checked every bound.
+/// `model` is tinygltf's typed view of `json`, for gltf/ and reading/ alone, which look into it by
+/// tinygltf_model.hpp; its own buffers and images stay empty. Bytes are reached through
+/// bufferViewBytes(), which has checked every bound.
 struct GltfDocument {
-    std::filesystem::path path;  ///< as the user named it, for messages
-    nlohmann::ordered_json json; ///< the source, key order kept
-    tinygltf::Model model;       ///< the same, typed
-    std::vector<Bytes> buffers;  ///< one a glTF buffer; empty for meshopt fallbacks
-    std::vector<std::optional<Bytes>> decodedViews; ///< compressed by meshopt, decoded
+    std::filesystem::path path;                   ///< as the user named it, for messages
+    nlohmann::ordered_json json;                  ///< the source, key order kept
+    std::shared_ptr<const tinygltf::Model> model; ///< the same, typed; never null once it was read
+    std::vector<Bytes> buffers; ///< one a glTF buffer; empty for meshopt fallbacks
+    std::vector<std::optional<Bytes>> decodedViews; ///< one a view; what meshopt compressed
     Warnings warnings;                              ///< of parsing; flattenScene() hands them on
     MemoryBudget memory; ///< what parsing took; whoever makes more of it goes on with a copy
 

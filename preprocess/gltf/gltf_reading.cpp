@@ -59,9 +59,10 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
     tagMeshoptFallbacks(document.json);
     requireWithinLimits(document.json, path, document.memory);
     const BrokenParts broken = findBrokenParts(document.json, path, document.warnings);
-    document.model = typedModel(document.json, broken.animations, path);
+    document.model =
+        std::make_shared<const tinygltf::Model>(typedModel(document.json, broken.animations, path));
     resolveBuffers(document, std::move(chunks.binary));
-    document.decodedViews.resize(document.model.bufferViews.size());
+    document.decodedViews.resize(document.model->bufferViews.size());
     decodeMeshoptViews(document);
     return document;
 }

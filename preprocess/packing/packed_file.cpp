@@ -47,7 +47,7 @@ Json fallbackBuffer(Json buffer) {
 /// of another once buffers are joined; a view wholly past it begins in its last word, as aligned as
 /// it was. Throws InputError where the view's length says what is compressed.
 void cutViews(const GltfDocument& document, Json& json) {
-    for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
+    for (std::size_t i = 0; i < document.decodedViews.size(); ++i) {
         Json& view = json["bufferViews"][i];
         const Json& buffer = json["buffers"][view["buffer"].get<std::size_t>()];
         const auto end = buffer["byteLength"].get<std::uint64_t>();

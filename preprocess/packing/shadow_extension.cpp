@@ -102,9 +102,8 @@ std::size_t storedShadowBytes(const GltfDocument& document) {
     if (!readShadowHeader(document)) return 0;
     std::size_t bytes = 0;
     for (const int accessor : shadowAccessorsOf(*shadowExtensionOf(document.json)))
-        bytes += bufferViewBytes(document,
-                                 accessorAt(document, accessor, shadowExtensionName).bufferView)
-                     .size();
+        bytes +=
+            bufferViewBytes(document, bufferViewOf(document, accessor, shadowExtensionName)).size();
     return bytes;
 }
 

@@ -117,7 +117,7 @@ class BatchReader {
 
     /// Refuses an accessor of more elements before they are read.
     void requireAtMost(const char* key, std::size_t most) const {
-        const std::size_t count = accessorAt(document_, accessorOf(key), field_ + "." + key).count;
+        const std::size_t count = elementCount(document_, accessorOf(key), field_ + "." + key);
         if (count > most)
             fail("." + std::string(key) + " has " + std::to_string(count) +
                  " elements, but at most " + std::to_string(most) + " can be of use");

@@ -1,3 +1,4 @@
+#include "preprocess/gltf/accessor.hpp"
 #include "preprocess/gltf/buffer_view.hpp"
 #include "preprocess/packing/edge_codec.hpp"
 #include "preprocess/packing/shadow_extension.hpp"
@@ -15,41 +16,38 @@ class AccessorWriter {
     AccessorWriter(Json& json, Bytes& binary) : json_(json), binary_(binary) {}
 
     int add(std::span<const glm::vec4> vectors) {
-        return add(vectors.data(), vectors.size_bytes(), vectors.size(),
-                   TINYGLTF_COMPONENT_TYPE_FLOAT, "VEC4");
+        return add(vectors.data(), vectors.size_bytes(), vectors.size(), ComponentType::float32,
+                   "VEC4");
     }
 
     int add(const Bytes& bytes) {
-        return add(bytes.data(), bytes.size(), bytes.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                   "SCALAR");
+        return add(bytes.data(), bytes.size(), bytes.size(), ComponentType::unsignedByte, "SCALAR");
     }
 
     /// Unsigned integers in the smallest type that holds them.
     int add(std::span<const std::uint32_t> values) {
         const std::uint32_t largest =
             values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-        if (largest <= 0xFF)
-            return addAs<std::uint8_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
-        if (largest <= 0xFFFF)
-            return addAs<std::uint16_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
-        return addAs<std::uint32_t>(values, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT);
+        if (largest <= 0xFF) return addAs<std::uint8_t>(values, ComponentType::unsignedByte);
+        if (largest <= 0xFFFF) return addAs<std::uint16_t>(values, ComponentType::unsignedShort);
+        return addAs<std::uint32_t>(values, ComponentType::unsignedInt);
     }
 
   private:
     template <class T>
-    int addAs(std::span<const std::uint32_t> values, int componentType) {
+    int addAs(std::span<const std::uint32_t> values, ComponentType componentType) {
         const std::vector<T> narrow(values.begin(), values.end());
         return add(narrow.data(), narrow.size() * sizeof(T), narrow.size(), componentType,
                    "SCALAR");
     }
 
-    int add(const void* data, std::size_t size, std::size_t count, int componentType,
+    int add(const void* data, std::size_t size, std::size_t count, ComponentType componentType,
             const char* type) {
         const std::size_t view =
             appendView(json_, binary_, {static_cast<const std::uint8_t*>(data), size});
         Json& accessors = json_["accessors"];
         accessors.push_back({{"bufferView", view},
-                             {"componentType", componentType},
+                             {"componentType", static_cast<int>(componentType)},
                              {"count", count},
                              {"type", type}});
         return static_cast<int>(accessors.size()) - 1;

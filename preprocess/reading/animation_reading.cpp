@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/accessor.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 #include "preprocess/reading/rest_transform.hpp"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ class AnimationReader {
         : document_(document), memory_(document.memory) {}
 
     Animation read(std::size_t index) {
-        const tinygltf::Animation& source = document_.model.animations[index];
+        const tinygltf::Animation& source = document_.model->animations[index];
         const std::string field = "animations[" + std::to_string(index) + "]";
         Animation animation;
         for (const tinygltf::AnimationChannel& channel : source.channels) {
@@ -77,7 +78,7 @@ class AnimationReader {
 
   private:
     NodeMotion& motionOf(Animation& animation, int index, const std::string& field) const {
-        const tinygltf::Node& node = document_.model.nodes.at(index);
+        const tinygltf::Node& node = document_.model->nodes.at(index);
         if (hasMatrix(node)) // (glTF 2.0, 3.5.3)
             throw InputError(document_.where("nodes[") + std::to_string(index) +
                              "].matrix can't be moved by " + field +
@@ -97,7 +98,7 @@ class AnimationReader {
             throw InputError(document_.where(field) + ".input has 1 element, but a CUBICSPLINE "
                                                       "needs 2 or more.");
         const std::size_t wanted = isSpline ? 3 * count : count;
-        const std::size_t found = accessorAt(document_, sampler.output, field + ".output").count;
+        const std::size_t found = elementCount(document_, sampler.output, field + ".output");
         if (found != wanted)
             throw InputError(document_.where(field) + ".output has " + std::to_string(found) +
                              " elements, but " + sampler.interpolation + " of " +
@@ -110,7 +111,7 @@ class AnimationReader {
     Floats readTimes(int accessor, const std::string& field) {
         Floats& times = times_[accessor];
         if (times) return times;
-        requireKind(document_, accessor, TINYGLTF_TYPE_SCALAR, false, "SCALAR floats", field);
+        requireKind(document_, accessor, ElementType::scalar, false, "SCALAR floats", field);
         const FloatArray array = readFloats(document_, accessor, field, memory_);
         requireFinite(document_, array, field);
         if (array.values.empty()) throw InputError(document_.where(field) + " has no elements.");
@@ -129,10 +130,10 @@ class AnimationReader {
         Floats& values = values_[{accessor, isRotation, isSpline}];
         if (values) return values;
         if (isRotation)
-            requireKind(document_, accessor, TINYGLTF_TYPE_VEC4, true,
+            requireKind(document_, accessor, ElementType::vec4, true,
                         "VEC4 floats or normalized bytes or shorts", field);
         else
-            requireKind(document_, accessor, TINYGLTF_TYPE_VEC3, false, "VEC3 floats", field);
+            requireKind(document_, accessor, ElementType::vec3, false, "VEC3 floats", field);
         const FloatArray array = readFloats(document_, accessor, field, memory_);
         requireFinite(document_, array, field);
         if (isRotation) requireNoZeroQuaternion(array, isSpline, field);
@@ -159,7 +160,7 @@ class AnimationReader {
 } // namespace
 
 std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings) {
-    const auto& animations = document.model.animations;
+    const auto& animations = document.model->animations;
     AnimationReader reader(document);
     std::optional<Animation> played;
     for (std::size_t i = 0; i < animations.size(); ++i) {

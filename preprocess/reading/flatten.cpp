@@ -1,6 +1,7 @@
 #include "preprocess/reading/flatten.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 #include "preprocess/mesh/weld.hpp"
 #include "preprocess/reading/instances.hpp"
 #include "preprocess/reading/material_reading.hpp"
@@ -32,7 +33,7 @@ struct Piece {
 using PiecesByMover = std::map<int, std::vector<Piece>>;
 
 std::vector<double> morphWeights(const GltfDocument& document, const tinygltf::Node& node) {
-    return node.weights.empty() ? document.model.meshes[node.mesh].weights : node.weights;
+    return node.weights.empty() ? document.model->meshes[node.mesh].weights : node.weights;
 }
 
 std::size_t materialOf(const GltfDocument& document, const Primitive& primitive,
@@ -87,14 +88,14 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
     std::map<int, std::shared_ptr<const std::vector<glm::dmat4>>> skins;
     std::map<std::pair<int, std::vector<double>>, std::vector<std::shared_ptr<Primitive>>> read;
     for (const MeshNode& visit : walk.meshNodes) {
-        const tinygltf::Node& node = document.model.nodes[visit.node];
-        if (static_cast<std::size_t>(node.mesh) >= document.model.meshes.size())
+        const tinygltf::Node& node = document.model->nodes[visit.node];
+        if (static_cast<std::size_t>(node.mesh) >= document.model->meshes.size())
             throw InputError(document.where("nodes[") + std::to_string(visit.node) + "].mesh is " +
                              std::to_string(node.mesh) + ", but there are " +
-                             std::to_string(document.model.meshes.size()) + " meshes.");
+                             std::to_string(document.model->meshes.size()) + " meshes.");
         const auto weights = morphWeights(document, node);
         auto& primitives = read[{node.mesh, weights}];
-        const auto& sources = document.model.meshes[node.mesh].primitives;
+        const auto& sources = document.model->meshes[node.mesh].primitives;
         for (std::size_t p = primitives.size(); p < sources.size(); ++p) {
             const int material = materialInVariant(document, static_cast<std::size_t>(node.mesh), p,
                                                    variant, scene.warnings);

@@ -12,7 +12,7 @@ std::size_t countInstances(const GltfDocument& document, const JsonField& attrib
     std::optional<std::size_t> count;
     std::string first;
     attributes.forEachMember([&](const JsonField& attribute) {
-        const std::size_t found = accessorAt(document, attribute.index(), attribute.name()).count;
+        const std::size_t found = elementCount(document, attribute.index(), attribute.name());
         if (count && *count != found)
             attribute.fail(" has " + std::to_string(found) + " elements, but " + first + " has " +
                            std::to_string(*count));
@@ -25,11 +25,12 @@ std::size_t countInstances(const GltfDocument& document, const JsonField& attrib
 
 /// The attribute's values; none where it isn't there.
 FloatArray readAttribute(const GltfDocument& document, const JsonField& attributes,
-                         const char* name, int type, const char* wanted, MemoryBudget& memory) {
+                         const char* name, ElementType type, const char* wanted,
+                         MemoryBudget& memory) {
     FloatArray values;
     attributes.ifPresent(name, [&](const JsonField& attribute) {
         const std::string field = attribute.name();
-        const bool isRotation = type == TINYGLTF_TYPE_VEC4;
+        const bool isRotation = type == ElementType::vec4;
         requireKind(document, attribute.index(), type, isRotation, wanted, field);
         values = readFloats(document, attribute.index(), field, memory);
         requireFinite(document, values, field);
@@ -48,11 +49,11 @@ std::vector<glm::dmat4> readMatrices(const GltfDocument& document, const JsonFie
     const std::size_t count = countInstances(document, attributes);
     memory.take(count, sizeof(glm::dmat4), document.where(attributes.name()));
     const FloatArray translations = readAttribute(document, attributes, "TRANSLATION",
-                                                  TINYGLTF_TYPE_VEC3, "VEC3 floats", memory);
-    const FloatArray rotations = readAttribute(document, attributes, "ROTATION", TINYGLTF_TYPE_VEC4,
+                                                  ElementType::vec3, "VEC3 floats", memory);
+    const FloatArray rotations = readAttribute(document, attributes, "ROTATION", ElementType::vec4,
                                                "VEC4 floats or normalized bytes or shorts", memory);
     const FloatArray scales =
-        readAttribute(document, attributes, "SCALE", TINYGLTF_TYPE_VEC3, "VEC3 floats", memory);
+        readAttribute(document, attributes, "SCALE", ElementType::vec3, "VEC3 floats", memory);
     std::vector<glm::dmat4> matrices;
     matrices.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {

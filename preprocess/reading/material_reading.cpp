@@ -188,6 +188,9 @@ class MaterialReader {
                       [&](const JsonField& extension) { readClearcoat(extension); });
         readExtension("KHR_materials_transmission", "its glass", [&](const JsonField& extension) {
             material_.transmission = shareOr(extension, "transmissionFactor", 0.0f);
+            if (material_.transmission == 0.0f || material_.alphaMode != AlphaMode::opaque) return;
+            material_.alphaMode = AlphaMode::blend; // it casts no shadow, nor refracts
+            material_.baseColorFactor.a = 1.0f;
         });
     }
 

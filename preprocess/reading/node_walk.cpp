@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 #include "preprocess/reading/rest_transform.hpp"
 #include "preprocess/scene/node_transform.hpp"
 
@@ -22,14 +23,14 @@ bool isFinite(const glm::dmat4& matrix) {
 
 std::set<int> animatedNodes(const GltfDocument& document) {
     std::set<int> nodes;
-    for (const auto& animation : document.model.animations)
+    for (const auto& animation : document.model->animations)
         for (const auto& channel : animation.channels)
             if (channel.target_path != "weights") nodes.insert(channel.target_node);
     return nodes;
 }
 
 std::vector<int> rootNodes(const GltfDocument& document) {
-    const tinygltf::Model& model = document.model;
+    const tinygltf::Model& model = *document.model;
     if (!model.scenes.empty()) {
         const int scene = model.defaultScene < 0 ? 0 : model.defaultScene;
         if (static_cast<std::size_t>(scene) >= model.scenes.size())
@@ -48,7 +49,7 @@ std::vector<int> rootNodes(const GltfDocument& document) {
 
 /// Without scenes every node is below a root, unless it is its own ancestor.
 void requireAllReached(const GltfDocument& document, const std::vector<bool>& reached) {
-    if (!document.model.scenes.empty()) return;
+    if (!document.model->scenes.empty()) return;
     const auto missed = std::find(reached.begin(), reached.end(), false);
     if (missed != reached.end())
         throw InputError(document.where("nodes[") + std::to_string(missed - reached.begin()) +
@@ -90,7 +91,7 @@ struct Visit {
 } // namespace
 
 NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
-    const auto& nodes = document.model.nodes;
+    const auto& nodes = document.model->nodes;
     const std::set<int> animated = animatedNodes(document);
     NodeWalk walk;
     walk.worldFromNode.assign(nodes.size(), glm::dmat4(1.0));

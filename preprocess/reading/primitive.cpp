@@ -3,6 +3,7 @@
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/accessor.hpp"
 #include "preprocess/gltf/draco_primitive.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <numeric>
@@ -126,7 +127,7 @@ bool isTriangleMode(int mode) {
 Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::size_t primitiveIndex,
                         const std::vector<double>& morphWeights, const Material& material,
                         Warnings& warnings, MemoryBudget& memory) {
-    const tinygltf::Primitive& source = document.model.meshes[mesh].primitives[primitiveIndex];
+    const tinygltf::Primitive& source = document.model->meshes[mesh].primitives[primitiveIndex];
     const std::string field =
         "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(primitiveIndex) + "]";
     Primitive primitive;

@@ -1,5 +1,7 @@
 #include "preprocess/reading/rest_transform.hpp"
 
+#include "preprocess/gltf/tinygltf_model.hpp"
+
 namespace edgeshade {
 
 NodeTransform restTransform(const tinygltf::Node& node) {

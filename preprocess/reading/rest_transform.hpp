@@ -1,8 +1,7 @@
 #pragma once
 
+#include "preprocess/gltf/tinygltf_fwd.hpp"
 #include "preprocess/scene/node_transform.hpp"
-
-#include <tiny_gltf.h>
 
 namespace edgeshade {
 

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/accessor.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 
 namespace edgeshade {
 
@@ -9,9 +10,9 @@ std::vector<glm::dmat4> skinMatrices(const GltfDocument& document, int skin,
                                      const std::vector<glm::dmat4>& worldFromNode,
                                      MemoryBudget& memory) {
     const std::string field = "skins[" + std::to_string(skin) + "]";
-    if (skin < 0 || static_cast<std::size_t>(skin) >= document.model.skins.size())
+    if (skin < 0 || static_cast<std::size_t>(skin) >= document.model->skins.size())
         throw InputError(document.where(field) + " does not exist.");
-    const tinygltf::Skin& source = document.model.skins[skin];
+    const tinygltf::Skin& source = document.model->skins[skin];
     FloatArray inverseBind;
     memory.take(source.joints.size(), sizeof(glm::dmat4), document.where(field));
     if (source.inverseBindMatrices >= 0) {

@@ -1,6 +1,7 @@
 #include "preprocess/reading/variants.hpp"
 
 #include "preprocess/gltf/json_field.hpp"
+#include "preprocess/gltf/tinygltf_model.hpp"
 
 #include <algorithm>
 
@@ -55,7 +56,7 @@ std::optional<std::size_t> findVariant(const GltfDocument& document, const std::
 
 int materialInVariant(const GltfDocument& document, std::size_t mesh, std::size_t primitive,
                       const std::optional<std::size_t>& variant, Warnings& warnings) {
-    int material = document.model.meshes[mesh].primitives[primitive].material;
+    int material = document.model->meshes[mesh].primitives[primitive].material;
     if (!variant) return material;
     readOrWarn(warnings, "the variant is not drawn there", [&] {
         withMappings(document, mesh, primitive, [&](const JsonField& mappings) {
@@ -63,7 +64,7 @@ int materialInVariant(const GltfDocument& document, std::size_t mesh, std::size_
                 mapping.member("variants").forEachItem([&](const JsonField& index) {
                     if (index.wholeNumber() == *variant)
                         material = mapping.member("material")
-                                       .indexInto(document.model.materials.size(), "materials");
+                                       .indexInto(document.model->materials.size(), "materials");
                 });
             });
         });

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/cli/limit_options.hpp"
+#include "src/shadow/geometry/framing.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,6 +1,7 @@
 #include "src/image/image_choice.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/gltf/json_field.hpp"
 
 #include <set>
 
@@ -19,7 +20,7 @@ std::set<std::size_t> usedMaterials(const Scene& scene) {
 } // namespace
 
 ImageChoice::ImageChoice(const GltfDocument& document, Scene& scene) : scene_(scene) {
-    const std::size_t count = document.model.textures.size();
+    const std::size_t count = JsonField(document.path, document.json).countOf("textures");
     for (const std::size_t m : usedMaterials(scene)) {
         for (const MaterialTexture& used : scene.materials[m].textures) {
             const int texture = used.texture;

@@ -1,29 +1,19 @@
 #pragma once
 
 #include "src/gl/float_table.hpp"
-#include "src/scene/surface_parts.hpp"
+#include "src/scene/sided_triangles.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
 
 #include <memory>
 
 namespace edgeshade {
 
-/// A chunk's triangles anew: some that are turned away from a light, those that face it, the others
-/// that are turned away. Their order within each is kept, and of triangles that coincide the first
-/// one stays before the others: it is the one that is seen.
-struct SortedTriangles {
-    std::vector<std::uint16_t> indices;
-    std::size_t before = 0; ///< indices of the first kind
-    std::size_t facing = 0; ///< and of the second
-};
-
-/// Of every chunk of a batch, for a light in the batch's space.
-std::vector<SortedTriangles> sortedByFacing(const Batch& batch, const glm::dvec4& light);
-
-/// The same on the GPU.
-struct FacingIndices {
-    gl::Buffer indices;
-    int before = 0, facing = 0, after = 0; ///< as SortedTriangles has them
+/// SidedTriangles on the GPU.
+struct SidedChunk {
+    float lightSide = 0.0f;
+    gl::Buffer vertices; ///< SidedVertex; this and the next are there if `lightSide` is 0
+    gl::Buffer details;  ///< SurfaceDetail; none where the material needs none
+    gl::Buffer indices;  ///< 16-bit
 };
 
 /// A primitive map on the GPU, with what surfaces need to look themselves up in it.
@@ -36,14 +26,14 @@ struct GpuPrimitiveMap {
     int splits = 0;      ///< PrimitiveMap::splits
     int longestList = 0; ///< or more: a power of 2, so that there are few programs
     gl::FloatTable header, entries, records;
-    std::vector<std::vector<FacingIndices>> facings; ///< by batch, by chunk; none where animated
+    std::vector<std::vector<SidedChunk>> sided; ///< by batch, by chunk; none where animated
 
     std::size_t bytes() const;
 };
 
 /// Throws Error(unavailable) if the GL can't.
 GpuPrimitiveMap uploadPrimitiveMap(const PrimitiveMap& map,
-                                   const std::vector<std::vector<SortedTriangles>>& triangles,
+                                   const std::vector<std::vector<SidedTriangles>>& triangles,
                                    const gl::Capabilities& capabilities);
 
 } // namespace edgeshade

@@ -32,7 +32,8 @@ bool othersReceive(const Scene& scene) {
 
 PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
                                  const PrimitiveMapSettings& settings, KeptEdges edges)
-    : light_(light), settings_(settings), smallest_(std::max(4, settings.size / 8)),
+    : light_(light), settings_(settings), materials_(&loaded.scene.materials),
+      smallest_(std::max(4, settings.size / 8)),
       edges_(std::move(edges)) {
     settings_.othersReceive = othersReceive(loaded.scene);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
@@ -96,7 +97,8 @@ bool PrimitiveMapJob::step() {
         triangles_.emplace_back();
         if (!of.animated)
             triangles_.back() =
-                sortedByFacing(*of.batch, glm::inverse(of.worldFromBatch) * light_.position);
+                sidedTriangles(*of.batch, *materials_,
+                               glm::inverse(of.worldFromBatch) * light_.position);
     } else if (joined_) {
         return false;
     } else if (!builder_) {

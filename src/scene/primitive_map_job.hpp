@@ -17,11 +17,12 @@ namespace edgeshade {
 using KeptEdges =
     std::map<std::shared_ptr<const PlanePairShadow>, std::shared_ptr<const CasterEdges>>;
 
-/// What a light's primitive map takes of the CPU: the map, and the surfaces' triangles sorted for
-/// it. Where there are threads it is worked at beside everything else, else part by part.
+/// What a light's primitive map takes of the CPU: the map, and which side of the surfaces'
+/// triangles the light is on. Where there are threads it is worked at beside everything else, else
+/// part by part.
 class PrimitiveMapJob {
   public:
-    /// The scene's batches must stay as they are, but for where animated ones are, until the job is
+    /// The scene's batches and materials must stay as they are, but for where animated ones are, until the job is
     /// gone. Those cast by volumes.
     PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
                     const PrimitiveMapSettings& settings, KeptEdges edges);
@@ -41,7 +42,7 @@ class PrimitiveMapJob {
     /// too far off.
     const std::optional<PrimitiveMap>& map() const { return map_; }
     bool isTooFar() const { return tooFar_; }
-    const std::vector<std::vector<SortedTriangles>>& triangles() const { return triangles_; }
+    const std::vector<std::vector<SidedTriangles>>& triangles() const { return triangles_; }
     const KeptEdges& edges() const { return edges_; }
     double milliseconds() const { return milliseconds_; } ///< that were worked
 
@@ -58,6 +59,7 @@ class PrimitiveMapJob {
     };
     Light light_;
     PrimitiveMapSettings settings_;
+    const std::vector<Material>* materials_;
     int smallest_; ///< size that is tried
     std::vector<Placed> placed_;
     KeptEdges edges_;
@@ -67,7 +69,7 @@ class PrimitiveMapJob {
     bool joined_ = false;
     bool tooFar_ = false;
     std::optional<PrimitiveMap> map_;
-    std::vector<std::vector<SortedTriangles>> triangles_;
+    std::vector<std::vector<SidedTriangles>> triangles_;
     double milliseconds_ = 0.0;
     std::atomic<bool> done_ = false;
 #ifndef __EMSCRIPTEN__

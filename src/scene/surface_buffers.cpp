@@ -12,14 +12,6 @@ std::uint8_t byteOf(float value) {
     return static_cast<std::uint8_t>(glm::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
 }
 
-SurfaceVertex vertexOf(const Batch& batch, std::uint32_t index) {
-    const glm::vec4 color = srgbFromLinear(batch.colors[index]);
-    return {batch.positions[index],
-            batch.normals[index],
-            batch.texcoords[index],
-            {byteOf(color.r), byteOf(color.g), byteOf(color.b), byteOf(color.a)}};
-}
-
 bool isWhite(const SurfaceVertex& vertex) {
     return std::all_of(std::begin(vertex.color), std::end(vertex.color),
                        [](std::uint8_t value) { return value == 255; });
@@ -35,17 +27,12 @@ SurfaceDetail detailOf(const Batch& batch, std::uint32_t index) {
     return detail;
 }
 
-void uploadDetails(const Batch& batch, const Material& material, const SurfacePart& part,
-                   SurfaceChunk& chunk) {
-    chunk.tangents = material.hasNormalTexture() && !batch.tangents.empty() &&
-                     std::all_of(part.vertices.begin(), part.vertices.end(),
-                                 [&](std::uint32_t v) { return batch.tangents[v].w != 0.0f; });
-    if (!chunk.tangents && material.texcoordChannels == 1) return;
-    std::vector<SurfaceDetail> details;
-    details.reserve(part.vertices.size());
-    for (const std::uint32_t index : part.vertices)
-        details.push_back(detailOf(batch, index));
-    chunk.details = gl::vertexBuffer<SurfaceDetail>(details);
+/// Whether all of these vertices have a tangent that the material asks for.
+bool haveTangents(const Batch& batch, const Material& material,
+                  const std::vector<std::uint32_t>& vertices) {
+    return material.hasNormalTexture() && !batch.tangents.empty() &&
+           std::all_of(vertices.begin(), vertices.end(),
+                       [&](std::uint32_t v) { return batch.tangents[v].w != 0.0f; });
 }
 
 SurfaceChunk upload(const Batch& batch, const Material& material, const SurfacePart& part) {
@@ -55,20 +42,40 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
     vertices.reserve(part.vertices.size());
     glm::dvec3 sum(0.0);
     for (const std::uint32_t index : part.vertices) {
-        const SurfaceVertex& vertex = vertices.emplace_back(vertexOf(batch, index));
+        const SurfaceVertex& vertex = vertices.emplace_back(surfaceVertexOf(batch, index));
         sum += vertex.position;
         chunk.bounds.add(vertex.position);
         chunk.colored = chunk.colored || !isWhite(vertex);
     }
     chunk.center = glm::vec3(sum / static_cast<double>(vertices.size()));
     chunk.vertices = gl::vertexBuffer<SurfaceVertex>(vertices);
-    uploadDetails(batch, material, part, chunk);
+    chunk.tangents = haveTangents(batch, material, part.vertices);
+    const std::vector<SurfaceDetail> details = surfaceDetailsOf(batch, material, part.vertices);
+    if (!details.empty()) chunk.details = gl::vertexBuffer<SurfaceDetail>(details);
     chunk.indices = gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(part.indices)));
     chunk.indexCount = static_cast<int>(part.indices.size());
     return chunk;
 }
 
 } // namespace
+
+SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index) {
+    const glm::vec4 color = srgbFromLinear(batch.colors[index]);
+    return {batch.positions[index],
+            batch.normals[index],
+            batch.texcoords[index],
+            {byteOf(color.r), byteOf(color.g), byteOf(color.b), byteOf(color.a)}};
+}
+
+std::vector<SurfaceDetail> surfaceDetailsOf(const Batch& batch, const Material& material,
+                                            const std::vector<std::uint32_t>& vertices) {
+    std::vector<SurfaceDetail> details;
+    if (material.texcoordChannels == 1 && !haveTangents(batch, material, vertices)) return details;
+    details.reserve(vertices.size());
+    for (const std::uint32_t index : vertices)
+        details.push_back(detailOf(batch, index));
+    return details;
+}
 
 std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch,
                                          const std::vector<Material>& materials) {

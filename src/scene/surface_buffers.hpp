@@ -15,11 +15,18 @@ struct SurfaceVertex {
     std::uint8_t color[4]; ///< sRGB, alpha linear
 };
 
+/// That of a batch's vertex.
+SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index);
+
 /// What a vertex has besides where its material asks for more; 40 bytes.
 struct SurfaceDetail {
     glm::vec4 tangent; ///< w: the bitangent's sign
     glm::vec2 texcoords[mostTexcoordChannels - 1]; ///< after the first
 };
+
+/// Those of these vertices of a batch; none where the material asks for nothing more.
+std::vector<SurfaceDetail> surfaceDetailsOf(const Batch& batch, const Material& material,
+                                            const std::vector<std::uint32_t>& vertices);
 
 /// A SurfacePart on the GPU.
 struct SurfaceChunk {

@@ -200,7 +200,7 @@ TEST(PackContent, AccessorsNeedNoViews) {
     GltfBuilder gltf; // all zeros
     const int zeros = gltf.addAccessor(-1, componentTypeOf<float>, 3, "VEC3");
     gltf.addNode({{"mesh", gltf.addMesh({{"attributes", {{"POSITION", zeros}}}})}});
-    EXPECT_TRUE(parseGltf(gltf.glb(), "test.glb").model.bufferViews.empty());
+    EXPECT_TRUE(parseGltf(gltf.glb(), "test.glb").decodedViews.empty());
     EXPECT_EQ(sceneOf(packed(gltf.glb(), Encoding::indexed)).triangleCount(), 1u);
 }
 

@@ -104,8 +104,8 @@ MUTANTS = (
      "forward ? edgePlane(rays[i], rays[j]) : edgePlane(rays[j], rays[i]);",
      "forward ? edgePlane(rays[i], rays[j]) : edgePlane(rays[j] * 1.0000001, rays[i]);",
      "primitive_map_test", "*"),
-    ("of twins the one that faces the light is seen",
-     "src/scene/gpu_primitive_map.cpp",
-     "before[order[i]] = true;", "",
+    ("triangles of either facing share their vertices' light side",
+     "src/scene/sided_triangles.cpp",
+     "numbers_[facing ? 1 : 0][vertex]", "numbers_[0][vertex]",
      "primitive_map_test", "*"),
 )

@@ -305,23 +305,36 @@ TEST(PrimitiveMapBuilding, ListsNoSheetThatIsOne) {
     EXPECT_GT(dark, 1000u);
 }
 
-/// Three twins: turned away, facing the sun above, facing it; and one that is alone.
-TEST(SortedByFacing, KeepsTheFirstOfTwins) {
-    const glm::vec3 a(0, 0, 0), b(1, 0, 0), c(0, 0, -1), d(0, 1, -1);
-    const Scene scene = SceneBuilder()
-                            .triangle(b, a, c)
-                            .triangle(a, b, c)
-                            .triangle(c, a, b)
-                            .triangle(b, d, a)
-                            .scene();
-    const auto up = sortedByFacing(scene.batches[0], {0, 1, 0, 0});
-    ASSERT_EQ(up.size(), 1u);
-    EXPECT_EQ(up[0].before, 3u); // the first one, though it is turned away
-    EXPECT_EQ(up[0].facing, 9u);
-    EXPECT_EQ(up[0].indices.size(), 12u);
-    const auto down = sortedByFacing(scene.batches[0], {0, -1, 0, 0});
-    EXPECT_EQ(down[0].before, 0u);
-    EXPECT_EQ(down[0].facing, 3u);
+/// Three triangles of four corners, one of which two facings share: up, down, up.
+TEST(SidedTriangles, KeepTheirOrder) {
+    Scene scene = SceneBuilder().triangle({0, 0, 0}, {1, 0, 0}, {0, 0, -1}).scene();
+    Batch& batch = scene.batches.front();
+    batch.positions.emplace_back(1, 0, -1);
+    batch.normals.emplace_back(0, 1, 0);
+    batch.texcoords.emplace_back(0.0f);
+    batch.colors.emplace_back(1.0f);
+    batch.indices = {0, 1, 2, 1, 2, 3, 1, 3, 2};
+    batch.groups.front().indexCount = 9;
+    const auto sided = sidedTriangles(batch, {0, 1, 0, 0});
+    ASSERT_EQ(sided.size(), 1u);
+    EXPECT_EQ(sided[0].lightSide, 0.0f);
+    EXPECT_EQ(sided[0].vertices.size(), 7u); // 1, 2 and 3 twice
+    ASSERT_EQ(sided[0].indices.size(), 9u);
+    constexpr float sides[] = {1, -1, 1};
+    for (std::size_t i = 0; i < 9; ++i) {
+        const SidedVertex& vertex = sided[0].vertices.at(sided[0].indices[i]);
+        EXPECT_EQ(vertex.vertex.position, batch.positions[batch.indices[i]]) << i;
+        EXPECT_EQ(vertex.lightSide, sides[i / 3]) << i;
+    }
+}
+
+TEST(SidedTriangles, TakeNoBuffersWhereAllAreAlike) {
+    const Scene scene = SceneBuilder().floor(2).scene();
+    for (const double height : {1.0, -1.0, 0.0}) { // in the plane: turned away
+        const auto sided = sidedTriangles(scene.batches[0], {1, height, 0, 0});
+        EXPECT_EQ(sided[0].lightSide, height > 0.0 ? 1.0f : -1.0f);
+        EXPECT_TRUE(sided[0].vertices.empty() && sided[0].indices.empty());
+    }
 }
 
 } // namespace

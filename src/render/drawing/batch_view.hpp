@@ -14,7 +14,7 @@ struct BatchView {
     glm::mat3 normalFromObject{1.0f};
     glm::mat4 mapFromObject{1.0f}; ///< see ShadowMapView, LightTiles; used where there is a map
     /// Its chunks' triangles for a primitive map's light; null where there is none.
-    const std::vector<FacingIndices>* facings = nullptr;
+    const std::vector<SidedChunk>* sided = nullptr;
     bool mirrored = false;
 };
 

@@ -80,8 +80,8 @@ BatchView viewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& 
         result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
     if (shading.primitives) {
         result.mapFromObject = glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
-        result.facings =
-            &shading.primitives->facings[static_cast<std::size_t>(&batch - scene.batches.data())];
+        result.sided =
+            &shading.primitives->sided[static_cast<std::size_t>(&batch - scene.batches.data())];
     }
     return result;
 }
@@ -325,10 +325,7 @@ void Renderer::setLightBlending(bool marked) const {
     glEnable(GL_BLEND);
     const GLenum light = marked ? GL_DST_ALPHA : GL_ONE;
     const GLenum dark = marked ? GL_ONE_MINUS_DST_ALPHA : GL_ZERO;
-    if (marked)
-        glBlendFuncSeparate(light, sum_.replaces ? dark : GL_ONE, GL_ZERO, GL_ONE);
-    else
-        glBlendFunc(light, sum_.replaces ? dark : GL_ONE);
+    glBlendFuncSeparate(light, sum_.replaces ? dark : GL_ONE, GL_ZERO, GL_ONE);
 }
 
 /// Leaves what is in shadow in the stencil; where there are groups or a lower resolution, in alpha.

@@ -66,7 +66,8 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
     program.set("u_casts", casts ? 1.0f : 0.0f);
 }
 
-void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const BatchView& view) {
+void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const BatchView& view,
+                     float lightSide) {
     const auto bind = [&](int unit, const gl::FloatTable& table, const char* sampler,
                           const char* size) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -78,6 +79,7 @@ void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const Bat
     bind(2, map.entries, "u_primitiveEntries", "u_primitiveEntriesSize");
     bind(3, map.records, "u_primitiveRecords", "u_primitiveRecordsSize");
     program.set("u_primitiveSize", map.size);
+    program.set("u_lightSide", lightSide);
     program.set("u_mapFromObject", view.mapFromObject);
 }
 
@@ -129,19 +131,11 @@ SurfaceShading unlitShading(SurfaceShading shading) {
     return shading;
 }
 
-/// Which side the light is on is decided once a triangle, on the CPU.
-void drawByFacing(const FacingIndices& indices, gl::Program& program) {
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.indices.name());
-    const auto draw = [&](float lightSide, int first, int count) {
-        if (count == 0) return;
-        program.set("u_lightSide", lightSide);
-        glDrawElements(
-            GL_TRIANGLES, count, GL_UNSIGNED_SHORT,
-            reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(std::uint16_t)));
-    };
-    draw(-1.0f, 0, indices.before);
-    draw(1.0f, indices.before, indices.facing);
-    draw(-1.0f, indices.before + indices.facing, indices.after);
+/// Which side of a casting chunk's triangles a primitive map's light is on; null: nobody asks, or
+/// an animation moves them.
+const SidedChunk* sidedOf(const SurfaceChunk& chunk, const BatchView& view,
+                          const SurfaceShading& shading) {
+    return shading.primitives && !view.sided->empty() ? &(*view.sided)[chunk.place] : nullptr;
 }
 
 bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
@@ -151,23 +145,25 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
 
 } // namespace
 
-const std::array<SurfacePass::Attribute, 7> SurfacePass::attributes_ = {{
-    {"a_position", 3, GL_FLOAT, offsetof(SurfaceVertex, position), false,
+const std::array<SurfacePass::Attribute, 8> SurfacePass::attributes_ = {{
+    {"a_position", 3, GL_FLOAT, offsetof(SurfaceVertex, position), Buffer::vertices,
      [](const Variant&) { return true; }},
-    {"a_texcoord", 2, GL_FLOAT, offsetof(SurfaceVertex, texcoord), false,
+    {"a_texcoord", 2, GL_FLOAT, offsetof(SurfaceVertex, texcoord), Buffer::vertices,
      [](const Variant& of) { return of.textured || (of.material && of.material->takes(0)); }},
-    {"a_color", 4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, color), false,
+    {"a_color", 4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, color), Buffer::vertices,
      [](const Variant& of) { return of.colored; }},
-    {"a_normal", 3, GL_FLOAT, offsetof(SurfaceVertex, normal), false,
+    {"a_normal", 3, GL_FLOAT, offsetof(SurfaceVertex, normal), Buffer::vertices,
      [](const Variant& of) { return of.lit || of.plain || of.material; }},
-    {"a_tangent", 4, GL_FLOAT, offsetof(SurfaceDetail, tangent), true,
+    {"a_tangent", 4, GL_FLOAT, offsetof(SurfaceDetail, tangent), Buffer::details,
      [](const Variant& of) { return of.material && of.material->tangents; }},
-    {"a_texcoord1", 2, GL_FLOAT, offsetof(SurfaceDetail, texcoords), true,
+    {"a_texcoord1", 2, GL_FLOAT, offsetof(SurfaceDetail, texcoords), Buffer::details,
      [](const Variant& of) { return of.material && of.material->takes(1); }},
-    {"a_texcoord23", 4, GL_FLOAT, offsetof(SurfaceDetail, texcoords) + sizeof(glm::vec2), true,
+    {"a_texcoord23", 4, GL_FLOAT, offsetof(SurfaceDetail, texcoords) + sizeof(glm::vec2), Buffer::details,
      [](const Variant& of) {
          return of.material && (of.material->takes(2) || of.material->takes(3));
      }},
+    {"a_lightSide", 1, GL_FLOAT, offsetof(SidedVertex, lightSide), Buffer::vertices,
+     [](const Variant& of) { return of.sided; }},
 }};
 
 /// How full shading draws the chunk, if it is what is asked for.
@@ -241,6 +237,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.primitives)
         addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->splits,
                                variant.primitives->longestList, defines);
+    if (variant.sided) defines.push_back("SIDED");
     if (variant.primitives && variant.primitives->tint) defines.push_back("PRIMITIVE_MAP_TINT");
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.coarse || variant.planes) defines.push_back("PLANE");
@@ -283,12 +280,15 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
                                   const SurfaceShading& shading) {
     const Material& material = scene.materials[chunk.material];
     const bool casts = material.alphaMode == AlphaMode::opaque || scene.castMasked;
-    const Variant variant = variantOf(scene, chunk, shading);
+    const SidedChunk* sided = casts ? sidedOf(chunk, view, shading) : nullptr;
+    Variant variant = variantOf(scene, chunk, shading);
+    variant.sided = sided && sided->lightSide == 0.0f;
     gl::Program& used = program(variant);
     used.use();
     setShading(used, shading, eye);
     if (shading.map) setMap(used, *shading.map, view, casts);
-    if (shading.primitives) setPrimitiveMap(used, *shading.primitives, view);
+    if (shading.primitives)
+        setPrimitiveMap(used, *shading.primitives, view, sided ? sided->lightSide : 0.0f);
     if (shading.coarse) setCoarseMask(used, *shading.coarse, casts);
     if (shading.planes) setPlaneSpace(used, *shading.planes);
     used.set("u_clipFromObject", view.clipFromObject);
@@ -307,19 +307,19 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     }
 
     AttributeBinding binding(nullptr);
+    const gl::Buffer& vertices = variant.sided ? sided->vertices : chunk.vertices;
+    const gl::Buffer& details = variant.sided ? sided->details : chunk.details;
+    const std::size_t stride = variant.sided ? sizeof(SidedVertex) : sizeof(SurfaceVertex);
     for (const Attribute& attribute : attributes_)
         if (attribute.isOf(variant))
-            binding.add(attribute.detail ? chunk.details : chunk.vertices, attribute.components,
-                        attribute.type, attribute.type == GL_UNSIGNED_BYTE,
-                        attribute.detail ? sizeof(SurfaceDetail) : sizeof(SurfaceVertex),
-                        attribute.offset, false);
-    if (shading.primitives && casts && !view.facings->empty()) {
-        drawByFacing((*view.facings)[chunk.place], used);
-    } else {
-        used.set("u_lightSide", 0.0f);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
-        glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
-    }
+        if (attribute.isOf(variant)) {
+            const bool detail = attribute.buffer == Buffer::details;
+            binding.add(detail ? details : vertices, attribute.components, attribute.type,
+                        attribute.type == GL_UNSIGNED_BYTE,
+                        detail ? sizeof(SurfaceDetail) : stride, attribute.offset, false);
+        }
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (variant.sided ? sided->indices : chunk.indices).name());
+    glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     return static_cast<std::size_t>(chunk.indexCount);
 }

@@ -93,24 +93,26 @@ class SurfacePass {
         bool coarse;       ///< looks up a mask of lower resolution
         bool planes;       ///< draws what such a mask stores of surfaces
         bool orthographic; ///< looks it up or draws it for such a picture
+        bool sided;        ///< its vertices know which side the light is on
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, plain, linear, textured, colored,
                             lit, withAmbient, directional, ranged, mask, sliced, coarse, planes,
-                            orthographic);
+                            orthographic, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };
-    /// Of SurfaceVertex or SurfaceDetail, as the variants that need it read it.
+    /// Of SurfaceVertex or SidedVertex, or of SurfaceDetail, as the variants that need it read it.
+    enum class Buffer { vertices, details };
     struct Attribute {
         const char* name;
         int components;
         unsigned type; ///< GL enum; bytes are normalised
         std::size_t offset;
-        bool detail; ///< of SurfaceDetail
+        Buffer buffer;
         bool (*isOf)(const Variant&);
     };
-    static const std::array<Attribute, 7> attributes_; ///< in the order of their locations
+    static const std::array<Attribute, 8> attributes_; ///< in the order of their locations
 
     std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                          const glm::dvec3& eye, const SurfaceShading& shading);
