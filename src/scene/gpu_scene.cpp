@@ -76,7 +76,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         {}, {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
         gpu.batches.push_back(
-            {batch.worldFromBatch, batch.node >= 0, false, uploadSurfaces(batch), {}});
+            {batch.worldFromBatch, batch.isAnimated(), false, uploadSurfaces(batch), {}});
     if (records) addVolumes(gpu, loaded, *records);
     return gpu;
 }
