@@ -116,7 +116,7 @@ std::vector<std::optional<glm::dmat4>> poseAt(const Animation& animation, const 
     std::vector<std::optional<glm::dmat4>> pose;
     for (const Batch& batch : scene.batches) {
         pose.emplace_back(batch.worldFromBatch);
-        if (batch.node < 0) continue;
+        if (!batch.isAnimated()) continue;
         pose.back() = glm::translate(worldFromAnimated.at(batch.node), batch.origin);
         if (!isDrawable(*pose.back())) pose.back().reset();
     }

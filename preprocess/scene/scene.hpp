@@ -48,6 +48,8 @@ struct Batch {
     /// Corners of what casts in place of the opaque triangles, three a triangle, as
     /// simplifyCasters() found them; nothing: they cast themselves.
     std::optional<std::vector<std::uint32_t>> simplifiedCasters;
+
+    bool isAnimated() const { return node >= 0; } ///< an animation can move it
 };
 
 /// A glTF scene at rest, ready for drawing and for finding its edges.

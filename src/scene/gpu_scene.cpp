@@ -78,7 +78,8 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         {}, {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
         gpu.batches.push_back(
-            {batch.worldFromBatch, batch.node >= 0, false, uploadSurfaces(batch, scene.materials), {}});
+            {batch.worldFromBatch, batch.isAnimated(), false,
+             uploadSurfaces(batch, scene.materials), {}});
     gpu.plain = std::all_of(gpu.batches.begin(), gpu.batches.end(), [&](const GpuBatch& batch) {
         return std::all_of(batch.surfaces.begin(), batch.surfaces.end(), [&](const auto& chunk) {
             const Material& material = gpu.materials[chunk.material];

@@ -21,7 +21,7 @@ namespace {
 /// Whether some surfaces are in no primitive map.
 bool othersReceive(const Scene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
-        return batch.node >= 0 ||
+        return batch.isAnimated() ||
                std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
                    return scene.materials[g.material].alphaMode != AlphaMode::opaque;
                });
@@ -38,7 +38,7 @@ PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
     settings_.othersReceive = othersReceive(loaded.scene);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
-        placed_.push_back({&batch, loaded.planePairs[i], batch.worldFromBatch, batch.node >= 0});
+        placed_.push_back({&batch, loaded.planePairs[i], batch.worldFromBatch, batch.isAnimated()});
     }
 }
 

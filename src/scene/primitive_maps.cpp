@@ -24,7 +24,7 @@ std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabiliti
     const auto& batches = loaded.scene.batches;
     if (std::any_of(batches.begin(), batches.end(), simplified)) return "casters are simplified";
     if (!batches.empty() && std::all_of(batches.begin(), batches.end(),
-                                        [](const Batch& batch) { return batch.node >= 0; }))
+                                        [](const Batch& batch) { return batch.isAnimated(); }))
         return "all casters are animated";
     for (const auto& shadow : loaded.planePairs)
         for (const ShadowCluster& cluster : shadow->clusters)
@@ -37,7 +37,7 @@ bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
     if (!primitiveMapObstacle(loaded, capabilities).empty()) return false;
     std::size_t records = 0;
     for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
-        if (loaded.scene.batches[i].node < 0)
+        if (!loaded.scene.batches[i].isAnimated())
             records += loaded.planePairs[i]->pairs.size() + loaded.planePairs[i]->singles.size();
     return choice == MapChoice::all || records > fewSilhouettes;
 }

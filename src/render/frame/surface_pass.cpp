@@ -4,6 +4,7 @@
 #include "src/render/drawing/attributes.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
+#include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +13,6 @@
 namespace edgeshade {
 namespace {
 
-/// Of length 1; scaled first, so that no double under- or overflows.
-glm::vec3 directionOf(const glm::dvec4& light) {
-    const glm::dvec3 scaled =
-        glm::dvec3(light) / std::max({std::abs(light.x), std::abs(light.y), std::abs(light.z)});
-    return glm::vec3(glm::normalize(scaled));
-}
-
 void setShading(gl::Program& program, const SurfaceShading& shading, const glm::dvec3& eye) {
     program.set("u_maskValue", shading.maskValue);
     program.set("u_farthest", shading.farthest);
@@ -26,7 +20,7 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
     if (!shading.light) return;
     const glm::dvec4& light = shading.light->position;
     if (light.w == 0.0) {
-        program.set("u_towardsLight", directionOf(light));
+        program.set("u_towardsLight", glm::vec3(unitOf(glm::dvec3(light))));
     } else {
         program.set("u_light", glm::vec3(glm::dvec3(light) / light.w - eye));
         program.set("u_inverseRange", static_cast<float>(1.0 / shading.light->range));

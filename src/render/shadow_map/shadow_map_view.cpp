@@ -1,17 +1,13 @@
 #include "src/render/shadow_map/shadow_map_view.hpp"
 
+#include "src/shadow/geometry/vectors.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace edgeshade {
 namespace {
-
-/// A matrix with these rows.
-glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z,
-                    const glm::dvec4& w) {
-    return glm::transpose(glm::dmat4(x, y, z, w));
-}
 
 std::array<glm::dvec3, 8> cornersOf(const Box& box) {
     std::array<glm::dvec3, 8> corners;
@@ -68,7 +64,7 @@ ShadowMapView pointView(const glm::dvec3& light, const Box& sceneBounds, double 
     view.kind = ShadowMapKind::point;
     view.mapFromWorld =
         fromRows({1.0 / range, 0, 0, -light.x / range}, {0, 1.0 / range, 0, -light.y / range},
-                 {0, 0, 1.0 / range, -light.z / range}, {0, 0, 0, 1});
+                 {0, 0, 1.0 / range, -light.z / range});
     for (const CubeFace& face : cubeFaces)
         view.faces.push_back(
             {fromRows({face.s, 0.0}, {face.t, 0.0}, {face.axis, -2.0 * near}, {face.axis, 0.0}),
@@ -80,9 +76,7 @@ ShadowMapView pointView(const glm::dvec3& light, const Box& sceneBounds, double 
 
 ShadowMapView sunView(const glm::dvec3& towards, const Box& bounds,
                       const ShadowMapSettings& settings) {
-    const glm::dvec3 scaled =
-        towards / std::max({std::abs(towards.x), std::abs(towards.y), std::abs(towards.z)});
-    const glm::dvec3 back = glm::normalize(scaled);
+    const glm::dvec3 back = unitOf(towards);
     const bool vertical = std::hypot(back.x, back.z) < 1e-9;
     const glm::dvec3 right =
         vertical ? glm::dvec3(1, 0, 0) : glm::normalize(glm::cross({0, 1, 0}, back));
@@ -108,9 +102,8 @@ ShadowMapView sunView(const glm::dvec3& towards, const Box& bounds,
         const glm::dvec3 direction = scale[axis] * worldFromLight[axis];
         rows[static_cast<std::size_t>(axis)] = {direction, 0.5 - glm::dot(direction, center)};
     }
-    view.mapFromWorld = fromRows(rows[0], rows[1], rows[2], {0, 0, 0, 1});
-    view.faces.push_back(
-        {fromRows({2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}, {0, 0, 0, 1}), true});
+    view.mapFromWorld = fromRows(rows[0], rows[1], rows[2]);
+    view.faces.push_back({fromRows({2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}), true});
     view.step = 1.0 / settings.size;
     view.texel = 2.0 * std::max(half.x, half.y) / inner;
     return view;

@@ -1,5 +1,7 @@
 #include "src/shadow/geometry/light_view.hpp"
 
+#include "src/shadow/geometry/vectors.hpp"
+
 namespace edgeshade {
 
 LightView::LightView(const Light& light)
@@ -9,10 +11,9 @@ LightView::LightView(const Light& light)
         faces.assign(six.begin(), six.end());
         return;
     }
-    const glm::dvec3 towards = glm::normalize(position);
-    const glm::dvec3 other = std::abs(towards.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    across = glm::normalize(glm::cross(towards, other));
-    upward = glm::cross(towards, across);
+    const auto axes = axesAlong(unitOf(position));
+    across = axes[0];
+    upward = -axes[1];
 }
 
 } // namespace edgeshade

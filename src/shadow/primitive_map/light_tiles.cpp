@@ -1,5 +1,7 @@
 #include "src/shadow/primitive_map/light_tiles.hpp"
 
+#include "src/shadow/geometry/vectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,10 +15,6 @@ constexpr double frame = 1e-3;
 /// The steepest rays, as tangents, that one tile takes in.
 constexpr double steepest = 1.8;
 
-glm::dmat4 fromRows(const glm::dvec4& x, const glm::dvec4& y, const glm::dvec4& z) {
-    return glm::transpose(glm::dmat4(x, y, z, glm::dvec4(0.0, 0.0, 0.0, 1.0)));
-}
-
 template <class Use>
 void forEachVertex(const std::vector<PlacedCasters>& casters, Use use) {
     for (const PlacedCasters& placed : casters)
@@ -25,20 +23,8 @@ void forEachVertex(const std::vector<PlacedCasters>& casters, Use use) {
                 use(glm::dvec3(placed.worldFromBatch * glm::dvec4(glm::dvec3(position), 1.0)));
 }
 
-/// Right, up and forward, of length 1.
-std::array<glm::dvec3, 3> axesAlong(const glm::dvec3& forward) {
-    const glm::dvec3 other = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, other));
-    return {right, glm::cross(right, forward), forward};
-}
-
-glm::dvec3 unit(const glm::dvec3& v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    return glm::normalize(v / largest); // no double under- or overflows
-}
-
 LightTiles parallelTile(const glm::dvec3& towards, const std::vector<PlacedCasters>& casters) {
-    const auto axes = axesAlong(-unit(towards));
+    const auto axes = axesAlong(-unitOf(towards));
     Box box;
     forEachVertex(casters, [&](const glm::dvec3& p) {
         box.add({glm::dot(axes[0], p), glm::dot(axes[1], p), glm::dot(axes[2], p)});
@@ -61,7 +47,7 @@ std::optional<LightTiles> fittedTile(const glm::dvec3& light, const Box& bounds,
                                      const std::vector<PlacedCasters>& casters) {
     const glm::dvec3 offset = bounds.center() - light;
     if (!(glm::length(offset) > 0.0)) return std::nullopt;
-    const auto axes = axesAlong(unit(offset));
+    const auto axes = axesAlong(unitOf(offset));
     glm::dvec2 low(INFINITY), high(-INFINITY);
     double nearest = INFINITY, farthest = 0.0;
     forEachVertex(casters, [&](const glm::dvec3& p) {
