@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/cli/options.hpp"
+#include "src/environment/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +100,20 @@ void addShadingOptions(CLI::App& verb, DrawSettings& settings) {
         ->type_name("EV");
 }
 
+void addEnvironment(CLI::App& verb, DrawSettings& settings) {
+    verb.add_option_function<std::string>(
+            "--environment",
+            [&settings](const std::string& file) {
+                settings.environment = file;
+                settings.render.environment.reset();
+                settings.fullOptions.push_back("--environment");
+            },
+            "What ambient light is and metals reflect: an equirectangular Radiance picture whose "
+            "middle looks along -Z, taken as bright on average as --ambient says (a neutral sky "
+            "and ground)")
+        ->type_name("FILE.hdr");
+}
+
 void addMaskScale(CLI::App& verb, DrawSettings& settings) {
     verb.add_option_function<std::string>(
             "--mask-scale",
@@ -161,6 +176,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addMaskScale(verb, settings);
     addPrimitiveMapMemory(verb, settings);
     addShadingOptions(verb, settings);
+    addEnvironment(verb, settings);
     verb.add_option("--ambient", settings.ambient,
                     "Share of ambient light, as the display shows it; the lights share the rest "
                     "(0.5; 0.35 with --shading base)")
@@ -172,6 +188,10 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
 void resolve(DrawSettings& settings) {
     const bool full = settings.render.shading == Shading::full;
     settings.render.ambient = settings.ambient.value_or(full ? 0.5f : 0.35f);
+    if (!full) settings.render.environment.reset();
+    if (full && !settings.environment.empty() && !settings.render.environment)
+        settings.render.environment =
+            std::make_shared<const Environment>(readEnvironment(settings.environment));
     if (!full && !settings.fullOptions.empty())
         throw Error(ExitStatus::usage, settings.fullOptions.front() + " needs --shading full.");
     const bool published = settings.layout == VolumeLayout::oppositeVertices;
@@ -272,7 +292,11 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
                                               : nlohmann::ordered_json("auto")},
         {"shading", nameIn(shadingNames, render.shading)},
         {"ambient", render.ambient}};
-    if (render.shading == Shading::full) json["exposure"] = render.exposure;
+    if (render.shading == Shading::full) {
+        json["exposure"] = render.exposure;
+        json["environment"] =
+            settings.environment.empty() ? "neutral" : settings.environment;
+    }
     if (render.shadows == ShadowMethod::volumes)
         json["mask-scale"] = nameIn(maskScaleNames, render.maskScale);
     if (render.shadows == ShadowMethod::map)

@@ -26,6 +26,7 @@ struct DrawSettings {
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;               ///< nothing: as many as pay
     std::optional<float> ambient;                 ///< as typed; see resolve()
+    std::string environment;                      ///< a file; see resolve()
     std::vector<std::string> fullOptions;         ///< those that only full shading has
     std::vector<std::string> mapOptions;          ///< those typed that only shadow maps have
     std::vector<std::string> volumeOptions;       ///< those that only shadow volumes have
@@ -38,10 +39,10 @@ struct DrawSettings {
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Works out render.ambient, render.multiplicity and render.silhouette from what was typed: plane-pair records hold
+/// Reads the environment, and works out render.ambient, render.multiplicity and render.silhouette from what was typed: plane-pair records hold
 /// planes, published ones opposite vertices, so that layout or method follows from the other.
 /// Throws Error(usage) where they don't go together, and for options that another one makes
-/// meaningless.
+/// meaningless; InputError.
 void resolve(DrawSettings& settings);
 
 /// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512",

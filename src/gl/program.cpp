@@ -92,6 +92,12 @@ void Program::set(const char* uniform, const glm::vec4& value) const {
     glUniform4fv(location(uniform), 1, glm::value_ptr(value));
 }
 
+void Program::set(const char* uniform, std::span<const glm::vec3> values) const {
+    if (values.empty()) return;
+    glUniform3fv(location(uniform), static_cast<GLsizei>(values.size()),
+                 glm::value_ptr(values.front()));
+}
+
 void Program::set(const char* uniform, const glm::mat3& value) const {
     glUniformMatrix3fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }

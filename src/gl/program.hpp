@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ class Program {
     void set(const char* uniform, const glm::vec2& value) const;
     void set(const char* uniform, const glm::vec3& value) const;
     void set(const char* uniform, const glm::vec4& value) const;
+    /// Of an array; `uniform` ends with "[0]".
+    void set(const char* uniform, std::span<const glm::vec3> values) const;
     void set(const char* uniform, const glm::mat3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
     void setSampler(const char* uniform, int unit) const;

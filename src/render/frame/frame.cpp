@@ -1,6 +1,7 @@
 #include "src/render/frame/frame.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "src/environment/neutral.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/volumes/stencil_count.hpp"
@@ -46,9 +47,10 @@ float lightShown(float displayed) {
 /// Of the neutral environment: how much more of it comes from above than from the side.
 constexpr float neutralSlope = 0.35f;
 
-/// Whether plain surfaces need no curve but a power: nothing is brighter than the display shows.
+/// Whether plain surfaces need no curve but a power: all light is white, and nothing is brighter
+/// than the display shows.
 bool isPlain(const RenderSettings& settings) {
-    return settings.exposure <= 0.0f;
+    return settings.exposure <= 0.0f && !settings.environment;
 }
 
 bool anyAnimated(const GpuScene& scene) {
@@ -94,10 +96,9 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
-      surfaces_(capabilities, settings.map.pcf),
-      linearIsPossible_(LinearTarget::isPossible(capabilities)) {
+      surfaces_(capabilities, settings.map.pcf) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
-    if (settings.shading == Shading::full && linearIsPossible_) linear_.emplace(capabilities);
+    if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities)) linear_.emplace(capabilities);
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
 }
@@ -119,9 +120,13 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
 Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) {
     if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return {};
     LightSum sum{.full = true, .darkens = false};
+    const bool allShort = scene.plain && isPlain(settings_) && view.lights.size() == 1;
+    if (!allShort && !environment_)
+        environment_.emplace(settings_.environment ? *settings_.environment
+                                                   : neutralEnvironment());
     if (view.lights.size() == 1) {
         sum.replaces = true;
-        sum.darkens = scene.plain && isPlain(settings_);
+        sum.darkens = allShort;
         return sum;
     }
     sum.linear = linear_ && linear_->bind(view.width, view.height);
@@ -401,6 +406,7 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) co
 void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
     FullShading& full = shading.full.emplace();
     full.plainIsShort = sum_.replaces && isPlain(settings_);
+    full.environment = environment_ ? &*environment_ : nullptr;
     full.linear = sum_.linear;
     full.exposure = std::exp2(settings_.exposure);
     shading.ambient = lightShown(settings_.ambient);

@@ -155,7 +155,7 @@ class Renderer {
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
     std::optional<LinearTarget> linear_;
-    bool linearIsPossible_;
+    std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it
     std::optional<CoarseMask> coarse_;  ///< where volumes are counted at a lower resolution
     std::size_t vertexRuns_ = 0;        ///< of the last frame
 };

@@ -139,6 +139,14 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
 
 } // namespace
 
+/// Of a material's textures; the environment's is bound to the one before where it is looked up.
+int SurfacePass::firstUnit(const SurfaceShading& shading, const gl::Program& program) {
+    const int unit = unitsOfLookups(shading);
+    if (shading.light && !shading.withAmbient) return unit;
+    shading.full->environment->bind(program, unit);
+    return unit + 1;
+}
+
 const std::array<SurfacePass::Attribute, 8> SurfacePass::attributes_ = {{
     {"a_position", 3, GL_FLOAT, offsetof(SurfaceVertex, position), Buffer::vertices,
      [](const Variant&) { return true; }},
@@ -174,7 +182,7 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
     }
     const bool ambient = !shading.light || shading.withAmbient;
     variant.material = featuresOf(scene, chunk, ambient, derivatives_,
-                                  textureUnits_ - unitsOfLookups(shading));
+                                  textureUnits_ - unitsOfLookups(shading) - (ambient ? 1 : 0));
     variant.textured = false;
 }
 
@@ -293,7 +301,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     used.set("u_alphaCutoff", material.alphaCutoff);
     if (shading.full) setFullShading(used, *shading.full);
     if (variant.material)
-        setMaterial(used, *variant.material, material, scene.textures, unitsOfLookups(shading));
+        setMaterial(used, *variant.material, material, scene.textures, firstUnit(shading, used));
     if (variant.textured) {
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, scene.textures.of(material.baseColor()));

@@ -5,6 +5,7 @@
 #include "src/render/frame/coarse_mask.hpp"
 #include "src/render/frame/material_features.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
+#include "src/scene/gpu_environment.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/light.hpp"
 
@@ -22,6 +23,7 @@ struct FullShading {
     /// Plain surfaces take surface.frag's short way: the light is white, and no brighter than what
     /// the display shows of it.
     bool plainIsShort = false;
+    const GpuEnvironment* environment = nullptr; ///< null where all is plain and short
     bool linear = false;        ///< light itself is written, to be mapped later
     float ambientSlope = 0.0f;  ///< of `ambient` from the side to above
     float exposure = 1.0f;      ///< a factor
@@ -121,6 +123,7 @@ class SurfacePass {
     void addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
                      const SurfaceShading& shading, Variant& variant) const;
     gl::Program& program(const Variant& variant);
+    static int firstUnit(const SurfaceShading& shading, const gl::Program& program);
 
     int textureUnits_;
     bool derivatives_;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "preprocess/scene/material.hpp"
+#include "src/environment/environment.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/render/volumes/multiplicity_method.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace edgeshade {
@@ -36,6 +38,8 @@ struct RenderSettings {
     int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
     Shading shading = Shading::base;
     float ambient = 0.35f; ///< 0..1, as the display shows it; the lights share the rest
+    /// What ambient light is where shading is full; null: the neutral one.
+    std::shared_ptr<const Environment> environment;
     float exposure = 0.0f; ///< of full shading, in EV: light is taken 2^exposure times
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 

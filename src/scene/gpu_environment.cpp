@@ -1,0 +1,23 @@
+#include "src/scene/gpu_environment.hpp"
+
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+
+GpuEnvironment::GpuEnvironment(const Environment& environment)
+    : diffuse_(environment.diffuse),
+      atlas_(gl::makeTexture(environment.specular.rgba(), Atlas::width(), Atlas::height(),
+                             {GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_LINEAR, GL_LINEAR})) {}
+
+void GpuEnvironment::bind(const gl::Program& program, int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, atlas_.name());
+    program.setSampler("u_environment", unit);
+    program.set("u_environmentSh[0]", diffuse_);
+}
+
+std::size_t GpuEnvironment::bytes() const {
+    return std::size_t{4} * static_cast<std::size_t>(Atlas::width() * Atlas::height());
+}
+
+} // namespace edgeshade

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "src/environment/environment.hpp"
+#include "src/gl/objects.hpp"
+#include "src/gl/program.hpp"
+
+namespace edgeshade {
+
+/// An environment on the GPU.
+class GpuEnvironment {
+  public:
+    /// Throws Error(unavailable) if the GL can't.
+    explicit GpuEnvironment(const Environment& environment);
+
+    /// Sets what shaders_es2/environment.glsl declares; the program must be in use. Binds the atlas
+    /// to this texture unit, and leaves it active.
+    void bind(const gl::Program& program, int unit) const;
+
+    std::size_t bytes() const; ///< on the GPU
+
+  private:
+    DiffuseCoefficients diffuse_;
+    gl::Texture atlas_;
+};
+
+} // namespace edgeshade
