@@ -3,8 +3,8 @@
 // of LIT, both at once, and the ambient share of their sum in alpha. Other variants: MASK, the lit
 // mask instead of colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials with
 // cutouts; BLENDED, see-through ones; SLICED, nothing deeper than u_farthest. Of LIT: DIRECTIONAL,
-// a light of one direction; RANGED, one that doesn't reach everywhere; MAP, lit as far as the
-// light's shadow map says, with MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl; COARSE_MASK,
+// a light of one direction; RANGED and SPOT, one that doesn't reach everywhere, see
+// light_window.glsl; MAP, lit as far as the light's shadow map says, with MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl; COARSE_MASK,
 // lit as far as a mask of lower resolution says; PRIMITIVE_MAP, as a primitive map says, see
 // primitive_map_lookup.glsl, with PRIMITIVE_MAP_TINT showing what its texels hold.
 #ifdef COARSE_MASK
@@ -42,9 +42,6 @@ varying vec3 v_towardsLight;
 #endif
 #if !defined(LIT) || defined(WITH_AMBIENT)
 uniform float u_ambient;
-#endif
-#ifdef RANGED
-uniform float u_inverseRange;
 #endif
 #ifdef SLICED
 uniform float u_farthest;
@@ -88,6 +85,8 @@ bool litByPrimitives() {
 #endif
 
 #ifdef LIT
+#include "light_window.glsl"
+
 vec3 towardsLight() {
 #ifdef DIRECTIONAL
     return u_towardsLight;
@@ -110,12 +109,7 @@ float shareOfLight(float lit) {
     else
         lit = u_casts > 0.5 ? 0.0 : lightFromMap(-normal, light);
 #endif
-    float window = 1.0;
-#ifdef RANGED
-    vec3 reached = v_towardsLight * u_inverseRange;
-    float share = dot(reached, reached);
-    window = max(1.0 - share * share, 0.0); // see Light
-#endif
+    float window = lightWindow();
 #ifdef PRIMITIVE_MAP
 #ifndef MASK
     if (lambert * window > 0.0)

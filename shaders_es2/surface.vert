@@ -1,6 +1,7 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
-// DIRECTIONAL, TEXTURED, COLORED, MAP, PRIMITIVE_MAP and SLICED: see surface.frag; PLANE: see coarse_plane.glsl.
+// DIRECTIONAL, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP and SLICED: see surface.frag; PLANE: see
+// coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -22,6 +23,9 @@ uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 uniform vec3 u_light;               // the same space
 #endif
 #endif
+#ifdef SPOT
+uniform mat4 u_coneFromObject;      // see coneFromWorld()
+#endif
 #if defined(MAP) || defined(PRIMITIVE_MAP)
 uniform mat4 u_mapFromObject;       // see ShadowMapView, LightTiles
 #endif
@@ -39,6 +43,9 @@ varying vec3 v_normal;
 #ifndef DIRECTIONAL
 varying vec3 v_towardsLight;
 #endif
+#endif
+#ifdef SPOT
+varying vec3 v_cone;
 #endif
 #ifdef SLICED
 varying float v_depth; // along the viewing direction
@@ -62,6 +69,9 @@ void main() {
 #ifndef DIRECTIONAL
     v_towardsLight = u_light - (u_eyeOffsetFromObject * vec4(a_position, 1.0)).xyz;
 #endif
+#endif
+#ifdef SPOT
+    v_cone = clipPosition(u_coneFromObject, vec4(a_position, 1.0)).xyz;
 #endif
 #if defined(MAP) || defined(PRIMITIVE_MAP)
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;

@@ -4,6 +4,7 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/volumes/stencil_count.hpp"
+#include "src/shadow/geometry/light_cone.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 
 #include <algorithm>
@@ -150,6 +151,9 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
         BatchView batchView = batchViewOf(batch, view, slice);
+        if (shading.light && shading.light->isSpot())
+            batchView.coneFromObject =
+                glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
         if (shading.map)
             batchView.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
         if (shading.primitives) {

@@ -68,6 +68,7 @@ class SurfacePass {
         bool withAmbient;  ///< with ambient light, too
         bool directional;  ///< lit by a light of one direction
         bool ranged;       ///< lit by a light that doesn't reach everywhere
+        bool spot;         ///< lit by a light with a cone
         bool mask;         ///< draws the lit mask
         bool sliced;       ///< has a farthest depth
         bool coarse;       ///< looks up a mask of lower resolution
@@ -76,7 +77,7 @@ class SurfacePass {
 
         auto key() const {
             return std::tie(alphaMode, map, primitives, textured, colored, lit, withAmbient,
-                            directional, ranged, mask, sliced, coarse, planes, orthographic);
+                            directional, ranged, spot, mask, sliced, coarse, planes, orthographic);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };
