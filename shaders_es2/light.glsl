@@ -2,15 +2,14 @@
 // far it reaches, and whether shadow lets it through: by the light's shadow map (MAP, with
 // MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl), by a mask of lower resolution
 // (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl), or as the
-// stencil says. DIRECTIONAL: a light of one direction; RANGED: one that doesn't reach everywhere.
+// stencil says. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
+// everywhere, see light_window.glsl.
 #ifdef DIRECTIONAL
 uniform vec3 u_towardsLight; // of length 1
 #else
 varying vec3 v_towardsLight;
 #endif
-#ifdef RANGED
-uniform float u_inverseRange;
-#endif
+#include "light_window.glsl"
 
 #if defined(MAP) || defined(COARSE_MASK)
 uniform float u_casts; // 1: the surface is a caster, dark where it is turned away from the light
@@ -47,17 +46,6 @@ vec3 towardsLight() {
     // Scaled before it is squared, so that far-off lights don't overflow.
     return normalize(v_towardsLight / max(max(abs(v_towardsLight.x), abs(v_towardsLight.y)),
                                           max(abs(v_towardsLight.z), 1e-30)));
-#endif
-}
-
-// What the light's range leaves of it, 0..1.
-float lightWindow() {
-#ifdef RANGED
-    vec3 reached = v_towardsLight * u_inverseRange;
-    float share = dot(reached, reached);
-    return max(1.0 - share * share, 0.0); // see Light
-#else
-    return 1.0;
 #endif
 }
 

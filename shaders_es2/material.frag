@@ -6,7 +6,8 @@
 // SPECULAR_MAP, SPECULAR_COLOR_MAP; NORMAL_MAP, with TANGENTS of the vertices or else by
 // derivatives; OCCLUSION_MAP; EMISSIVE and EMISSIVE_MAP; CLEARCOAT with CLEARCOAT_MAP,
 // CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
-// takes. SLICED, and of LIT all but DIRECTIONAL and RANGED: see light.glsl.
+// takes. FALLOFF, of LIT: candela, by the square of the
+// distance. SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
 #if defined(COARSE_MASK) || defined(DERIVED_TANGENTS)
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -338,6 +339,9 @@ void main() {
     weight = max(weight, window * max(dot(surface.coatNormal, light), 0.0));
 #endif
     lit = lightThrough(lit, normalize(side), light, weight);
+#ifdef FALLOFF
+    window /= max(dot(v_towardsLight, v_towardsLight), 1e-12);
+#endif
     addLight(surface, light, u_lightColor * (window * lit), seen);
 #endif
 #ifdef BLENDED

@@ -1,6 +1,6 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
-// DIRECTIONAL, PLAIN, TEXTURED, COLORED, MAP, PRIMITIVE_MAP, SIDED and SLICED: see surface.frag
+// DIRECTIONAL, PLAIN, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see surface.frag
 // and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see material.frag;
 // PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
@@ -42,6 +42,9 @@ uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 #if defined(LIT) && !defined(DIRECTIONAL)
 uniform vec3 u_light; // the same space
 #endif
+#ifdef SPOT
+uniform mat4 u_coneFromObject;      // see coneFromWorld()
+#endif
 #if defined(MAP) || defined(PRIMITIVE_MAP)
 uniform mat4 u_mapFromObject;       // see ShadowMapView, LightTiles
 #endif
@@ -71,6 +74,9 @@ varying vec3 v_fromEye;
 #endif
 #if defined(LIT) && !defined(DIRECTIONAL)
 varying vec3 v_towardsLight;
+#endif
+#ifdef SPOT
+varying vec3 v_cone;
 #endif
 #ifdef SLICED
 varying float v_depth; // along the viewing direction
@@ -112,6 +118,9 @@ void main() {
 #endif
 #if defined(LIT) && !defined(DIRECTIONAL)
     v_towardsLight = u_light - fromEye;
+#endif
+#ifdef SPOT
+    v_cone = clipPosition(u_coneFromObject, vec4(a_position, 1.0)).xyz;
 #endif
 #if defined(MAP) || defined(PRIMITIVE_MAP)
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;

@@ -139,6 +139,7 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("bytes", &SceneReader::bytes)
         .function("warnings", &SceneReader::warnings)
         .function("variants", &SceneReader::variants)
+        .function("cameras", &SceneReader::cameras)
         .function("triangles", &SceneReader::triangles);
 }
 

@@ -4,6 +4,7 @@
 #include "preprocess/gltf/image_type.hpp"
 #include "preprocess/reading/variants.hpp"
 #include "src/image/webp.hpp"
+#include "src/shadow/geometry/scene_cameras.hpp"
 #include "web/scene_transfer.hpp"
 #include "web/sentence.hpp"
 
@@ -108,6 +109,22 @@ std::string SceneReader::warnings() const {
 
 std::string SceneReader::variants() const {
     return nlohmann::ordered_json(variantNames(*loaded_.document)).dump();
+}
+
+std::string SceneReader::cameras() const {
+    auto all = nlohmann::ordered_json::array();
+    const std::vector<SceneCamera>& cameras = loaded_.scene.cameras;
+    const Box bounds = worldBounds(loaded_.scene);
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+        if (cameras[i].orthographic) continue; // the viewer's is in perspective
+        const Camera camera = uprightCamera(cameras[i], bounds);
+        all.push_back({{"name", titleOf(cameras, i)},
+                       {"camera",
+                        {{"from", {camera.from.x, camera.from.y, camera.from.z}},
+                         {"to", {camera.to.x, camera.to.y, camera.to.z}},
+                         {"fov", camera.fovDegrees}}}});
+    }
+    return all.dump();
 }
 
 } // namespace edgeshade::web

@@ -45,6 +45,7 @@ class SceneReader {
     emscripten::val bytes() const; ///< see toTransfer()
     std::string warnings() const;  ///< JSON, an array of sentences
     std::string variants() const;  ///< JSON, an array of names
+    std::string cameras() const;   ///< JSON, an array of {name, camera}: to orbit from
     std::size_t triangles() const { return loaded_.scene.triangleCount(); }
 
   private:

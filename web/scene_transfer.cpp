@@ -44,6 +44,10 @@ class Writer {
             for (const T& value : values)
                 transfer(*this, value);
     }
+    void put(const std::string& text) {
+        put(text.size());
+        append(text.data(), text.size());
+    }
     template <class T>
     void put(const std::optional<std::vector<T>>& values) {
         put(values.has_value());
@@ -84,6 +88,12 @@ class Reader {
             for (T& value : values)
                 transfer(*this, value);
     }
+    void take(std::string& text) {
+        std::size_t size = 0;
+        take(size);
+        text.resize(size);
+        cut(text.data(), size);
+    }
     template <class T>
     void take(std::optional<std::vector<T>>& values) {
         bool present = false;
@@ -106,6 +116,18 @@ void transfer(Archive& archive, Maybe<Batch> auto& batch) {
             batch.simplifiedCasters);
     for (auto& texcoords : batch.moreTexcoords)
         archive(texcoords);
+}
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<SceneCamera> auto& camera) {
+    archive(camera.name, camera.nodeName, camera.worldFromCamera, camera.orthographic,
+            camera.height);
+}
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<SceneLight> auto& light) {
+    archive(light.kind, light.name, light.nodeName, light.position, light.direction, light.color,
+            light.intensity, light.range, light.innerCone, light.outerCone);
 }
 
 template <class Archive>
@@ -145,21 +167,14 @@ Bytes documentFor(const LoadedScene& loaded) {
     return packedGlb(*loaded.document, loaded.scene, {}, Encoding::none, loaded.settings, ofImages);
 }
 
-std::vector<char> charactersOf(const std::string& text) {
-    return {text.begin(), text.end()};
-}
-
-std::string textOf(const std::vector<char>& characters) {
-    return {characters.begin(), characters.end()};
-}
-
 } // namespace
 
 Bytes toTransfer(const LoadedScene& loaded) {
     Bytes bytes;
     Writer writer(bytes);
-    writer(charactersOf(loaded.document->path.string()), documentFor(loaded), loaded.scene.batches,
-           loaded.scene.animatedNodes, loaded.scene.materials, loaded.settings);
+    writer(loaded.document->path.string(), documentFor(loaded), loaded.scene.batches,
+           loaded.scene.animatedNodes, loaded.scene.materials, loaded.scene.cameras,
+           loaded.scene.lights, loaded.settings);
     for (const auto& shadow : loaded.planePairs)
         transfer(writer, *shadow);
     writer(loaded.images.size());
@@ -167,18 +182,18 @@ Bytes toTransfer(const LoadedScene& loaded) {
         writer(index, image->width, image->height, image->rgba);
     writer(loaded.scene.warnings.sentences().size());
     for (const std::string& sentence : loaded.scene.warnings.sentences())
-        writer(charactersOf(sentence));
+        writer(sentence);
     return bytes;
 }
 
 LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     LoadedScene loaded;
     Reader reader(bytes);
-    std::vector<char> characters;
+    std::string path;
     Bytes document;
     std::size_t images = 0, warnings = 0;
-    reader(characters, document, loaded.scene.batches, loaded.scene.animatedNodes,
-           loaded.scene.materials, loaded.settings);
+    reader(path, document, loaded.scene.batches, loaded.scene.animatedNodes, loaded.scene.materials,
+           loaded.scene.cameras, loaded.scene.lights, loaded.settings);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         PlanePairShadow shadow;
         transfer(reader, shadow);
@@ -192,10 +207,11 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
         loaded.images[index] = std::make_shared<const Image>(std::move(image));
     }
     reader(warnings);
-    loaded.document = std::make_shared<const GltfDocument>(parseGltf(document, textOf(characters)));
+    loaded.document = std::make_shared<const GltfDocument>(parseGltf(document, path));
     for (std::size_t i = 0; i < warnings; ++i) {
-        reader(characters);
-        loaded.scene.warnings.add(textOf(characters));
+        std::string sentence;
+        reader(sentence);
+        loaded.scene.warnings.add(sentence);
     }
     return loaded;
 }

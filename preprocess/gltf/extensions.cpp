@@ -18,7 +18,7 @@ constexpr KnownExtension known[] = {
     {"EXT_texture_webp", drawn},
     {"FB_ngon_encoding", metadata},
     {"KHR_draco_mesh_compression", drawn},
-    {"KHR_lights_punctual", ignored, "the file's lights are not used"},
+    {"KHR_lights_punctual", drawn},
     {"KHR_materials_anisotropy", ignored, "anisotropic highlights are not drawn"},
     {"KHR_materials_clearcoat", drawn},
     {"KHR_materials_diffuse_transmission", ignored,

@@ -22,7 +22,7 @@ nlohmann::ordered_json parseJson(std::string_view text, const std::filesystem::p
 /// Throws an InputError that names the field and its value.
 ///
 /// What numbers refer to is checked here where it is a buffer, a view, an accessor or a sampler;
-/// the rest where it is used. What a scene can do without is for findBrokenParts(). Warns of
+/// the rest where it is used. What a scene can do without is for those who read it. Warns of
 /// extensions that are required and not drawn.
 void requireSoundGltf(const nlohmann::ordered_json& json, const std::filesystem::path& path,
                       Warnings& warnings);

@@ -1,12 +1,12 @@
 #include "preprocess/gltf/gltf_reading.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/gltf/animation_checks.hpp"
 #include "preprocess/gltf/glb.hpp"
 #include "preprocess/gltf/gltf_checks.hpp"
 #include "preprocess/gltf/gltf_mending.hpp"
 #include "preprocess/gltf/json_field.hpp"
 #include "preprocess/gltf/meshopt_view.hpp"
-#include "preprocess/gltf/optional_checks.hpp"
 #include "preprocess/gltf/tinygltf_model.hpp"
 
 namespace edgeshade {
@@ -58,9 +58,9 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
     requireSoundGltf(document.json, path, document.warnings);
     tagMeshoptFallbacks(document.json);
     requireWithinLimits(document.json, path, document.memory);
-    const BrokenParts broken = findBrokenParts(document.json, path, document.warnings);
-    document.model =
-        std::make_shared<const tinygltf::Model>(typedModel(document.json, broken.animations, path));
+    document.model = std::make_shared<const tinygltf::Model>(
+        typedModel(document.json, findBrokenAnimations(document.json, path, document.warnings),
+                   path));
     resolveBuffers(document, std::move(chunks.binary));
     document.decodedViews.resize(document.model->bufferViews.size());
     decodeMeshoptViews(document);

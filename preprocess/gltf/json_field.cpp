@@ -1,5 +1,7 @@
 #include "preprocess/gltf/json_field.hpp"
 
+#include <cmath>
+
 namespace edgeshade {
 namespace {
 
@@ -77,6 +79,24 @@ std::string JsonField::oneOf(std::initializer_list<const char*> words) const {
 double JsonField::number() const {
     if (!value_.is_number()) failKind("a number");
     return value_.get<double>();
+}
+
+double JsonField::positive() const {
+    const double value = number();
+    if (!std::isfinite(value) || value <= 0.0) failKind("positive");
+    return value;
+}
+
+double JsonField::notNegative() const {
+    const double value = number();
+    if (!std::isfinite(value) || value < 0.0) failKind("0 or more");
+    return value;
+}
+
+double JsonField::notZero() const {
+    const double value = number();
+    if (!std::isfinite(value) || value == 0.0) failKind("other than 0");
+    return value;
 }
 
 std::vector<double> JsonField::numbers(std::size_t count) const {

@@ -44,6 +44,10 @@ class JsonField {
     /// One of these words.
     std::string oneOf(std::initializer_list<const char*> words) const;
     double number() const;
+    /// A finite number that is above 0; 0 or more; other than 0.
+    double positive() const;
+    double notNegative() const;
+    double notZero() const;
     /// An array of numbers, `count` of them, or any number of them for 0.
     std::vector<double> numbers(std::size_t count = 0) const;
     bool boolean() const;

@@ -4,6 +4,7 @@
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/mesh/caster_simplification.hpp"
 #include "preprocess/packing/packed_file.hpp"
+#include "preprocess/packing/parts_json.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "preprocess/reading/variants.hpp"
 #include "shaders_es2/record_layout.glsl"
@@ -58,6 +59,8 @@ nlohmann::ordered_json toJson(const PackReport& report) {
           {"caster-error", report.settings.casterError},
           {"flat-tolerance", report.settings.flatTolerance}}},
         {"variants", report.variants},
+        {"cameras", partsJson(report.cameras)},
+        {"lights", partsJson(report.lights)},
         {"warnings", report.warnings},
     };
 }
@@ -104,6 +107,8 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
     const auto fileBytes = std::filesystem::file_size(input.document.path, error);
     report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
     report.variants = variantNames(input.document);
+    report.cameras = input.scene.cameras;
+    report.lights = input.scene.lights;
     report.warnings = input.scene.warnings.sentences();
     return input;
 }

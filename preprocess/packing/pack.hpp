@@ -21,6 +21,8 @@ struct PackReport {
     double readSeconds = 0.0;
     BuildSeconds build;
     std::vector<std::string> variants; ///< names, as the document lists them
+    std::vector<SceneCamera> cameras;  ///< as the scene has them
+    std::vector<SceneLight> lights;    ///< likewise
     std::vector<std::string> warnings;
 };
 

@@ -3,7 +3,9 @@
 #include "preprocess/base/error.hpp"
 #include "preprocess/gltf/tinygltf_model.hpp"
 #include "preprocess/mesh/weld.hpp"
+#include "preprocess/reading/camera_reading.hpp"
 #include "preprocess/reading/instances.hpp"
+#include "preprocess/reading/light_reading.hpp"
 #include "preprocess/reading/material_reading.hpp"
 #include "preprocess/reading/node_walk.hpp"
 #include "preprocess/reading/primitive.hpp"
@@ -87,8 +89,9 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
     PiecesByMover pieces;
     std::map<int, std::shared_ptr<const std::vector<glm::dmat4>>> skins;
     std::map<std::pair<int, std::vector<double>>, std::vector<std::shared_ptr<Primitive>>> read;
-    for (const MeshNode& visit : walk.meshNodes) {
+    for (const PlacedNode& visit : walk.nodes) {
         const tinygltf::Node& node = document.model->nodes[visit.node];
+        if (node.mesh < 0 || !visit.visible) continue;
         if (static_cast<std::size_t>(node.mesh) >= document.model->meshes.size())
             throw InputError(document.where("nodes[") + std::to_string(visit.node) + "].mesh is " +
                              std::to_string(node.mesh) + ", but there are " +
@@ -317,6 +320,8 @@ Scene flattenScene(const GltfDocument& document, double weldTolerance, const Loo
     if (looks.shading == Shading::base) std::ranges::for_each(scene.materials, keepBase);
     const NodeWalk walk = walkNodes(document, scene.warnings);
     scene.animatedNodes = walk.animatedNodes;
+    scene.cameras = readCameras(document, walk, scene.warnings);
+    scene.lights = readLights(document, walk, scene.warnings);
     PiecesByMover piecesByAnimatedNode =
         gatherPieces(document, walk, findVariant(document, looks.variant, scene.warnings), scene);
     for (auto& [animatedNode, pieces] : piecesByAnimatedNode) {

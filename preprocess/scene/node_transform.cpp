@@ -1,6 +1,19 @@
 #include "preprocess/scene/node_transform.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace edgeshade {
+namespace {
+
+/// Of length 1, whatever its size; null for nothing.
+std::optional<glm::dvec3> unit(const glm::dvec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0.0) return std::nullopt;
+    return glm::normalize(v / largest);
+}
+
+} // namespace
 
 glm::dmat4 NodeTransform::matrix() const {
     glm::dmat4 parentFromNode = glm::mat4_cast(rotation);
@@ -8,6 +21,14 @@ glm::dmat4 NodeTransform::matrix() const {
         parentFromNode[c] *= scale[c];
     parentFromNode[3] = glm::dvec4(translation, 1.0);
     return parentFromNode;
+}
+
+std::optional<glm::dmat3> turnOf(const glm::dmat4& transform) {
+    const auto back = unit(glm::dvec3(transform[2])), upward = unit(glm::dvec3(transform[1]));
+    if (!back || !upward) return std::nullopt;
+    const auto right = unit(glm::cross(*upward, *back));
+    if (!right) return std::nullopt;
+    return glm::dmat3(*right, glm::cross(*back, *right), *back);
 }
 
 } // namespace edgeshade

@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 
 namespace edgeshade {
 
@@ -14,5 +15,9 @@ struct NodeTransform {
     /// parentFromNode: scaled, then turned, then moved.
     glm::dmat4 matrix() const;
 };
+
+/// The turn in a transform of finite numbers, without its scale, mirroring and shear: -z stays
+/// where it points, and y as near to that as it can. Null where it has none, scaled to nothing.
+std::optional<glm::dmat3> turnOf(const glm::dmat4& transform);
 
 } // namespace edgeshade

@@ -3,6 +3,8 @@
 #include "preprocess/base/box.hpp"
 #include "preprocess/base/warnings.hpp"
 #include "preprocess/scene/material.hpp"
+#include "preprocess/scene/scene_camera.hpp"
+#include "preprocess/scene/scene_light.hpp"
 
 #include <array>
 #include <cstdint>
@@ -57,6 +59,8 @@ struct Scene {
     std::vector<Batch> batches;
     std::vector<AnimatedNode> animatedNodes; ///< those above first; some move no batch of their own
     std::vector<Material> materials;
+    std::vector<SceneCamera> cameras; ///< in the order of the nodes that place them
+    std::vector<SceneLight> lights;   ///< likewise
     Warnings warnings;
 
     std::size_t triangleCount() const {

@@ -1,5 +1,7 @@
 #include "src/cli/contender.hpp"
 
+#include "src/shadow/geometry/scene_lights.hpp"
+
 namespace edgeshade::cli {
 
 lab::Contender contenderOf(const std::string& name, const DrawSettings& settings,
@@ -20,10 +22,12 @@ void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene,
     task.width = view.width;
     task.height = view.height;
     task.near = view.depth.near;
-    task.lights = view.lights;
-    if (view.cameraMatrix && viewsTyped)
-        throw Error(ExitStatus::usage,
-                    "--camera-matrix is one view, so --views does not go with it.");
+    task.lights = view.lights.typed;
+    if (view.lights.choice == LightChoice::file) task.lights = lightsOf(scene);
+    if (view.lights.choice == LightChoice::fallback) task.lights = {defaultLight()};
+    if ((view.cameraMatrix || view.camera) && viewsTyped)
+        throw Error(ExitStatus::usage, std::string(view.camera ? "--camera" : "--camera-matrix") +
+                                           " is one view, so --views does not go with it.");
     if (view.hasCamera() && !viewsTyped) {
         const FrameRequest request = requestFor(view, scene);
         task.views = {{"as asked", request.frustum, request.lights.front()}};

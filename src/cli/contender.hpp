@@ -12,7 +12,8 @@ lab::Contender contenderOf(const std::string& name, const DrawSettings& settings
                            std::shared_ptr<const LoadedScene> scene);
 
 /// What the task looks at: `views` of the lab's views, or where a camera was typed and no number of
-/// views, that one alone. Throws Error(usage) for too many lights.
+/// views, that one alone. The lab's views have lights of their own, if neither lights nor --lights
+/// were typed. Throws Error(usage) for too many lights.
 void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene, int views,
             bool viewsTyped);
 

@@ -35,8 +35,7 @@ void info(const InfoOptions& options) {
     std::string text = summaryOf(input.report);
     text += std::string("\npacked                    ") +
             (header ? std::string("yes, ") + nameOf(header->encoding) : "no");
-    for (const std::string& name : input.report.variants)
-        text += "\nvariant                   " + name;
+    text += choicesOf(input.report);
     printResult(text, options.report);
     auto report = toJson(input.report);
     report["encoding"] = header ? nlohmann::ordered_json(nameOf(header->encoding)) : nullptr;

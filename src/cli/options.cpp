@@ -2,9 +2,11 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/cli/limit_options.hpp"
+#include "src/cli/number_text.hpp"
 #include "src/shadow/geometry/framing.hpp"
+#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/shadow/geometry/scene_lights.hpp"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -13,38 +15,6 @@
 
 namespace edgeshade::cli {
 namespace {
-
-/// A finite number that is the whole text.
-double numberFrom(std::string_view text, const std::string& option) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0.0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
-        !std::isfinite(value))
-        throw CLI::ValidationError(option, "'" + std::string(text) + "' is no finite number");
-    return value;
-}
-
-/// So many finite numbers with commas in between. `form`: what the text should be.
-template <std::size_t count>
-std::array<double, count> numbersFrom(const std::string& text, const std::string& option,
-                                      const std::string& form) {
-    std::array<double, count> numbers;
-    std::size_t start = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t comma = text.find(',', start);
-        if ((comma == std::string::npos) != (i + 1 == count))
-            throw CLI::ValidationError(option, "'" + text + "' is not " + form);
-        numbers[i] = numberFrom(std::string_view(text).substr(start, comma - start), option);
-        start = comma + 1;
-    }
-    return numbers;
-}
-
-/// "x,y,z".
-glm::dvec3 vectorFrom(const std::string& text, const std::string& option) {
-    return glm::make_vec3(numbersFrom<3>(text, option, "of the form x,y,z").data());
-}
 
 /// Column by column.
 glm::dmat4 matrixFrom(const std::string& text, const std::string& option) {
@@ -93,6 +63,14 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
                           throw CLI::ValidationError("--fov",
                                                      "'" + text + "' is not between 0 and 180");
                   });
+    verb.add_option("--camera", options.camera,
+                    "One of the file's cameras: its name, its node's, or its index among those "
+                    "that the scene's nodes place, from 0; info lists them. It sees its own height "
+                    "at the picture's aspect, at rest")
+        ->type_name("NAME|INDEX");
+    for (const char* other :
+         {"--camera-from", "--camera-to", "--camera-matrix", "--ortho", "--fov"})
+        verb.get_option("--camera")->excludes(verb.get_option(other));
     addTextOption(verb, "--near", "D|auto",
                   "Distance of the near plane; auto: as far out as what is visible allows (auto)",
                   [&](const std::string& text) {
@@ -101,41 +79,7 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
                       if (*options.depth.near <= 0.0)
                           throw CLI::ValidationError("--near", "'" + text + "' is not above 0");
                   });
-    // One callback an occurrence keeps points and suns in the order in which they were typed.
-    const auto addLights = [&](const std::string& name, double w, const std::string& help) {
-        verb.add_option_function<std::vector<std::string>>(
-                name,
-                [&options, name, w](const std::vector<std::string>& texts) {
-                    for (const std::string& text : texts) {
-                        const glm::dvec3 position = vectorFrom(text, name);
-                        if (w == 0.0 && position == glm::dvec3(0.0))
-                            throw CLI::ValidationError(name, "'" + text + "' is no direction");
-                        options.lights.push_back({glm::dvec4(position, w)});
-                        requireFewLights(options.lights.size());
-                    }
-                },
-                help)
-            ->type_name("X,Y,Z")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-            ->trigger_on_parse();
-    };
-    addLights("--light", 1.0, "A point light; may be repeated (a sun from above)");
-    addLights("--sun", 0.0, "A directional light, the direction towards it; may be repeated");
-    // Not parsed before all lights are: theirs are.
-    verb.add_option_function<std::string>(
-            "--light-range",
-            [&](const std::string& text) {
-                const double range = numberFrom(text, "--light-range");
-                if (range <= 0.0)
-                    throw CLI::ValidationError("--light-range", "'" + text + "' is not above 0");
-                for (Light& light : options.lights)
-                    if (light.position.w != 0.0) light.range = range;
-            },
-            "How far the point lights reach, in scene units; what is farther away gets nothing of "
-            "them (everywhere)")
-        ->type_name("R")
-        ->needs(verb.get_option("--light"));
+    addLightOptions(verb, options.lights);
 }
 
 } // namespace
@@ -241,19 +185,41 @@ Camera cameraFor(const ViewOptions& options, const Scene& scene) {
     return camera;
 }
 
+const SceneCamera* fileCameraFor(const ViewOptions& options, const Scene& scene) {
+    if (!options.camera) return nullptr;
+    if (const SceneCamera* found = findCamera(scene.cameras, *options.camera)) return found;
+    std::string all;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        all += (i == 0 ? "it has " : ", ") + std::to_string(i) + " '" + titleOf(scene.cameras, i) +
+               "'";
+    throw Error(ExitStatus::usage, "--camera: the file has no camera '" + *options.camera + "'; " +
+                                       (all.empty() ? "it has none" : all) + ".");
+}
+
+std::vector<Light> lightsFor(const LightOptions& options, const Scene& scene) {
+    std::vector<Light> lights = options.typed;
+    if (lights.empty() && options.choice != LightChoice::fallback) lights = lightsOf(scene);
+    if (lights.empty()) lights.push_back(defaultLight());
+    return lights;
+}
+
 FrameRequest requestFor(const ViewOptions& options, const Scene& scene) {
-    if (options.orthoHeight && options.depth.near)
-        throw Error(ExitStatus::usage,
-                    "--near does not go with --ortho, whose picture shows all that there is before "
-                    "and behind the camera.");
     FrameRequest request;
-    request.frustum = frustumOf(cameraFor(options, scene), options.aspect(), options.orthoHeight);
+    if (const SceneCamera* camera = fileCameraFor(options, scene))
+        request.frustum = frustumOf(*camera, options.aspect());
+    else
+        request.frustum =
+            frustumOf(cameraFor(options, scene), options.aspect(), options.orthoHeight);
     if (options.cameraMatrix) request.frustum.viewFromWorld = *options.cameraMatrix;
+    if (request.frustum.orthographic && options.depth.near)
+        throw Error(ExitStatus::usage,
+                    std::string("--near does not go with ") +
+                        (options.camera ? "an orthographic --camera" : "--ortho") +
+                        ", whose picture shows all that there is before and behind the camera.");
     request.width = options.width;
     request.height = options.height;
     request.depth = options.depth;
-    request.lights = options.lights;
-    if (request.lights.empty()) request.lights.push_back(defaultLight());
+    request.lights = lightsFor(options.lights, scene);
     return request;
 }
 

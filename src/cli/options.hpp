@@ -1,5 +1,7 @@
 #pragma once
 
+#include "src/cli/choices.hpp"
+#include "src/cli/light_options.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/scene/load.hpp"
 
@@ -18,13 +20,14 @@ struct ViewOptions {
     std::optional<glm::dvec3> from;
     std::optional<glm::dvec3> to;
     std::optional<glm::dmat4> cameraMatrix; ///< a rigid view matrix, in place of the two
+    std::optional<std::string> camera;      ///< one of the file's, by name or index
     double fovDegrees = 45.0;
     std::optional<double> orthoHeight; ///< of an orthographic picture, in scene units
     DepthChoice depth;
-    std::vector<Light> lights; ///< in the order in which they were typed
+    LightOptions lights;
 
     double aspect() const { return static_cast<double>(width) / height; }
-    bool hasCamera() const { return from || to || cameraMatrix; }
+    bool hasCamera() const { return from || to || cameraMatrix || camera; }
 };
 
 /// `--weld-tolerance`, `--flat-tolerance` and `--caster-error`, where they were typed.
@@ -61,35 +64,6 @@ struct SceneOptions {
     }
 };
 
-/// The words that an option takes, in the order in which help and messages list them.
-template <class Value>
-using Choices = std::vector<std::pair<std::string, Value>>;
-
-/// The choices' words with `separator` between them.
-template <class Value>
-std::string wordsOf(const Choices<Value>& choices, const std::string& separator) {
-    std::string words;
-    for (const auto& choice : choices)
-        words += (words.empty() ? "" : separator) + choice.first;
-    return words;
-}
-
-/// Adds an option whose value is one of a few words, and nothing else: CLI11's own transformer
-/// takes the numbers behind them too. `value`, a Value or an optional one, must outlive parsing.
-template <class Target, class Value = Target>
-void addChoice(CLI::App& verb, const std::string& option, Target& value,
-               const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
-    const auto use = [option, &value, choices](const std::string& text) {
-        for (const auto& [word, meaning] : choices)
-            if (word == text) {
-                value = meaning;
-                return;
-            }
-        throw CLI::ValidationError(option, "'" + text + "' is none of " + wordsOf(choices, ", "));
-    };
-    verb.add_option_function<std::string>(option, use, help)->type_name(wordsOf(choices, "|"));
-}
-
 /// "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.
 std::pair<int, int> sizeFrom(const std::string& text, const std::string& option);
 
@@ -106,12 +80,19 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options);
 /// The word that the option has for them.
 std::string glLimitsName(gl::Limits limits);
 
-/// The camera, which frames the scene where it was not typed. Throws Error(usage) for one without a
-/// direction.
+/// The camera of --camera-from and --camera-to, which frames the scene where they were not typed.
+/// Throws Error(usage) for one without a direction.
 Camera cameraFor(const ViewOptions& options, const Scene& scene);
 
-/// The request, with that camera or the matrix that was typed, and at least one light. Throws
-/// Error(usage) for what does not go together.
+/// The file's camera that was typed; null if none was. Throws Error(usage) that lists those there
+/// are for an unknown one.
+const SceneCamera* fileCameraFor(const ViewOptions& options, const Scene& scene);
+
+/// The lights that were typed, the file's, or the default light.
+std::vector<Light> lightsFor(const LightOptions& options, const Scene& scene);
+
+/// The request, with that camera, the file's or the matrix that was typed, and at least one light.
+/// Throws Error(usage) for what does not go together.
 FrameRequest requestFor(const ViewOptions& options, const Scene& scene);
 
 } // namespace edgeshade::cli

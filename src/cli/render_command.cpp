@@ -9,6 +9,8 @@
 #include "src/image/png.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
+#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/viewer/light_state.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <memory>
@@ -46,9 +48,23 @@ nlohmann::ordered_json vectorJson(const glm::dvec3& v) {
 nlohmann::ordered_json cameraJson(const ViewOptions& options, const Scene& scene,
                                   const FrameView& view) {
     nlohmann::ordered_json camera;
+    const auto setMatrix = [&](const glm::dmat4& viewFromWorld) {
+        camera["matrix"] =
+            std::vector<double>(glm::value_ptr(viewFromWorld), glm::value_ptr(viewFromWorld) + 16);
+    };
+    if (const SceneCamera* typed = fileCameraFor(options, scene)) {
+        camera["name"] = typed->name;
+        camera["node"] = typed->nodeName;
+        setMatrix(frustumOf(*typed, options.aspect()).viewFromWorld);
+        if (typed->orthographic)
+            camera["ortho"] = typed->height;
+        else
+            camera["fov"] = glm::degrees(typed->height);
+        camera["near"] = view.near();
+        return camera;
+    }
     if (options.cameraMatrix) {
-        camera["matrix"] = std::vector<double>(glm::value_ptr(*options.cameraMatrix),
-                                               glm::value_ptr(*options.cameraMatrix) + 16);
+        setMatrix(*options.cameraMatrix);
     } else {
         const Camera typed = cameraFor(options, scene);
         camera["from"] = vectorJson(typed.from);
@@ -135,7 +151,9 @@ void render(const RenderOptions& options) {
         const Light& light = view.lights[i].light;
         lights[i]["position"] = {light.position.x, light.position.y, light.position.z,
                                  light.position.w};
-        if (light.hasRange()) lights[i]["range"] = light.range;
+        const auto named = viewer::namedJson(light);
+        for (const char* key : {"color", "intensity", "range", "cone"})
+            if (named.contains(key)) lights[i][key] = named[key];
     }
     nlohmann::ordered_json report = {
         {"size", {view.width, view.height}},

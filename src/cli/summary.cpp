@@ -1,5 +1,8 @@
 #include "src/cli/summary.hpp"
 
+#include "preprocess/packing/parts_json.hpp"
+#include "src/shadow/geometry/scene_cameras.hpp"
+
 #include <iomanip>
 #include <sstream>
 
@@ -49,6 +52,32 @@ std::string summaryOf(const PackReport& report) {
     row("seconds") << std::fixed << std::setprecision(3) << report.readSeconds << " read, "
                    << report.build.weld << " weld, " << report.build.edges << " edges, "
                    << report.build.pack << " pack";
+    return text.str();
+}
+
+std::string choicesOf(const PackReport& report) {
+    std::ostringstream text;
+    const auto row = [&](const std::string& name) -> std::ostream& {
+        return text << "\n" << std::left << std::setw(26) << name;
+    };
+    for (const std::string& name : report.variants)
+        row("variant") << name;
+    for (std::size_t i = 0; i < report.cameras.size(); ++i) {
+        const SceneCamera& camera = report.cameras[i];
+        row("camera " + std::to_string(i)) << titleOf(report.cameras, i);
+        if (!camera.nodeName.empty() && !camera.name.empty())
+            text << " of node " << camera.nodeName;
+        if (camera.orthographic)
+            text << ", orthographic, " << camera.height << " scene units high";
+        else
+            text << ", " << glm::degrees(camera.height) << " degrees";
+    }
+    for (std::size_t i = 0; i < report.lights.size(); ++i) {
+        const SceneLight& light = report.lights[i];
+        row("light " + std::to_string(i)) << nameOf(light.kind);
+        for (const std::string& name : {light.name, light.nodeName})
+            if (!name.empty()) text << ", " << name;
+    }
     return text.str();
 }
 

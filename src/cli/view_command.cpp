@@ -7,6 +7,7 @@
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/desktop/app.hpp"
+#include "src/shadow/geometry/scene_cameras.hpp"
 
 #include <memory>
 #endif
@@ -28,7 +29,13 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
     const FrameRequest request = requestFor(options.view, scene);
     const RenderSettings& render = options.settings.render;
     viewer::ViewState state;
-    state.camera = cameraFor(options.view, scene);
+    const SceneCamera* const ofFile = fileCameraFor(options.view, scene);
+    if (ofFile && ofFile->orthographic)
+        throw Error(ExitStatus::usage, "--camera " + *options.view.camera +
+                                           " is orthographic, but the window's camera is in "
+                                           "perspective; render, compare and bench show it.");
+    state.camera =
+        ofFile ? uprightCamera(*ofFile, worldBounds(scene)) : cameraFor(options.view, scene);
     state.lights = request.lights;
     state.left = {render.shadows, render.map.size, render.multiplicity, render.maskScale};
     state.shading = render.shading;

@@ -92,6 +92,14 @@ bool isBlocked(const Oracle& oracle, std::uint32_t own, const ExactTriangle& sur
     return false;
 }
 
+/// Whether a point, seen from the light, is within the cone. The angle's tangent is rounded.
+bool isInCone(const Cone& cone, const Vector& fromLight) {
+    const Vector axis(cone.axis);
+    const Rational along = dot(axis, fromLight), slope(std::tan(cone.outer));
+    const Vector aside = cross(axis, fromLight);
+    return along > 0 && dot(aside, aside) < slope * slope * along * along;
+}
+
 } // namespace
 
 Verdict judgeExactly(const Oracle& oracle, double x, double y) {
@@ -131,6 +139,8 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
             const Vector towards = Vector(glm::dvec3(light)) - Rational(light.w) * point;
             if (dot(towards, towards) >= Rational(range) * Rational(range)) continue;
         }
+        if (const Cone* cone = oracle.coneOf(i))
+            if (!isInCone(*cone, point - Vector(glm::dvec3(light)))) continue;
         if (lightSide == 0) verdict.coincident = true;
         const bool turnedAway = oracle.triangles()[own].casts && eyeSide * lightSide < 0;
         if (!turnedAway && !isBlocked(oracle, own, surface, point, roundedPoint, light))

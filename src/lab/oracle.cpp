@@ -100,6 +100,13 @@ void offer(const RTCFilterFunctionNArguments* arguments) {
     if (!(*traversal->visit)(triangle)) arguments->valid[0] = 0;
 }
 
+/// How far a point, seen from the light, is within a cone; below 0 outside of it.
+double depthInCone(const Cone& cone, const glm::dvec3& fromLight) {
+    const double along = glm::dot(cone.axis, fromLight);
+    const double aside = glm::length(glm::cross(cone.axis, fromLight));
+    return std::sin(cone.outer) * along - std::cos(cone.outer) * aside;
+}
+
 } // namespace
 
 struct Oracle::Tree {
@@ -203,6 +210,10 @@ double Oracle::rangeOf(std::size_t light) const {
     return question_.lights[light].hasRange() ? question_.lights[light].range : infinity;
 }
 
+const Cone* Oracle::coneOf(std::size_t light) const {
+    return question_.lights[light].isSpot() ? &*question_.lights[light].cone : nullptr;
+}
+
 bool Oracle::isCutOut(const EyeTriangle& triangle, double u, double v) const {
     const Material& material = question_.scene->materials[triangle.material];
     return material.alphaMode == AlphaMode::mask &&
@@ -289,6 +300,12 @@ Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
         if (std::abs(distance - range) <= pointError + rounding * magnitude(glm::dvec3(light)))
             checked.certain = false;
         if (distance >= range) continue;
+        if (const Cone* cone = coneOf(i)) {
+            const double within = depthInCone(*cone, point - glm::dvec3(light));
+            const double error = pointError + rounding * magnitude(glm::dvec3(light));
+            if (std::abs(within) <= error + rounding * distance) checked.certain = false;
+            if (within <= 0.0) continue;
+        }
         const bool turnedAway = surface.casts && eyeSide * lightSide < 0.0;
         if (!turnedAway && !isBlocked(hit.triangle, point, pointError, light, checked.certain))
             checked.answer.lit |= 1u << i;

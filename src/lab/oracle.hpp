@@ -57,7 +57,7 @@ struct AlphaLookup {
 /// Lit as in docs/method.md, C30, by casting rays: Embree in robust mode finds what a ray may
 /// hit, double arithmetic decides. A surface never blocks itself, nor do triangles exactly in its
 /// plane; one seen from the side turned away from a light is not lit by it, nor is what is out of
-/// its range.
+/// its range or its cone.
 class Oracle {
   public:
     /// Throws Error(unavailable) where the program was built without Embree.
@@ -114,6 +114,8 @@ class Oracle {
     double eyeSide(const EyeTriangle& triangle) const;
     /// Its range; infinite for directional lights.
     double rangeOf(std::size_t light) const;
+    /// Its cone; null where it has none.
+    const Cone* coneOf(std::size_t light) const;
 
   private:
     struct Tree; ///< Embree's

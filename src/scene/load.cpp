@@ -5,6 +5,7 @@
 #include "preprocess/packing/shadow_extension.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "src/image/image_choice.hpp"
+#include "src/shadow/geometry/light.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,10 @@ LoadedScene readScene(const std::filesystem::path& path,
     loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
     if (onStage) onStage(LoadStage::flatten);
     loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, looks);
+    if (const std::size_t lights = loaded.scene.lights.size(); lights > mostLights)
+        loaded.scene.warnings.add("'" + path.string() + "' has " + std::to_string(lights) +
+                                  " lights, but a picture has " + std::to_string(mostLights) +
+                                  " at most; the others are left out.");
     return loaded;
 }
 

@@ -9,4 +9,9 @@ inline glm::vec4 srgbFromLinear(const glm::vec4& linear) {
     return {glm::convertLinearToSRGB(glm::clamp(glm::vec3(linear), 0.0f, 1.0f)), linear.a};
 }
 
+/// A colour in the display's values, 0..1, made linear.
+inline glm::vec3 linearFromSrgb(const glm::vec3& srgb) {
+    return glm::convertSRGBToLinear(srgb);
+}
+
 } // namespace edgeshade

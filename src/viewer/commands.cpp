@@ -35,7 +35,7 @@ Light lightMoved(const Light& light, const ViewState& state, const Stage& stage,
         Camera around;
         around.from = glm::normalize(glm::dvec3(light.position));
         around.to = glm::dvec3(0.0);
-        return {glm::dvec4(orbited(around, x * lightTurn, -y * lightTurn).from, 0.0), light.range};
+        return light.at(glm::dvec4(orbited(around, x * lightTurn, -y * lightTurn).from, 0.0));
     }
     const PictureView view = stage.viewOf(state.camera);
     const glm::dvec3 place(light.position);
@@ -43,13 +43,13 @@ Light lightMoved(const Light& light, const ViewState& state, const Stage& stage,
         view.depthOf(place) > 0.0 ? view.depthOf(place) : view.depthOf(state.camera.to);
     // What follows the light is what a pan would move the other way.
     const Camera followed = panned(view, -glm::dvec2(x, y) * (lightShare * stage.height), depth);
-    return {glm::dvec4(place + followed.from - state.camera.from, 1.0), light.range};
+    return light.at(glm::dvec4(place + followed.from - state.camera.from, 1.0));
 }
 
 Light lightAlongView(const Light& light, const ViewState& state, double factor) {
     if (light.position.w == 0.0) return light;
     const glm::dvec3 eye = state.camera.from;
-    return {glm::dvec4(eye + (glm::dvec3(light.position) - eye) * factor, 1.0), light.range};
+    return light.at(glm::dvec4(eye + (glm::dvec3(light.position) - eye) * factor, 1.0));
 }
 
 void addLight(ViewState& state, const Stage& stage) {
@@ -169,7 +169,8 @@ bool runOnCamera(Command command, ViewState& state, const Stage& stage) {
 ViewState framed(const ViewState& state, const Stage& stage) {
     ViewState result = state;
     result.camera = stage.framed(Camera().fovDegrees, framingDirection());
-    result.lights = {defaultLight()};
+    result.lights = stage.lights;
+    if (result.lights.empty()) result.lights = {defaultLight()};
     result.chosenLight = 0;
     result.time = 0.0;
     return result;

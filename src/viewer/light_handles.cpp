@@ -54,8 +54,8 @@ LightDrag::LightDrag(const LightHandles& handles, const Light& light, const Pict
 Light LightDrag::movedTo(const glm::dvec2& pixel, const Light& light, const PictureView& view) {
     const glm::dvec2 handle = pixel + hold_;
     if (light.position.w != 0.0)
-        return {glm::dvec4(view.pointAt(handle, view.depthOf(glm::dvec3(light.position))), 1.0),
-                light.range};
+        return light.at(
+            glm::dvec4(view.pointAt(handle, view.depthOf(glm::dvec3(light.position))), 1.0));
 
     const Ray ray = view.rayThrough(handle);
     const glm::dvec3 toMiddle = handles_.middle() - ray.from;
@@ -71,7 +71,7 @@ Light LightDrag::movedTo(const glm::dvec2& pixel, const Light& light, const Pict
     const double at = along - halfChord > 0.0 && !farSide_ ? along - halfChord : along + halfChord;
     const glm::dvec3 direction = ray.from + at * ray.direction - handles_.middle();
     if (glm::length(direction) == 0.0) return light;
-    return {glm::dvec4(glm::normalize(direction), 0.0)};
+    return light.at(glm::dvec4(glm::normalize(direction), 0.0));
 }
 
 } // namespace edgeshade::viewer

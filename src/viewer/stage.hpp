@@ -13,6 +13,7 @@ struct Stage {
     int width = 1;
     int height = 1;
     double pixelRatio = 1.0;
+    std::vector<Light> lights; ///< the file's; empty: the default light is used
     /// The first surface on a ray; may be empty: none.
     std::function<std::optional<glm::dvec3>(const Ray&)> firstHit;
 

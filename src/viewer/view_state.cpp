@@ -1,21 +1,14 @@
 #include "src/viewer/view_state.hpp"
 
-#include "preprocess/base/error.hpp"
-
-#include <array>
-#include <cmath>
+#include "src/viewer/light_state.hpp"
 
 namespace edgeshade::viewer {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double farthestPlace = 1e12; // of a coordinate; beyond it floats lose the scene
 constexpr int smallestMap = 16;
 constexpr int largestMap = 16384;
-
-template <class Value, std::size_t N>
-using Words = std::array<std::pair<const char*, Value>, N>;
 
 constexpr Words<ShadowMethod, 5> shadowWords = {{{"auto", ShadowMethod::automatic},
                                                  {"volumes", ShadowMethod::volumes},
@@ -37,89 +30,6 @@ const char* wordOf(const Words<Value, N>& words, Value value) {
         if (meaning == value) return word;
     return "";
 }
-
-/// A value of the state and its name, for messages.
-class Field {
-  public:
-    Field(std::string name, const Json& value) : name_(std::move(name)), value_(value) {}
-
-    [[noreturn]] void fail(const std::string& wanted) const {
-        throw Error(ExitStatus::usage, name_ + " is " + text() + ", but must be " + wanted + ".");
-    }
-
-    /// Calls read(key, Field) for every member; it returns false for a key that it doesn't know.
-    template <class Read>
-    void forEachMember(Read read) const {
-        if (!value_.is_object()) fail("an object");
-        for (const auto& [key, value] : value_.items()) {
-            const Field member(name_ == rootName ? key : name_ + "." + key, value);
-            if (!read(key, member))
-                throw Error(ExitStatus::usage, "There is no '" + member.name_ +
-                                                   "' in a view's state (its value is " +
-                                                   member.text() + ").");
-        }
-    }
-
-    /// Calls read(Field) for every item.
-    template <class Read>
-    void forEachItem(Read read) const {
-        for (std::size_t i = 0; i < value_.size(); ++i)
-            read(Field(name_ + "[" + std::to_string(i) + "]", value_[i]));
-    }
-
-    std::size_t arraySize() const { return value_.is_array() ? value_.size() : 0; }
-
-    double number(double low, double high) const {
-        const double number = value_.is_number() ? value_.get<double>() : NAN;
-        if (!(number >= low && number <= high)) // false for what is no number too
-            fail("a number from " + Json(low).dump() + " to " + Json(high).dump());
-        return number;
-    }
-
-    int integer(int low, int high) const {
-        const double asNumber = number(low, high);
-        if (asNumber != std::floor(asNumber)) fail("a whole number");
-        return static_cast<int>(asNumber);
-    }
-
-    bool boolean() const {
-        if (!value_.is_boolean()) fail("true or false");
-        return value_.get<bool>();
-    }
-
-    template <class Value, std::size_t N>
-    Value oneOf(const Words<Value, N>& words) const {
-        std::string all;
-        for (const auto& [word, meaning] : words) {
-            if (value_ == word) return meaning;
-            all += (all.empty() ? "" : ", ") + std::string(word);
-        }
-        fail("one of " + all);
-    }
-
-    template <int N>
-    glm::vec<N, double> place(double low = -farthestPlace, double high = farthestPlace) const {
-        if (arraySize() != N) fail("an array of " + std::to_string(N) + " numbers");
-        glm::vec<N, double> result;
-        glm::length_t i = 0;
-        forEachItem([&](const Field& item) { result[i++] = item.number(low, high); });
-        return result;
-    }
-
-    static constexpr const char* rootName = "the view's state";
-
-  private:
-    std::string text() const {
-        if (value_.is_number_float() && !std::isfinite(value_.get<double>())) return "not finite";
-        constexpr std::size_t longest = 60;
-        std::string text = value_.dump(-1, ' ', true, Json::error_handler_t::replace);
-        if (text.size() > longest) text = text.substr(0, longest) + "...";
-        return text;
-    }
-
-    std::string name_;
-    const Json& value_;
-};
 
 double fovFrom(const Field& field) {
     const double fov = field.number(0.0, 180.0);
@@ -147,29 +57,7 @@ std::vector<Light> lightsFrom(const Field& field) {
     if (field.arraySize() < 1 || field.arraySize() > mostLights)
         field.fail("an array of 1 to " + std::to_string(mostLights) + " lights");
     std::vector<Light> lights;
-    field.forEachItem([&](const Field& item) {
-        Light light;
-        const bool ranged = item.arraySize() == 5;
-        glm::length_t i = 0;
-        const auto read = [&](const Field& number) {
-            if (i == 4)
-                light.range = number.number(0.0, farthestPlace);
-            else
-                light.position[i] = number.number(-farthestPlace, farthestPlace);
-            ++i;
-        };
-        if (ranged)
-            item.forEachItem(read);
-        else
-            light.position = item.place<4>();
-        const glm::dvec4& position = light.position;
-        if (position.w != 0.0 && position.w != 1.0)
-            item.fail("a light [x, y, z, w] whose w is 0 (a sun) or 1 (a point)");
-        if (position == glm::dvec4(0.0)) item.fail("a sun with a direction");
-        if (ranged && (position.w == 0.0 || light.range == 0.0))
-            item.fail("a point light [x, y, z, 1, range] whose range is above 0");
-        lights.push_back(light);
-    });
+    field.forEachItem([&](const Field& item) { lights.push_back(lightFrom(item)); });
     return lights;
 }
 
@@ -220,10 +108,8 @@ Json toJson(const glm::vec3& color) {
 
 Json toJson(const ViewState& state) {
     Json lights = Json::array();
-    for (const Light& light : state.lights) {
-        lights.push_back({light.position.x, light.position.y, light.position.z, light.position.w});
-        if (light.hasRange()) lights.back().push_back(light.range);
-    }
+    for (const Light& light : state.lights)
+        lights.push_back(toJson(light));
     return {{"camera",
              {{"from", toJson(state.camera.from)},
               {"to", toJson(state.camera.to)},

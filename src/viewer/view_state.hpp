@@ -47,14 +47,14 @@ struct ViewState {
     double time = 0.0;  ///< of the animation, seconds
 };
 
-/// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [[x,y,z,w], …],
+/// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
 ///  "chosen_light": 0, "shading": "full|base",
 ///  "ambient": 0.5, "exposure": 0, "background": [r,g,b], "left": {"shadows":
 ///  "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity": "plane",
 ///  "mask_scale": 1|2|4},
 ///  "right": {…}, "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,
 ///  "playing": false, "speed": 1, "time": 0}
-/// A point light with a range has it as a fifth number.
+/// What a light is, light_state.hpp says.
 nlohmann::ordered_json toJson(const ViewState& state);
 
 /// `base` with the keys that `changes` has. Throws Error(usage) that names the key and the value if

@@ -2,6 +2,7 @@
 
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
+#include "src/shadow/geometry/scene_lights.hpp"
 #include "src/viewer/commands.hpp"
 #include "src/viewer/frame_clock.hpp"
 #include "src/viewer/handle_drawing.hpp"
@@ -287,6 +288,7 @@ void Viewer::show(LoadedScene scene) {
     parts.rest.clear();
     parts.unchecked = true;
     parts.sceneMoved();
+    parts.stage.lights = lightsOf(parts.loaded->scene);
     parts.state = framed(parts.state, parts.stage);
     if (parts.animation) parts.applyPose();
 }

@@ -22,6 +22,7 @@ struct ExtensionRow {
     std::function<Bytes()> scene; ///< requires the extension
     bool sameWithout = false;     ///< of one that is drawn: the picture says nothing of it
     std::vector<std::string> options = {};
+    std::vector<std::string> lights = {"--light", "2,6,5"};
 };
 
 namespace {
@@ -137,6 +138,18 @@ std::vector<ExtensionRow> compressionRows() {
     };
 }
 
+/// A spot of the file, before the box.
+ExtensionRow litRow() {
+    const std::string name = "KHR_lights_punctual";
+    ExtensionRow lit = row(name, [=](GltfBuilder& gltf) {
+        gltf.json["extensions"][name]["lights"] = {
+            {{"type", "spot"}, {"spot", {{"outerConeAngle", 0.2}}}}};
+        gltf.addNode({{"extensions", {{name, {{"light", 0}}}}}, {"translation", {0.0, 0.0, 4.0}}});
+    });
+    lit.lights = {};
+    return lit;
+}
+
 std::vector<ExtensionRow> sceneRows() {
     return {
         row("EXT_mesh_gpu_instancing",
@@ -146,7 +159,7 @@ std::vector<ExtensionRow> sceneRows() {
             }),
         onNode("KHR_node_visibility", {{"visible", false}}),
         onAsset("CESIUM_RTC", {{"center", {0.5, 0.25, 0.0}}}),
-        onAsset("KHR_lights_punctual", {{"lights", {{{"type", "point"}}}}}),
+        litRow(),
         onAsset("KHR_xmp_json_ld", {{"packets", Json::array({Json::object()})}}),
         onAsset("EXT_structural_metadata", {{"schema", {{"id", "houses"}}}}),
         onPrimitive("EXT_mesh_features", {{"featureIds", {{{"featureCount", 1}}}}}),
@@ -237,9 +250,8 @@ Drawing draw(const Bytes& glb, const ExtensionRow& row) {
                                           "--camera-from",
                                           "3,3,6",
                                           "--camera-to",
-                                          "0,0,0",
-                                          "--light",
-                                          "2,6,5"};
+                                          "0,0,0"};
+    arguments.insert(arguments.end(), row.lights.begin(), row.lights.end());
     arguments.insert(arguments.end(), row.options.begin(), row.options.end());
     Drawing drawing;
     drawing.result = runEdgeshade(arguments);

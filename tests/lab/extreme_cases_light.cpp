@@ -9,6 +9,12 @@ Extreme litFrom(const std::string& name, const std::string& provokes,
     return {.name = name, .provokes = provokes, .load = later(yard), .lights = lights};
 }
 
+Light spotAt(const glm::dvec3& place, const glm::dvec3& towards, double outer, double inner) {
+    Light light = pointLight(place);
+    light.cone = Cone{glm::normalize(towards - place), inner, outer};
+    return light;
+}
+
 /// Points and suns all around.
 std::vector<Light> eightLights() {
     return {pointLight({0.3, 4, 0.7}),  pointLight({-4, 2, 3}),   pointLight({3, 1.2, -3}),
@@ -31,6 +37,14 @@ std::vector<Extreme> lightExtremes() {
         litFrom("light at infinity", "points at infinity", {sun({0.4, 1, 0.3})}),
         litFrom("sun in the floor's plane", "signs of exactly 0", {sun({1, 0, 0.3})}),
         litFrom("light at the eye", "no shadow is seen", {pointLight(eye)}),
+        litFrom("spot", "the edge of a cone", {spotAt({0.6, 5, 0.3}, {0, 0, 0}, 0.4, 0.2)}),
+        litFrom("spot of one angle", "a hard edge", {spotAt({0.6, 5, 0.3}, {0, 0, 0}, 0.4, 0.4)}),
+        litFrom("spot of 90 degrees", "a cone that is a plane",
+                {spotAt({0.6, 1.5, 0.3}, {3, 2, 1}, 1.5707963267948966, 0.5)}),
+        litFrom("spot of 1e-6 from 1e6", "angles that floats can't hold",
+                {spotAt({4e5, 8e5, 3e5}, {0, 0.5, 0}, 2e-6, 1e-6)}),
+        litFrom("spot inside a closed mesh", "all of its cone in shadow",
+                {spotAt({-1.5, 1, -0.5}, {0, 1, 0}, 0.7, 0.3)}),
         litFrom("8 lights", "counts and colours of several passes", eightLights()),
     };
 }

@@ -65,6 +65,14 @@ bool isLit(const std::vector<WorldTriangle>& triangles, std::size_t own, const g
     return true;
 }
 
+/// By the angle from a spot's axis.
+bool isInCone(const Light& light, const glm::dvec3& point) {
+    if (!light.isSpot()) return true;
+    const glm::dvec3 from = point - glm::dvec3(light.position), &axis = light.cone->axis;
+    return std::atan2(glm::length(glm::cross(axis, from)), glm::dot(axis, from)) <
+           light.cone->outer;
+}
+
 } // namespace
 
 std::vector<Answer> castMask(const Scene& scene, const Frustum& frustum, const Light& light,
@@ -95,8 +103,9 @@ std::vector<Answer> castMask(const Scene& scene, const Frustum& frustum, const L
                 continue;
             }
             const glm::dvec3 point = origin + nearest * direction;
-            const bool reached =
-                !light.hasRange() || glm::distance(point, glm::dvec3(light.position)) < light.range;
+            const bool reached = isInCone(light, point) &&
+                                 (!light.hasRange() ||
+                                  glm::distance(point, glm::dvec3(light.position)) < light.range);
             const glm::dvec3 eye = parallel ? point - direction : origin;
             answers.push_back(reached && isLit(triangles, own, point, eye, light.position)
                                   ? Answer::lit

@@ -46,4 +46,34 @@ TEST(SceneTransfer, PicturesInUseGoAlong) {
     }
 }
 
+TEST(SceneTransfer, CamerasAndLightsGoAlong) {
+    GltfBuilder gltf;
+    gltf.addShapeNode(box(glm::vec3(1.0f)));
+    gltf.json["cameras"] = {
+        {{"type", "perspective"}, {"name", "wide"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+    gltf.json["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "spot"},
+         {"color", {1, 0.5, 0}},
+         {"range", 7},
+         {"spot", {{"outerConeAngle", 0.5}}}}};
+    gltf.addNode({{"name", "desk"},
+                  {"camera", 0},
+                  {"translation", {1, 2, 3}},
+                  {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    const TempFolder folder;
+    const LoadedScene loaded = loadScene(folder.write("scene.glb", gltf.glb()), std::nullopt);
+    const LoadedScene taken = web::fromTransfer(web::toTransfer(loaded));
+    ASSERT_EQ(taken.scene.cameras.size(), 1u);
+    EXPECT_EQ(taken.scene.cameras[0].name, "wide");
+    EXPECT_EQ(taken.scene.cameras[0].nodeName, "desk");
+    EXPECT_EQ(taken.scene.cameras[0].worldFromCamera, loaded.scene.cameras[0].worldFromCamera);
+    EXPECT_EQ(taken.scene.cameras[0].height, 1.0);
+    ASSERT_EQ(taken.scene.lights.size(), 1u);
+    EXPECT_EQ(taken.scene.lights[0].kind, SceneLight::Kind::spot);
+    EXPECT_EQ(taken.scene.lights[0].position, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(taken.scene.lights[0].color, glm::dvec3(1, 0.5, 0));
+    EXPECT_EQ(taken.scene.lights[0].range, 7.0);
+    EXPECT_EQ(taken.scene.lights[0].outerCone, 0.5);
+}
+
 } // namespace edgeshade::test

@@ -44,6 +44,40 @@ void expectRefused(const std::string& changes, const std::string& name, const st
     }
 }
 
+TEST(LightState, NamesSayWhatAnArrayCanNot) {
+    const auto read = [](const std::string& light) {
+        return changed(someState(), {{"lights", {Json::parse(light)}}}).lights.at(0);
+    };
+    const Light lamp = read(R"({"position": [1, 2, 3], "color": [1, 0.5, 0], "intensity": 8,
+        "range": 4, "cone": {"axis": [0, -2, 0], "inner": 10, "outer": 30}})");
+    EXPECT_EQ(lamp.position, glm::dvec4(1, 2, 3, 1));
+    EXPECT_EQ(lamp.color, glm::vec3(8, 4, 0));
+    EXPECT_TRUE(lamp.photometric);
+    EXPECT_EQ(lamp.range, 4.0);
+    ASSERT_TRUE(lamp.isSpot());
+    EXPECT_EQ(lamp.cone->axis, glm::dvec3(0, -1, 0));
+    EXPECT_NEAR(lamp.cone->inner, glm::radians(10.0), 1e-15);
+    EXPECT_NEAR(lamp.cone->outer, glm::radians(30.0), 1e-15);
+    const Light dim = read(R"({"position": [1, 2, 3], "color": [0.5, 0.25, 0]})");
+    EXPECT_FALSE(dim.photometric);
+    const Light sun = read(R"({"direction": [0, 1, 0], "intensity": 3})");
+    EXPECT_EQ(sun.position.w, 0.0);
+    EXPECT_EQ(sun.color, glm::vec3(3));
+    EXPECT_TRUE(sun.photometric);
+    for (const Light& light : {lamp, dim, sun}) {
+        ViewState state = someState();
+        state.lights = {light};
+        const Json written = toJson(state)["lights"][0];
+        ASSERT_TRUE(written.is_object());
+        const Light again = read(written.dump());
+        EXPECT_EQ(again.position, light.position);
+        EXPECT_EQ(again.color, light.color);
+        EXPECT_EQ(again.photometric, light.photometric);
+        EXPECT_EQ(again.range, light.range);
+        EXPECT_EQ(again.isSpot(), light.isSpot());
+    }
+}
+
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
     EXPECT_EQ(json.size(), 14u);
@@ -101,6 +135,22 @@ TEST(ViewState, AnotherKindOfValueIsRefused) {
     expectRefused(R"({"ambient": "much"})", "ambient", "much");
     expectRefused(R"({"camera": [1]})", "camera", "[1]");
     expectRefused(R"({"lights": [[1, 2, 3]]})", "lights[0]", "[1,2,3]");
+    expectRefused(R"({"lights": [{}]})", "lights[0]", "{}");
+    expectRefused(R"({"lights": [{"place": [1, 2, 3]}]})", "lights[0].place", "[1,2,3]");
+    expectRefused(R"({"lights": [{"direction": [0, 0, 0]}]})", "lights[0].direction", "[0,0,0]");
+    expectRefused(R"({"lights": [{"position": [0, 0, 0], "intensity": -1}]})",
+                  "lights[0].intensity", "-1");
+    expectRefused(R"({"lights": [{"position": [0, 0, 0], "range": 0}]})", "lights[0].range", "0");
+    expectRefused(R"({"lights": [{"direction": [0, 1, 0], "range": 3}]})", "lights[0]", "range");
+    expectRefused(R"({"lights": [{"direction": [0, 1, 0], "cone": {}}]})", "lights[0]", "cone");
+    expectRefused(R"({"lights": [{"position": [0, 0, 0], "cone": {"axis": [0, 0, 0]}}]})",
+                  "lights[0].cone.axis", "[0,0,0]");
+    expectRefused(R"({"lights": [{"position": [0, 0, 0], "cone": {"outer": 91}}]})",
+                  "lights[0].cone.outer", "91");
+    expectRefused(R"({"lights": [{"position": [0, 0, 0], "cone": {"inner": 60}}]})",
+                  "lights[0].cone", "60");
+    expectRefused(R"({"lights": [{"position": [0, 0, 0], "direction": [0, 1, 0]}]})", "lights[0]",
+                  "direction");
     expectRefused(R"({"time": null})", "time", "null");
 }
 

@@ -23,12 +23,33 @@ function cameraOf(text) {
   return { from: [fx, fy, fz], to: [tx, ty, tz], ...(fov !== undefined && { fov }) };
 }
 
+/** A part of an sRGB colour, 0..255, made linear (IEC 61966-2-1). */
+function linear(byte) {
+  const value = byte / 255;
+  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+}
+
+function colorOf(text, name) {
+  if (!/^#[0-9a-f]{6}$/i.test(text))
+    throw new Error(`The attribute ${name} has the colour '${text}', but must have one #rrggbb.`);
+  return [1, 3, 5].map((at) => linear(parseInt(text.slice(at, at + 2), 16)));
+}
+
+/** "x,y,z[:#rrggbb[:intensity]]"; a point light may have a range as a fourth number. */
+function lightOf(text, w, name, counts) {
+  const [place, color, ...intensity] = text.split(':');
+  const [x, y, z, ...range] = numbers(place, counts, name);
+  if (color === undefined) return [x, y, z, w, ...range];
+  const light = { [w ? 'position' : 'direction']: [x, y, z], color: colorOf(color.trim(), name) };
+  if (intensity.length) [light.intensity] = numbers(intensity.join(':'), [1], name);
+  if (range.length) [light.range] = range;
+  return light;
+}
+
 function lightsOf(light, sun) {
   const all = (text, w, name, counts) =>
-    (text ?? '').split(';').filter((part) => part.trim()).map((part) => {
-      const [x, y, z, ...range] = numbers(part, counts, name);
-      return [x, y, z, w, ...range];
-    });
+    (text ?? '').split(';').filter((part) => part.trim())
+      .map((part) => lightOf(part, w, name, counts));
   return [...all(sun, 0, 'sun', [3]), ...all(light, 1, 'light', [3, 4])];
 }
 

@@ -5,7 +5,33 @@ export type Vector = [number, number, number];
  * x, y, z and w: 1 for a point light at xyz, 0 for a sun with xyz pointing towards it. A point light
  * may have a range, in the scene's units, beyond which it lights nothing.
  */
-export type Light = [number, number, number, number, number?];
+export type PlainLight = [number, number, number, number, number?];
+
+/** What any light by names has. */
+export interface LightStrength {
+  /** Linear; [1, 1, 1] if missing. */
+  color?: Vector;
+  /** Candela, of a sun lux. A point light that has one falls off with the square of the distance. */
+  intensity?: number;
+}
+
+/** A directional light; `direction` points towards it. */
+export interface SunLight extends LightStrength {
+  direction: Vector;
+}
+
+/** A point light; with a cone a spot. */
+export interface PointLight extends LightStrength {
+  position: Vector;
+  /** In the scene's units; beyond it the light lights nothing. */
+  range?: number;
+  /** Where a spot shines, and the angles from there in degrees within which it does in full, and at
+   * all. */
+  cone?: { axis: Vector; inner?: number; outer?: number };
+}
+
+/** As an array, or by names; the state has names where an array doesn't say all. */
+export type Light = PlainLight | SunLight | PointLight;
 
 /** `auto`: exact, looked up in a primitive map where a light rests and it pays, else volumes. */
 export type Shadows = 'auto' | 'volumes' | 'primitive-map' | 'map' | 'none';
@@ -86,6 +112,8 @@ export interface LoadDetail {
   warnings: string[];
   /** Names that the attribute `variant` chooses from (KHR_materials_variants). */
   variants: string[];
+  /** The file's perspective cameras, for change({ camera }): upright, where they look at rest. */
+  cameras: { name: string; camera: ViewState['camera'] }[];
   /** By stage: download, read, flatten, images, shadows, hand over, upload, draw. */
   milliseconds: Record<string, number>;
   /** From the call of load() to the first frame. */
@@ -117,8 +145,10 @@ export interface EdgeshadeViewerEventMap {
  *
  *   src         address of a .glb or .gltf
  *   camera      "fromX,fromY,fromZ toX,toY,toZ", with the field of view in degrees as a 7th number
- *   light       "x,y,z" or "x,y,z,range", point lights separated by ";"
- *   sun         "x,y,z" towards the sun, separated likewise
+ *   light       "x,y,z" or "x,y,z,range", point lights separated by ";"; each may go on with a
+ *               colour and candela, ":#rrggbb" or ":#rrggbb:intensity"
+ *   sun         "x,y,z" towards the sun, separated likewise; perhaps with a colour and lux
+ *               Without either: the file's lights (KHR_lights_punctual), or a sun from above
  *   shading     full (the default): all that materials say; base: base colour and Lambert's law
  *   ambient     0..1
  *   exposure    of full shading, in EV, -20..20

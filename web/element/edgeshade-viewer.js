@@ -236,8 +236,8 @@ export class EdgeshadeViewer extends HTMLElement {
     await nextFrame();
     this.#doneLoading();
     for (const warning of scene.warnings.slice(0, 2)) this.say(warning);
-    const { name, triangles, fileBytes, warnings, variants } = scene;
-    const detail = { name, triangles, fileBytes, warnings, variants, milliseconds,
+    const { name, triangles, fileBytes, warnings, variants, cameras } = scene;
+    const detail = { name, triangles, fileBytes, warnings, variants, cameras, milliseconds,
       source: source.given ?? null, totalMilliseconds: performance.now() - clicked };
     this.#loop.wake();
     this.#tell('load', detail);

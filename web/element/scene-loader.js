@@ -12,7 +12,7 @@ export class SceneLoader {
   /**
    * `source`: {url} or {name, files: [{path, blob}]}. `variant`: of its materials, '' for the file's
    * own. `onProgress` is called with a stage and a fraction of it. Resolves with {name, bytes,
-   * triangles, warnings, variants, milliseconds}.
+   * triangles, warnings, variants, cameras, milliseconds}.
    */
   async load(source, variant, onProgress) {
     this.cancel();

@@ -74,6 +74,7 @@ async function read({ module, source, variant }) {
     triangles: reader.triangles(),
     warnings: JSON.parse(reader.warnings()),
     variants: JSON.parse(reader.variants()).filter(Boolean),
+    cameras: JSON.parse(reader.cameras()),
     milliseconds: stages.milliseconds,
   };
   postMessage({ scene }, [bytes.buffer]);

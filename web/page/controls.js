@@ -1,5 +1,6 @@
 // The panel's controls, kept equal to the viewer's state in both directions.
 
+import { aimed, isSun, kindOf, placeOf } from './lights.js';
 import { anglesOf, directionOf } from './sun.js';
 
 const mapSizes = [256, 512, 1024, 2048, 4096];
@@ -53,9 +54,8 @@ function showLights(state, choose) {
     box.append(chip);
   }
   [...box.children].forEach((chip, index) => {
-    const kind = state.lights[index][3] === 0 ? 'sun' : 'point light';
     chip.setAttribute('aria-pressed', String(index === state.chosen_light));
-    chip.setAttribute('aria-label', `Light ${index + 1}, ${kind}`);
+    chip.setAttribute('aria-label', `Light ${index + 1}, ${kindOf(state.lights[index])}`);
   });
 }
 
@@ -69,7 +69,8 @@ export function connectControls(viewer) {
 
   const aimSun = () => {
     const { lights, chosen_light: chosen } = viewer.state;
-    lights[chosen] = [...directionOf(Number($('azimuth').value), Number($('elevation').value)), 0];
+    lights[chosen] = aimed(lights[chosen],
+      directionOf(Number($('azimuth').value), Number($('elevation').value)));
     viewer.change({ lights });
   };
   const show = {
@@ -104,12 +105,12 @@ export function connectControls(viewer) {
     setDisabled(false);
     showLights(state, (index) => viewer.change({ chosen_light: index }));
     const light = state.lights[state.chosen_light];
-    const isSun = light[3] === 0;
-    show.kind(isSun ? 'sun' : 'point');
-    $('sun-direction').hidden = !isSun;
-    $('point-hint').hidden = isSun;
-    if (isSun) {
-      const { azimuth, elevation } = anglesOf(light);
+    const sun = isSun(light);
+    show.kind(sun ? 'sun' : 'point');
+    $('sun-direction').hidden = !sun;
+    $('point-hint').hidden = sun;
+    if (sun) {
+      const { azimuth, elevation } = anglesOf(placeOf(light));
       show.azimuth(azimuth);
       show.elevation(elevation);
     }

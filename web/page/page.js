@@ -1,6 +1,7 @@
 // The page around the element: panel, files, address bar.
 
 import { keys, sizeText } from '../element/edgeshade-viewer.js';
+import { connectCameras } from './cameras.js';
 import { connectControls } from './controls.js';
 import { connectDivider } from './divider.js';
 import { acceptFiles } from './drop.js';
@@ -19,6 +20,7 @@ let model = null; // what is shown: {url} or {file}
 let loaded = null; // the detail of its load
 let wantedForFile = null; // {file, changes}: an address that names a file on the user's device
 
+connectCameras(viewer, $('cameras'), $('camera'));
 connectVariants(viewer, $('variants'), $('variant'));
 const refreshControls = connectControls(viewer);
 const refreshDivider = connectDivider(viewer, $('divider'));

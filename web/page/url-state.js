@@ -2,6 +2,8 @@
 
 const short = (value) => String(Number(Number(value).toPrecision(7)));
 const list = (values) => values.map(short).join(',');
+const inShort = (key, value) => (typeof value === 'number' ? Number(short(value)) : value);
+const lightText = (light) => (Array.isArray(light) ? list(light) : JSON.stringify(light, inShort));
 
 /** The part of the address after "#". `model`: {url} or {file}, with or without {variant}; or null. */
 export function hashOf(model, state) {
@@ -11,7 +13,7 @@ export function hashOf(model, state) {
   if (model?.file) put('file', model.file);
   if (model?.variant) put('variant', model.variant);
   put('camera', list([...state.camera.from, ...state.camera.to, state.camera.fov]));
-  put('light', state.lights.map((light) => list(light)).join(';'));
+  put('light', state.lights.map(lightText).join(';'));
   if (state.chosen_light) put('chosen', state.chosen_light);
   if (state.shading !== 'full') put('shading', state.shading);
   put('ambient', short(state.ambient));
@@ -39,6 +41,17 @@ function numbers(text, key, ...counts) {
     throw new Error(`The address's '${key}' is '${text.slice(0, 60)}', which is no list of ` +
       `${counts.join(' or ')} numbers; the view starts without it.`);
   return values;
+}
+
+/** x,y,z,w with or without a range, or a light by names, as JSON; what they say the viewer checks. */
+function lightOf(text) {
+  if (!text.trimStart().startsWith('{')) return numbers(text, 'light', 4, 5);
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new Error(`The address's 'light' is '${text.slice(0, 60)}', which is no JSON; the view ` +
+      'starts without it.');
+  }
 }
 
 function sideOf(words, prefix, shadows) {
@@ -73,7 +86,7 @@ export function readHash(hash) {
     changes.camera = { from: [fx, fy, fz], to: [tx, ty, tz], fov };
   });
   take('light', (text) => {
-    changes.lights = text.split(';').map((light) => numbers(light, 'light', 4, 5));
+    changes.lights = text.split(';').map(lightOf);
   });
   take('chosen', (text) => { changes.chosen_light = one('chosen')(text); });
   take('shading', (text) => { changes.shading = text; });

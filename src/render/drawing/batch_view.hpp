@@ -12,7 +12,8 @@ struct BatchView {
     glm::mat4 clipFromObject{1.0f};
     glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
     glm::mat3 normalFromObject{1.0f};
-    glm::mat4 mapFromObject{1.0f}; ///< see ShadowMapView, LightTiles; used where there is a map
+    glm::mat4 mapFromObject{1.0f};  ///< see ShadowMapView, LightTiles; used where there is a map
+    glm::mat4 coneFromObject{1.0f}; ///< see coneFromWorld(); used where the light is a spot
     /// Its chunks' triangles for a primitive map's light; null where there is none.
     const std::vector<SidedChunk>* sided = nullptr;
     bool mirrored = false;

@@ -5,11 +5,13 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/volumes/stencil_count.hpp"
+#include "src/shadow/geometry/light_cone.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <GLES2/gl2.h>
+#include <numbers>
 
 namespace edgeshade {
 namespace {
@@ -53,6 +55,11 @@ bool isPlain(const RenderSettings& settings) {
     return settings.exposure <= 0.0f && !settings.environment;
 }
 
+bool isPlain(const Light& light) {
+    const glm::vec3& color = light.color;
+    return !light.photometric && color.r == color.g && color.g == color.b && color.r <= 1.0f;
+}
+
 bool anyAnimated(const GpuScene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(),
                        [](const GpuBatch& batch) { return batch.animated && !batch.hidden; });
@@ -78,6 +85,9 @@ void forEachCount(const FramePlan& frame, const FrameView& view, Use use) {
 BatchView viewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                  const DepthSlice& slice, const SurfaceShading& shading) {
     BatchView result = batchViewOf(batch, view, slice);
+    if (shading.light && shading.light->isSpot())
+        result.coneFromObject =
+            glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
     if (shading.map)
         result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
     if (shading.primitives) {
@@ -120,7 +130,9 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
 Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) {
     if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return {};
     LightSum sum{.full = true, .darkens = false};
-    const bool allShort = scene.plain && isPlain(settings_) && view.lights.size() == 1;
+    sum.plainIsShort = view.lights.size() == 1 && isPlain(settings_) &&
+                       isPlain(view.lights.front().light);
+    const bool allShort = scene.plain && sum.plainIsShort;
     if (!allShort && !environment_)
         environment_.emplace(settings_.environment ? *settings_.environment
                                                    : neutralEnvironment());
@@ -394,26 +406,28 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) co
     if (sum_.full) setFull(pass, shading);
     if (!light) return shading;
     shading.light = *light;
+    const float share = (1.0f - shading.ambient) / static_cast<float>(pass.view.lights.size());
+    shading.diffuse = share;
+    if (shading.full) {
+        shading.full->lightColor =
+            light->color * (light->photometric ? std::numbers::inv_pi_v<float> : share);
+        shading.diffuse = shading.full->lightColor.r;
+    }
     shading.withAmbient = sum_.replaces;
     shading.primitives = primitiveMapOf(pass.scene, *light);
     shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;
-    if (!shading.full)
-        shading.diffuse = (1.0f - settings_.ambient) / static_cast<float>(pass.view.lights.size());
     shading.maskValue = 1.0f;
     return shading;
 }
 
 void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
     FullShading& full = shading.full.emplace();
-    full.plainIsShort = sum_.replaces && isPlain(settings_);
+    full.plainIsShort = sum_.plainIsShort;
     full.environment = environment_ ? &*environment_ : nullptr;
     full.linear = sum_.linear;
     full.exposure = std::exp2(settings_.exposure);
     shading.ambient = lightShown(settings_.ambient);
     full.ambientSlope = neutralSlope * shading.ambient;
-    full.lightColor =
-        glm::vec3((1.0f - shading.ambient) / static_cast<float>(pass.view.lights.size()));
-    shading.diffuse = full.lightColor.r;
     full.eye = eyeFrom(pass.view.frustum);
 }
 

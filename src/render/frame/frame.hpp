@@ -109,6 +109,7 @@ class Renderer {
         bool darkens = true;  ///< shadow leaves colours the share that alpha says
         bool replaces = false; ///< the one light is drawn over ambient light
         bool linear = false;  ///< light itself is added up
+        bool plainIsShort = false; ///< see FullShading
     };
 
     LightSum lightSum(const GpuScene& scene, const FrameView& view);

@@ -28,6 +28,19 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
     program.set("u_diffuse", shading.diffuse);
 }
 
+/// See shaders_es2/light_window.glsl. Where the angles are the same the edge is a thousandth wide,
+/// of a narrow cone as of a wide one.
+void setCone(gl::Program& program, const Cone& cone, const BatchView& view) {
+    const auto fromOne = [](double angle) { // 1 - cos(angle), which rounding leaves its digits
+        const double half = std::sin(0.5 * angle);
+        return 2.0 * half * half;
+    };
+    const double outer = fromOne(cone.outer), inner = fromOne(cone.inner);
+    program.set("u_inverseOuter", static_cast<float>(1.0 / outer));
+    program.set("u_coneScale", static_cast<float>(outer / std::max(outer - inner, 1e-3 * outer)));
+    program.set("u_coneFromObject", view.coneFromObject);
+}
+
 void setFullShading(gl::Program& program, const FullShading& full) {
     program.set("u_ambientSlope", full.ambientSlope);
     program.set("u_exposure", full.exposure);
@@ -184,6 +197,8 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
     variant.material = featuresOf(scene, chunk, ambient, derivatives_,
                                   textureUnits_ - unitsOfLookups(shading) - (ambient ? 1 : 0));
     variant.textured = false;
+    variant.falloff =
+        variant.lit && shading.light->photometric && shading.light->position.w != 0.0;
 }
 
 SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
@@ -201,6 +216,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.withAmbient = variant.lit && shading.withAmbient;
     variant.directional = variant.lit && shading.light->position.w == 0.0;
     variant.ranged = variant.lit && shading.light->hasRange();
+    variant.spot = variant.lit && shading.light->isSpot();
     variant.mask = shading.mask;
     variant.sliced = std::isfinite(shading.farthest);
     variant.coarse = shading.coarse != nullptr;
@@ -220,6 +236,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.alphaMode == AlphaMode::mask) defines.push_back("ALPHA_TEST");
     if (variant.alphaMode == AlphaMode::blend) defines.push_back("BLENDED");
     if (variant.material) addDefines(*variant.material, defines);
+    if (variant.falloff) defines.push_back("FALLOFF");
     if (variant.plain) defines.push_back("PLAIN");
     if (variant.linear) defines.push_back("LINEAR");
     if (variant.textured) defines.push_back("TEXTURED");
@@ -228,6 +245,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
     if (variant.directional) defines.push_back("DIRECTIONAL");
     if (variant.ranged) defines.push_back("RANGED");
+    if (variant.spot) defines.push_back("SPOT");
     if (variant.mask) defines.push_back("MASK");
     if (variant.sliced) defines.push_back("SLICED");
     if (variant.map) {
@@ -288,6 +306,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     gl::Program& used = program(variant);
     used.use();
     setShading(used, shading, eye);
+    if (variant.spot) setCone(used, *shading.light->cone, view);
     if (shading.map) setMap(used, *shading.map, view, casts);
     if (shading.primitives)
         setPrimitiveMap(used, *shading.primitives, view, sided ? sided->lightSide : 0.0f);

@@ -87,9 +87,11 @@ class SurfacePass {
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
+        bool falloff;      ///< lit by a light that falls off with the square of the distance
         bool withAmbient;  ///< with ambient light, too
         bool directional;  ///< lit by a light of one direction
         bool ranged;       ///< lit by a light that doesn't reach everywhere
+        bool spot;         ///< lit by a light with a cone
         bool mask;         ///< draws the lit mask
         bool sliced;       ///< has a farthest depth
         bool coarse;       ///< looks up a mask of lower resolution
@@ -99,7 +101,7 @@ class SurfacePass {
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, plain, linear, textured, colored,
-                            lit, withAmbient, directional, ranged, mask, sliced, coarse, planes,
+                            lit, falloff, withAmbient, directional, ranged, spot, mask, sliced, coarse, planes,
                             orthographic, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }

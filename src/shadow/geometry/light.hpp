@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 namespace edgeshade {
 
@@ -14,6 +16,15 @@ inline constexpr std::size_t mostLights = 32;
 /// Throws Error(usage) for more than those.
 void requireFewLights(std::size_t lights);
 
+/// What a spot light lights: the rays within an angle around its axis (KHR_lights_punctual).
+/// Between the two angles its light falls off by the square of how far the cosine is between
+/// theirs.
+struct Cone {
+    glm::dvec3 axis{0.0, 0.0, -1.0};       ///< where it shines, in the world; of length 1
+    double inner = 0.0;                    ///< radians, 0 <= inner <= outer: all of it within
+    double outer = std::numbers::pi / 4.0; ///< radians, 0 < outer <= pi/2: nothing from there on
+};
+
 /// A light in the world (docs/method.md, Terms): w = 1, a point light at xyz; w = 0, a directional
 /// light, xyz pointing towards it.
 struct Light {
@@ -22,8 +33,20 @@ struct Light {
     /// by max(1 - (d / range)^4, 0), the window that KHR_lights_punctual recommends. Directional
     /// lights have none.
     double range = std::numeric_limits<double>::infinity();
+    glm::vec3 color{1.0f};      ///< linear, times intensity; 1: as bright as a light is by itself
+    /// `color` is in candela, of which a point light leaves the square of the distance's share, or
+    /// in lux of a directional light; else it is a share of what a picture's lights have together.
+    bool photometric = false;
+    std::optional<Cone> cone{}; ///< of a point light that is a spot; nothing: it shines everywhere
 
     bool hasRange() const { return position.w != 0.0 && std::isfinite(range); }
+    bool isSpot() const { return position.w != 0.0 && cone.has_value(); }
+    /// The same light elsewhere.
+    Light at(const glm::dvec4& place) const {
+        Light moved = *this;
+        moved.position = place;
+        return moved;
+    }
 };
 
 /// A directional light that suits any scene, high and from the side.

@@ -1,6 +1,8 @@
 #include "src/shadow/geometry/light_reach.hpp"
 
+#include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/interval.hpp"
+#include "src/shadow/geometry/light_cone.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +58,66 @@ PixelRectangle pixelsOf(const Slopes& slopes, const FrameView& view) {
     return {x, y, width, height};
 }
 
+/// The pixels around a ball between two depths.
+PixelRectangle pixelsAround(const Ball& ball, const Interval& depths, const FrameView& view) {
+    const glm::dvec3 center(view.frustum.viewFromWorld * glm::dvec4(ball.center, 1.0));
+    const double depth = -center.z, radius = ball.radius;
+    if (depth + radius < depths.low || depth - radius > depths.high) return {};
+    if (view.frustum.orthographic)
+        return pixelsOf(
+            {{center.x - radius, center.x + radius}, {center.y - radius, center.y + radius}}, view);
+    return pixelsOf({slopesOver(center.x, depth, radius, depths.low),
+                     slopesOver(center.y, depth, radius, depths.low)},
+                    view);
+}
+
+/// The pixels around what the corners are the hull of, between two depths. A line between any two
+/// corners is in the hull, and all of its edges are among them.
+PixelRectangle pixelsAround(const std::array<glm::dvec3, 9>& corners, const Interval& depths,
+                            const FrameView& view) {
+    const bool orthographic = view.frustum.orthographic;
+    std::array<glm::dvec3, 9> seen;
+    std::transform(corners.begin(), corners.end(), seen.begin(), [&](const glm::dvec3& corner) {
+        return glm::dvec3(view.frustum.viewFromWorld * glm::dvec4(corner, 1.0));
+    });
+    Slopes slopes;
+    const auto add = [&](const glm::dvec3& point) {
+        const double scale = orthographic ? 1.0 : -point.z;
+        slopes.right.add(point.x / scale);
+        slopes.up.add(point.y / scale);
+    };
+    for (const glm::dvec3& a : seen) {
+        if (depths.low <= -a.z && -a.z <= depths.high) add(a);
+        for (const glm::dvec3& b : seen)
+            for (const double depth : {depths.low, depths.high})
+                if (-a.z < depth && depth < -b.z) add(a + (b - a) * ((depth + a.z) / (a.z - b.z)));
+    }
+    if (slopes.right.low > slopes.right.high) return {};
+    return pixelsOf(slopes, view);
+}
+
+/// How far from the light a spot can light what is visible; infinite where nothing says.
+double reachOf(const FrameView& view, const Light& spot) {
+    double reach = spot.hasRange() ? spot.range : std::numeric_limits<double>::infinity();
+    if (view.visible.empty()) return reach;
+    double farthest = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+        farthest = std::max(farthest,
+                            glm::distance(view.visible.corner(corner), glm::dvec3(spot.position)));
+    return std::min(reach, farthest);
+}
+
+PixelRectangle spotReach(const FrameView& view, const Interval& depths, const Light& spot) {
+    const auto misses = [&](const glm::dvec4& plane) { return isOutside(view.visible, plane); };
+    const std::vector<glm::dvec4> planes = planesAround(spot);
+    if (!view.visible.empty() && std::any_of(planes.begin(), planes.end(), misses)) return {};
+    const double reach = reachOf(view, spot);
+    if (!std::isfinite(reach)) return {0, 0, view.width, view.height};
+    const PixelRectangle pixels = pixelsAround(ballAround(spot, reach), depths, view);
+    if (!hasPyramid(spot)) return pixels;
+    return intersection(pixels, pixelsAround(pyramidAround(spot, reach), depths, view));
+}
+
 } // namespace
 
 PixelRectangle visiblePixels(const FrameView& view) {
@@ -64,17 +126,10 @@ PixelRectangle visiblePixels(const FrameView& view) {
 }
 
 PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light) {
+    const Interval depths{slice.near, std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3)};
+    if (light.isSpot()) return spotReach(view, depths, light);
     if (!light.hasRange()) return {0, 0, view.width, view.height};
-    const glm::dvec3 center(view.frustum.viewFromWorld * light.position);
-    const double depth = -center.z, radius = widening * light.range;
-    const double farthest = std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
-    if (depth + radius < slice.near || depth - radius > farthest) return {};
-    if (view.frustum.orthographic)
-        return pixelsOf(
-            {{center.x - radius, center.x + radius}, {center.y - radius, center.y + radius}}, view);
-    return pixelsOf({slopesOver(center.x, depth, radius, slice.near),
-                     slopesOver(center.y, depth, radius, slice.near)},
-                    view);
+    return pixelsAround(Ball{glm::dvec3(light.position), widening * light.range}, depths, view);
 }
 
 PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,

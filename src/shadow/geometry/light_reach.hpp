@@ -10,8 +10,9 @@ namespace edgeshade {
 PixelRectangle visiblePixels(const FrameView& view);
 
 /// The pixels that a light can reach in a slice of the view: those around the part of its ball that
-/// is between the slice's near plane and the farthest that is visible there. Conservative by a
-/// pixel; empty where there is none; the whole picture for a light without a range.
+/// is between the slice's near plane and the farthest that is visible there, and around its cone.
+/// Conservative by a pixel; empty where there is none; the whole picture for a light without a
+/// range and without a cone.
 PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light);
 
 /// The same rectangle in a picture of `size`, which shows what the view's does: whole pixels, and a

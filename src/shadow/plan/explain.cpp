@@ -56,9 +56,11 @@ const char* wordsFor(LeftOut::Why why) {
     case LeftOut::Why::tooDeep:
         return "their volumes begin behind all that is visible";
     case LeftOut::Why::tooFar:
+        return "they are out of the light's range";
+    case LeftOut::Why::outsideCone:
         break;
     }
-    return "they are out of the light's range";
+    return "they are beside the light's cone";
 }
 
 std::string placeOf(const Light& light) {

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
+#include "src/shadow/geometry/light_cone.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 
 #include <algorithm>
@@ -180,6 +181,8 @@ std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanV
         if (isVolumeOutside(cluster.bounds, view.planes[i], view.light))
             return i + 1 == view.planes.size() ? LeftOut::Why::tooDeep : LeftOut::Why::outsideView;
     if (isBeyond(cluster.bounds, glm::dvec3(view.light), view.range)) return LeftOut::Why::tooFar;
+    for (const glm::dvec4& plane : view.cone)
+        if (isOutside(cluster.bounds, plane)) return LeftOut::Why::outsideCone;
     return std::nullopt;
 }
 
@@ -246,6 +249,9 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     result.rounding = dotRounding(mantissaBits);
     result.light = glm::inverse(worldFromBatch) * light.position;
     if (light.hasRange()) result.range = rangeInObject(light.range, worldFromBatch);
+    if (light.isSpot())
+        for (const glm::dvec4& plane : planesAround(light))
+            result.cone.push_back(glm::transpose(worldFromBatch) * plane);
     result.eye = view.frustum.orthographic ? batchFromView[2] : batchFromView[3];
     result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
     result.fromNearest = {rectangleAt(view.near(), view, batchFromView), result.light};

@@ -52,6 +52,7 @@ struct LeftOut {
         outsideView, ///< their volumes miss it
         tooDeep,     ///< they begin behind everything that is visible
         tooFar,      ///< out of the light's range
+        outsideCone, ///< beside the light's cone
     };
     RecordRange clusters;
     Why why = Why::outsideView;
@@ -70,6 +71,7 @@ struct VolumePlan {
 struct PlanView {
     glm::dvec4 light;
     double range = std::numeric_limits<double>::infinity(); ///< of the light; see rangeInObject()
+    std::vector<glm::dvec4> cone; ///< of a spot: planes around what it lights; see planesAround()
     glm::dvec4 eye; ///< where the picture's rays come from; at infinity (w = 0) if orthographic
     NearClipVolume fromNear;      ///< from the slice's near plane to the light
     NearClipVolume fromNearest;   ///< from the nearest near plane to the light
@@ -90,7 +92,8 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
 glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 
 /// Decides how each cluster is drawn, if at all. A pure function:
-/// - not at all where it is out of the light's range, or its volume, the cluster's box away from
+/// - not at all where it is out of the light's range or cone, or its volume, the cluster's box away
+/// from
 ///   the light, certainly misses the view or begins behind everything visible;
 /// - without caps, before surfaces (z-pass), where every point of the near rectangle is within the
 ///   same number of its volumes: none where the hull of rectangle and light is apart from all of

@@ -1,0 +1,70 @@
+#include "preprocess/reading/camera_reading.hpp"
+
+#include "preprocess/gltf/optional_items.hpp"
+#include "preprocess/reading/node_parts.hpp"
+#include "preprocess/scene/extremes.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace edgeshade {
+namespace {
+
+/// All but the place.
+SceneCamera lensOf(const JsonField& camera) {
+    SceneCamera read;
+    read.name = nameOf(camera);
+    const std::string type = camera.member("type").oneOf({"perspective", "orthographic"});
+    const JsonField lens = camera.member(type.c_str());
+    read.orthographic = type == "orthographic";
+    if (read.orthographic) {
+        lens.member("xmag").notZero();
+        const JsonField ymag = lens.member("ymag");
+        const double half = std::abs(ymag.notZero());
+        if (half < smallestLength || half > farthestPlace)
+            ymag.fail(" is " + ymag.value().dump() + ", but must be of a size from 1e-12 to 1e12");
+        read.height = 2.0 * half;
+        lens.member("znear").notNegative();
+        lens.member("zfar").positive();
+    } else {
+        const JsonField yfov = lens.member("yfov");
+        read.height = yfov.positive();
+        if (read.height < narrowestAngle || read.height >= std::numbers::pi)
+            yfov.fail(" is " + yfov.value().dump() + ", but must be from 1e-6 to below pi");
+        lens.member("znear").positive();
+        lens.ifPresent("zfar", [](const JsonField& far) { far.positive(); });
+        lens.ifPresent("aspectRatio", [](const JsonField& aspect) { aspect.positive(); });
+    }
+    return read;
+}
+
+} // namespace
+
+std::vector<SceneCamera> readCameras(const GltfDocument& document, const NodeWalk& walk,
+                                     Warnings& warnings) {
+    const JsonField root(document.path, document.json);
+    std::vector<std::optional<SceneCamera>> lenses;
+    forEachSoundItem(
+        root, "cameras", "camera", warnings,
+        [&](const JsonField& camera) {
+            lenses.emplace_back();
+            lenses.back() = lensOf(camera);
+        },
+        [](std::size_t) {});
+    std::vector<SceneCamera> cameras;
+    forEachNode(document, walk, "camera", warnings, [&](const JsonField& node, const auto* placed) {
+        node.ifPresent("camera", [&](const JsonField& reference) {
+            const int index = reference.indexInto(lenses.size(), "cameras");
+            const auto& lens = lenses[static_cast<std::size_t>(index)];
+            if (!placed || !lens) return;
+            SceneCamera camera = *lens;
+            camera.nodeName = nameOf(node);
+            camera.worldFromCamera = rigidPlaceOf(reference, walk.worldFromNode[placed->node]);
+            cameras.push_back(camera);
+        });
+    });
+    return cameras;
+}
+
+} // namespace edgeshade

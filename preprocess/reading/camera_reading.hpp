@@ -1,0 +1,15 @@
+#pragma once
+
+#include "preprocess/gltf/gltf_document.hpp"
+#include "preprocess/reading/node_walk.hpp"
+#include "preprocess/scene/scene_camera.hpp"
+
+namespace edgeshade {
+
+/// The cameras that the scene's nodes place, in the order of the walk. What is broken of cameras,
+/// and of nodes that refer to them, gets a warning and is left out. Hidden nodes place cameras, too
+/// (KHR_node_visibility). Safe on untrusted input.
+std::vector<SceneCamera> readCameras(const GltfDocument& document, const NodeWalk& walk,
+                                     Warnings& warnings);
+
+} // namespace edgeshade

@@ -1,0 +1,109 @@
+#include "preprocess/reading/light_reading.hpp"
+
+#include "preprocess/gltf/optional_items.hpp"
+#include "preprocess/reading/node_parts.hpp"
+#include "preprocess/scene/extremes.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+
+namespace edgeshade {
+namespace {
+
+constexpr const char* extensionName = "KHR_lights_punctual";
+constexpr double rightAngle = std::numbers::pi / 2.0;
+
+SceneLight::Kind kindOf(const JsonField& light) {
+    const std::string type = light.member("type").oneOf({"directional", "point", "spot"});
+    if (type == "directional") return SceneLight::Kind::directional;
+    return type == "spot" ? SceneLight::Kind::spot : SceneLight::Kind::point;
+}
+
+glm::dvec3 colorOf(const JsonField& field) {
+    field.numbers(3);
+    glm::dvec3 color;
+    for (glm::length_t i = 0; i < 3; ++i)
+        color[i] = numberIn(field.item(static_cast<std::size_t>(i)), 0.0, brightestLight);
+    return color;
+}
+
+/// An angle that floats may have rounded to a little more than a right one.
+void readCone(const JsonField& spot, SceneLight& light) {
+    light.outerCone = std::numbers::pi / 4.0;
+    spot.ifPresent("innerConeAngle",
+                   [&](const JsonField& inner) { light.innerCone = inner.notNegative(); });
+    spot.ifPresent("outerConeAngle", [&](const JsonField& outer) {
+        light.outerCone = outer.positive();
+        if (light.outerCone < narrowestAngle || light.outerCone > rightAngle + 1e-6)
+            outer.fail(" is " + outer.value().dump() + ", but must be from 1e-6 to pi / 2");
+        light.outerCone = std::min(light.outerCone, rightAngle);
+    });
+    if (light.innerCone > light.outerCone + 1e-6)
+        spot.fail(".innerConeAngle is larger than its outerConeAngle");
+    light.innerCone = std::min(light.innerCone, light.outerCone);
+}
+
+/// All but the place.
+SceneLight lampOf(const JsonField& light) {
+    SceneLight read;
+    read.kind = kindOf(light);
+    read.name = nameOf(light);
+    light.ifPresent("color", [&](const JsonField& color) { read.color = colorOf(color); });
+    light.ifPresent("intensity", [&](const JsonField& intensity) {
+        read.intensity = intensity.notNegative();
+        const glm::dvec3 product = read.intensity * read.color;
+        if (!(std::max({product.r, product.g, product.b}) <= brightestLight))
+            intensity.fail(" is " + intensity.value().dump() + ", which is brighter than 1e12");
+    });
+    light.ifPresent("range", [&](const JsonField& range) {
+        const double value = range.positive();
+        if (value < smallestLength)
+            range.fail(" is " + range.value().dump() + ", but must be at least 1e-12");
+        const bool ends = read.kind != SceneLight::Kind::directional && value <= farthestPlace;
+        if (ends) read.range = value;
+    });
+    if (read.kind == SceneLight::Kind::spot) readCone(light.member("spot"), read);
+    return read;
+}
+
+void place(SceneLight& light, const JsonField& reference, const glm::dmat4& worldFromNode) {
+    light.position = placeOf(reference, worldFromNode);
+    if (light.kind != SceneLight::Kind::point)
+        light.direction = -glm::dvec3(rigidPlaceOf(reference, worldFromNode)[2]);
+}
+
+} // namespace
+
+std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk& walk,
+                                   Warnings& warnings) {
+    const JsonField root(document.path, document.json);
+    std::vector<std::optional<SceneLight>> lamps;
+    root.ifExtension(extensionName, [&](const JsonField& extension) {
+        if (!readOrWarn(warnings, "the lights are left out", [&] { extension.requireObject(); }))
+            return;
+        forEachSoundItem(
+            extension, "lights", "light", warnings,
+            [&](const JsonField& light) {
+                lamps.emplace_back();
+                lamps.back() = lampOf(light);
+            },
+            [](std::size_t) {});
+    });
+    std::vector<SceneLight> lights;
+    forEachNode(document, walk, "light", warnings, [&](const JsonField& node, const auto* placed) {
+        node.ifExtension(extensionName, [&](const JsonField& extension) {
+            const JsonField reference = extension.member("light");
+            const int index = reference.indexInto(lamps.size(), "lights");
+            const auto& lamp = lamps[static_cast<std::size_t>(index)];
+            if (!placed || !placed->visible || !lamp) return;
+            SceneLight light = *lamp;
+            light.nodeName = nameOf(node);
+            place(light, reference, walk.worldFromNode[placed->node]);
+            lights.push_back(light);
+        });
+    });
+    return lights;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,40 @@
+#include "preprocess/reading/node_parts.hpp"
+
+#include "preprocess/scene/extremes.hpp"
+#include "preprocess/scene/node_transform.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+
+std::string nameOf(const JsonField& object) {
+    const auto name = object.find("name");
+    return name && name->value().is_string() ? name->text() : "";
+}
+
+double numberIn(const JsonField& number, double least, double most) {
+    const double value = number.number();
+    if (!(least <= value && value <= most))
+        number.fail(" is " + number.value().dump() + ", but must be from " +
+                    JsonField::Json(least).dump() + " to " + JsonField::Json(most).dump());
+    return value;
+}
+
+glm::dvec3 placeOf(const JsonField& reference, const glm::dmat4& worldFromNode) {
+    const glm::dvec3 place(worldFromNode[3]);
+    const double farthest = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+    if (!(farthest <= farthestPlace))
+        reference.fail(" is placed farther than 1e12 from the origin");
+    return place;
+}
+
+glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode) {
+    const auto turn = turnOf(worldFromNode);
+    if (!turn) reference.fail(" is placed by a node that is scaled to nothing");
+    glm::dmat4 rigid(*turn);
+    rigid[3] = glm::dvec4(placeOf(reference, worldFromNode), 1.0);
+    return rigid;
+}
+
+} // namespace edgeshade

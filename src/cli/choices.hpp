@@ -1,0 +1,39 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace edgeshade::cli {
+
+/// The words that an option takes, in the order in which help and messages list them.
+template <class Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+/// The choices' words with `separator` between them.
+template <class Value>
+std::string wordsOf(const Choices<Value>& choices, const std::string& separator) {
+    std::string words;
+    for (const auto& choice : choices)
+        words += (words.empty() ? "" : separator) + choice.first;
+    return words;
+}
+
+/// Adds an option whose value is one of a few words, and nothing else: CLI11's own transformer
+/// takes the numbers behind them too. `value`, a Value or an optional one, must outlive parsing.
+template <class Target, class Value = Target>
+void addChoice(CLI::App& verb, const std::string& option, Target& value,
+               const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
+    const auto use = [option, &value, choices](const std::string& text) {
+        for (const auto& [word, meaning] : choices)
+            if (word == text) {
+                value = meaning;
+                return;
+            }
+        throw CLI::ValidationError(option, "'" + text + "' is none of " + wordsOf(choices, ", "));
+    };
+    verb.add_option_function<std::string>(option, use, help)->type_name(wordsOf(choices, "|"));
+}
+
+} // namespace edgeshade::cli

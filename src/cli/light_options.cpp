@@ -1,0 +1,112 @@
+#include "src/cli/light_options.hpp"
+
+#include "preprocess/scene/extremes.hpp"
+#include "src/cli/choices.hpp"
+#include "src/cli/number_text.hpp"
+#include "src/scene/srgb.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace edgeshade::cli {
+namespace {
+
+/// "#rrggbb", linear.
+glm::vec3 colorFrom(const std::string& text, const std::string& option) {
+    glm::vec3 srgb(0.0f);
+    bool sound = text.size() == 7 && text[0] == '#';
+    for (std::size_t i = 0; sound && i < 3; ++i) {
+        unsigned byte = 0;
+        const char* const end = text.data() + 3 + 2 * i;
+        const auto result = std::from_chars(end - 2, end, byte, 16);
+        sound = result.ec == std::errc() && result.ptr == end;
+        srgb[static_cast<glm::length_t>(i)] = static_cast<float>(byte) / 255.0f;
+    }
+    if (!sound) throw CLI::ValidationError(option, "'" + text + "' is no colour #rrggbb");
+    return linearFromSrgb(srgb);
+}
+
+double intensityFrom(const std::string& text, const std::string& option) {
+    const double intensity = numberFrom(text, option);
+    if (intensity < 0.0) throw CLI::ValidationError(option, "'" + text + "' is below 0");
+    if (intensity > brightestLight)
+        throw CLI::ValidationError(option, "'" + text + "' is brighter than 1e12");
+    return intensity;
+}
+
+/// What stands between colons; the last part takes all that is left.
+std::vector<std::string> partsOf(const std::string& text, std::size_t most) {
+    std::vector<std::string> parts;
+    std::size_t start = 0;
+    while (parts.size() + 1 < most) {
+        const std::size_t colon = text.find(':', start);
+        if (colon == std::string::npos) break;
+        parts.push_back(text.substr(start, colon - start));
+        start = colon + 1;
+    }
+    parts.push_back(text.substr(start));
+    return parts;
+}
+
+} // namespace
+
+Light lightFrom(const std::string& text, const std::string& option, double w) {
+    const std::vector<std::string> parts = partsOf(text, 3);
+    Light light;
+    light.position = glm::dvec4(vectorFrom(parts[0], option), w);
+    if (light.position == glm::dvec4(0.0))
+        throw CLI::ValidationError(option, "'" + text + "' is no direction");
+    if (parts.size() > 1) light.color = colorFrom(parts[1], option);
+    if (parts.size() > 2) {
+        light.color *= static_cast<float>(intensityFrom(parts[2], option));
+        light.photometric = true;
+    }
+    return light;
+}
+
+void addLightOptions(CLI::App& verb, LightOptions& options) {
+    // One callback an occurrence keeps points and suns in the order in which they were typed.
+    const auto addLights = [&](const std::string& name, double w, const std::string& help) {
+        verb.add_option_function<std::vector<std::string>>(
+                name,
+                [&options, name, w](const std::vector<std::string>& texts) {
+                    for (const std::string& text : texts) {
+                        options.typed.push_back(lightFrom(text, name, w));
+                        requireFewLights(options.typed.size());
+                    }
+                },
+                help)
+            ->type_name("X,Y,Z[:#RRGGBB[:INTENSITY]]")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+            ->trigger_on_parse();
+    };
+    addLights("--light", 1.0,
+              "A point light, perhaps with a colour and candela, with which it falls off with the "
+              "square of the distance; may be repeated (the file's lights, or a sun from above)");
+    addLights("--sun", 0.0,
+              "A directional light, the direction towards it, perhaps with a colour and lux; may "
+              "be repeated");
+    addChoice(verb, "--lights", options.choice,
+              {{"file", LightChoice::file}, {"default", LightChoice::fallback}},
+              "Whose lights there are where none are typed: the file's if it has some, or a sun "
+              "from above (file)");
+    for (const char* typed : {"--light", "--sun"})
+        verb.get_option("--lights")->excludes(verb.get_option(typed));
+    // Not parsed before all lights are: theirs are.
+    verb.add_option_function<std::string>(
+            "--light-range",
+            [&](const std::string& text) {
+                const double range = numberFrom(text, "--light-range");
+                if (range <= 0.0)
+                    throw CLI::ValidationError("--light-range", "'" + text + "' is not above 0");
+                for (Light& light : options.typed)
+                    if (light.position.w != 0.0) light.range = range;
+            },
+            "How far the point lights reach, in scene units; what is farther away gets nothing of "
+            "them (everywhere)")
+        ->type_name("R")
+        ->needs(verb.get_option("--light"));
+}
+
+} // namespace edgeshade::cli

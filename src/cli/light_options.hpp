@@ -1,0 +1,30 @@
+#pragma once
+
+#include "src/shadow/geometry/light.hpp"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <vector>
+
+namespace edgeshade::cli {
+
+/// Whose lights a picture has where none were typed.
+enum class LightChoice {
+    file,     ///< the file's; where it has none, as `fallback`
+    fallback, ///< defaultLight()
+};
+
+/// `--light`, `--sun`, `--light-range` and `--lights`.
+struct LightOptions {
+    std::vector<Light> typed; ///< in the order in which they were typed
+    std::optional<LightChoice> choice;
+};
+
+/// Adds the options to a verb; `options` must outlive parsing.
+void addLightOptions(CLI::App& verb, LightOptions& options);
+
+/// "X,Y,Z[:COLOR[:INTENSITY]]". `w`: 1 of a point light, 0 of a directional light. Throws
+/// CLI::ValidationError that names the option.
+Light lightFrom(const std::string& text, const std::string& option, double w);
+
+} // namespace edgeshade::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+
+namespace edgeshade::cli {
+
+/// A finite number that is the whole text. These throw CLI::ValidationError that names the option.
+double numberFrom(std::string_view text, const std::string& option);
+
+/// So many finite numbers with commas in between. `form`: what the text should be.
+template <std::size_t count>
+std::array<double, count> numbersFrom(const std::string& text, const std::string& option,
+                                      const std::string& form) {
+    std::array<double, count> numbers;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t comma = text.find(',', start);
+        if ((comma == std::string::npos) != (i + 1 == count))
+            throw CLI::ValidationError(option, "'" + text + "' is not " + form);
+        numbers[i] = numberFrom(std::string_view(text).substr(start, comma - start), option);
+        start = comma + 1;
+    }
+    return numbers;
+}
+
+/// "x,y,z".
+glm::dvec3 vectorFrom(const std::string& text, const std::string& option);
+
+} // namespace edgeshade::cli

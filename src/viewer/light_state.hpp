@@ -1,0 +1,23 @@
+#pragma once
+
+#include "src/shadow/geometry/light.hpp"
+#include "src/viewer/state_field.hpp"
+
+namespace edgeshade::viewer {
+
+/// A light of a view's state: [x, y, z, w], of a point light perhaps with a range as a fifth
+/// number, or with names:
+/// {"position": [x,y,z] of a point light, or "direction": [x,y,z] towards a directional light,
+///  "color": [r,g,b] linear, "intensity": candela or lux, "range": of a point light,
+///  "cone": {"axis": [x,y,z], where a spot shines, "inner": deg, "outer": deg}}
+/// All but the place may be missing. A point light with an intensity falls off with the square of
+/// the distance. Throws Error(usage) that names the field and its value.
+Light lightFrom(const Field& field);
+
+/// As an array if that says all of it, else by names.
+nlohmann::ordered_json toJson(const Light& light);
+
+/// By names.
+nlohmann::ordered_json namedJson(const Light& light);
+
+} // namespace edgeshade::viewer

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/scene/extremes.hpp"
+
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+namespace edgeshade::viewer {
+
+template <class Value, std::size_t N>
+using Words = std::array<std::pair<const char*, Value>, N>;
+
+/// A value of the state and its name, for messages.
+class Field {
+  public:
+    using Json = nlohmann::ordered_json;
+
+    Field(std::string name, const nlohmann::ordered_json& value)
+        : name_(std::move(name)), value_(value) {}
+
+    [[noreturn]] void fail(const std::string& wanted) const {
+        throw Error(ExitStatus::usage, name_ + " is " + text() + ", but must be " + wanted + ".");
+    }
+
+    /// Calls read(key, Field) for every member; it returns false for a key that it doesn't know.
+    template <class Read>
+    void forEachMember(Read read) const {
+        if (!value_.is_object()) fail("an object");
+        for (const auto& [key, value] : value_.items()) {
+            const Field member(name_ == rootName ? key : name_ + "." + key, value);
+            if (!read(key, member))
+                throw Error(ExitStatus::usage, "There is no '" + member.name_ +
+                                                   "' in a view's state (its value is " +
+                                                   member.text() + ").");
+        }
+    }
+
+    /// Calls read(Field) for every item.
+    template <class Read>
+    void forEachItem(Read read) const {
+        for (std::size_t i = 0; i < value_.size(); ++i)
+            read(Field(name_ + "[" + std::to_string(i) + "]", value_[i]));
+    }
+
+    std::size_t arraySize() const { return value_.is_array() ? value_.size() : 0; }
+
+    bool isObject() const { return value_.is_object(); }
+
+    double number(double low, double high) const {
+        const double number = value_.is_number() ? value_.get<double>() : NAN;
+        if (!(number >= low && number <= high)) // false for what is no number too
+            fail("a number from " + Json(low).dump() + " to " + Json(high).dump());
+        return number;
+    }
+
+    int integer(int low, int high) const {
+        const double asNumber = number(low, high);
+        if (asNumber != std::floor(asNumber)) fail("a whole number");
+        return static_cast<int>(asNumber);
+    }
+
+    bool boolean() const {
+        if (!value_.is_boolean()) fail("true or false");
+        return value_.get<bool>();
+    }
+
+    template <class Value, std::size_t N>
+    Value oneOf(const Words<Value, N>& words) const {
+        std::string all;
+        for (const auto& [word, meaning] : words) {
+            if (value_ == word) return meaning;
+            all += (all.empty() ? "" : ", ") + std::string(word);
+        }
+        fail("one of " + all);
+    }
+
+    template <int N>
+    glm::vec<N, double> place(double low = -farthestPlace, double high = farthestPlace) const {
+        if (arraySize() != N) fail("an array of " + std::to_string(N) + " numbers");
+        glm::vec<N, double> result;
+        glm::length_t i = 0;
+        forEachItem([&](const Field& item) { result[i++] = item.number(low, high); });
+        return result;
+    }
+
+    static constexpr const char* rootName = "the view's state";
+
+  private:
+    std::string text() const {
+        if (value_.is_number_float() && !std::isfinite(value_.get<double>())) return "not finite";
+        constexpr std::size_t longest = 60;
+        std::string text = value_.dump(-1, ' ', true, Json::error_handler_t::replace);
+        if (text.size() > longest) text = text.substr(0, longest) + "...";
+        return text;
+    }
+
+    std::string name_;
+    const Json& value_;
+};
+
+} // namespace edgeshade::viewer
