@@ -3,6 +3,7 @@
 #include "environment_layout.glsl"
 
 uniform mediump sampler2D u_environment; // lowp, the default, might lose the last bit of a byte
+uniform float u_environmentRoot;              // the square root of the largest radiance in it
 uniform vec3 u_environmentSh[9];
 
 // What a white Lambert surface sends back: irradiance / pi.
@@ -39,7 +40,7 @@ vec3 environmentLevel(vec2 at, float level) {
     vec3 tile = environmentTile(level);
     vec2 texel = tile.xy + vec2(1.0) + (at * 0.5 + vec2(0.5)) * (tile.z - 2.0);
     vec4 stored = texture2D(u_environment, texel / vec2(ENVIRONMENT_WIDTH, ENVIRONMENT_HEIGHT));
-    vec3 root = stored.rgb * (stored.a * ENVIRONMENT_LARGEST_ROOT);
+    vec3 root = stored.rgb * (stored.a * u_environmentRoot);
     return root * root;
 }
 

@@ -12,6 +12,3 @@
 
 // Perceptual roughness 0 to 1 in even steps.
 #define ENVIRONMENT_LAST_LEVEL 6.0
-
-// Texels hold square roots of radiance: rgb times alpha times this.
-#define ENVIRONMENT_LARGEST_ROOT 8.0

@@ -4,6 +4,7 @@
 #include "src/environment/radiance_encoding.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgeshade {
 namespace {
@@ -21,7 +22,9 @@ std::size_t offsetOf(int x, int y) {
 
 } // namespace
 
-Atlas::Atlas() : rgba_(offsetOf(0, atlasHeight), 0) {}
+Atlas::Atlas(float largest)
+    : largestRoot_(std::sqrt(std::min(largest, largestEncodedRadiance))),
+      rgba_(offsetOf(0, atlasHeight), 0) {}
 
 int Atlas::width() {
     return atlasWidth;
@@ -49,7 +52,7 @@ void Atlas::setLevel(int level, const OctahedralMap& map) {
     const AtlasTile place = tile(level);
     for (int y = 0; y < place.size; ++y)
         for (int x = 0; x < place.size; ++x) {
-            const auto texel = encodeRadiance(map.at(x - 1, y - 1));
+            const auto texel = encodeRadiance(map.at(x - 1, y - 1), largestRoot_);
             std::copy(texel.begin(), texel.end(),
                       rgba_.data() + offsetOf(place.x + x, place.y + y));
         }

@@ -18,8 +18,9 @@ struct AtlasTile {
 /// has no mipmaps. shaders_es2/environment_layout.glsl says what lies where.
 class Atlas {
   public:
-    /// All black.
-    Atlas();
+    /// All black, for radiance up to `largest`, above 0; beyond largestEncodedRadiance counts as
+    /// that.
+    explicit Atlas(float largest = 1.0f);
 
     static int width();
     static int height();
@@ -39,10 +40,14 @@ class Atlas {
     /// from the first texel's corner and is at least 1/2 away from the atlas' edges.
     glm::vec4 filtered(const glm::vec2& texel) const;
 
-    /// Rows of width() texels; what decodeRadiance() takes.
+    /// What decodeRadiance() takes beside a texel.
+    float largestRoot() const { return largestRoot_; }
+
+    /// Rows of width() texels.
     const std::vector<std::uint8_t>& rgba() const { return rgba_; }
 
   private:
+    float largestRoot_;
     std::vector<std::uint8_t> rgba_;
 };
 

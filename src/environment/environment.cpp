@@ -11,7 +11,8 @@ glm::vec3 levelRadiance(const Atlas& atlas, const glm::vec2& at, int level) {
     const AtlasTile tile = Atlas::tile(level);
     const auto mapSize = static_cast<float>(Atlas::mapSize(level));
     return decodeRadiance(
-        atlas.filtered(glm::vec2(tile.x, tile.y) + 1.0f + (at * 0.5f + 0.5f) * mapSize));
+        atlas.filtered(glm::vec2(tile.x, tile.y) + 1.0f + (at * 0.5f + 0.5f) * mapSize),
+        atlas.largestRoot());
 }
 
 } // namespace

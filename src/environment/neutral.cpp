@@ -73,6 +73,7 @@ Environment neutralEnvironment() {
     const HeightTable radiance(neutralRadiance);
     Environment environment;
     environment.diffuse = diffuseOf(radiance);
+    environment.specular = Atlas(neutralRadiance(1.0f));
     for (int level = 0; level < Atlas::levels(); ++level) {
         const HeightTable filtered =
             level == 0 ? radiance : filteredByHeight(radiance, Atlas::roughness(level));

@@ -1,5 +1,6 @@
 #include "src/environment/octahedral_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace edgeshade {
@@ -67,6 +68,13 @@ void OctahedralMap::closeBorder() {
     at(size_, -1) = at(0, last);
     at(-1, size_) = at(last, 0);
     at(size_, size_) = at(0, 0);
+}
+
+float OctahedralMap::largest() const {
+    float largest = 0.0f;
+    for (const glm::vec3& texel : texels_)
+        largest = std::max({largest, texel.r, texel.g, texel.b});
+    return largest;
 }
 
 glm::vec3 OctahedralMap::lookUp(const glm::vec3& direction) const {

@@ -39,6 +39,9 @@ class OctahedralMap {
     /// Fills the border; after texels were set.
     void closeBorder();
 
+    /// The largest value of any channel.
+    float largest() const;
+
     /// Filtered linearly.
     glm::vec3 lookUp(const glm::vec3& direction) const;
 

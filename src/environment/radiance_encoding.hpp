@@ -6,15 +6,15 @@
 
 namespace edgeshade {
 
-/// The largest radiance that a texel holds; more is cut off.
-float largestEncodedRadiance();
+/// Radiance above this is cut off.
+inline constexpr float largestEncodedRadiance = 64.0f;
 
-/// Linear radiance, 0 or more, as 8-bit RGBA: its square root over that of the largest, with a
-/// common multiplier in alpha. A channel that is half of the largest one or more is off by 1 % at
-/// most, where it is 1/4 or more; by 0.004 where it is less. Filtered linearly, grey stays grey.
-std::array<std::uint8_t, 4> encodeRadiance(const glm::vec3& radiance);
+/// Linear radiance, 0 or more, as 8-bit RGBA: its square root over `largestRoot`, above 0, with a
+/// common multiplier in alpha. A channel that is half of the brightest one or more is off by 1 % or
+/// by a thousandth of largestRoot * sqrt(radiance), whichever is more.
+std::array<std::uint8_t, 4> encodeRadiance(const glm::vec3& radiance, float largestRoot);
 
-/// Of a texel, or of texels filtered linearly, as the GL gives them: 0 to 1.
-glm::vec3 decodeRadiance(const glm::vec4& stored);
+/// Of a texel, or of texels filtered linearly, as the GL gives them: 0 to 1. Grey stays grey.
+glm::vec3 decodeRadiance(const glm::vec4& stored, float largestRoot);
 
 } // namespace edgeshade

@@ -24,20 +24,19 @@ DiffuseSum diffuseOf(const Panorama& panorama) {
 }
 
 Atlas filteredByRoughness(const RadiancePyramid& pyramid) {
-    Atlas atlas;
     const auto lookUp = [&](const glm::vec3& direction, float solidAngle) {
         return pyramid.lookUp(direction, solidAngle);
     };
-    for (int level = 0; level < Atlas::levels(); ++level) {
+    OctahedralMap mirror(Atlas::mapSize(0));
+    const auto size = static_cast<float>(mirror.size());
+    const float texel = 4.0f * std::numbers::pi_v<float> / (size * size);
+    mirror.fill([&](const glm::vec3& direction) { return lookUp(direction, texel); });
+    Atlas atlas(mirror.largest());
+    atlas.setLevel(0, mirror);
+    for (int level = 1; level < Atlas::levels(); ++level) {
+        const SpecularLobe lobe(Atlas::roughness(level), level < 3 ? 64 : 256);
         OctahedralMap map(Atlas::mapSize(level));
-        if (level == 0) {
-            const auto size = static_cast<float>(map.size());
-            const float texel = 4.0f * std::numbers::pi_v<float> / (size * size);
-            map.fill([&](const glm::vec3& direction) { return lookUp(direction, texel); });
-        } else {
-            const SpecularLobe lobe(Atlas::roughness(level), level < 3 ? 64 : 256);
-            map.fill([&](const glm::vec3& direction) { return lobe.filter(direction, lookUp); });
-        }
+        map.fill([&](const glm::vec3& direction) { return lobe.filter(direction, lookUp); });
         atlas.setLevel(level, map);
     }
     return atlas;

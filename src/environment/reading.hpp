@@ -17,7 +17,7 @@ enum class EnvironmentScale {
 
 /// Reads an equirectangular Radiance picture (.hdr) of at most 16384 x 16384; Panorama says where
 /// it looks. Safe on untrusted input; the same bytes, the same environment. Reflections are cut off
-/// at largestEncodedRadiance(). Throws InputError.
+/// at largestEncodedRadiance. Throws InputError.
 Environment readEnvironment(const std::filesystem::path& path,
                             EnvironmentScale scale = EnvironmentScale::meanOne);
 

@@ -5,7 +5,7 @@
 namespace edgeshade {
 
 GpuEnvironment::GpuEnvironment(const Environment& environment)
-    : diffuse_(environment.diffuse),
+    : diffuse_(environment.diffuse), largestRoot_(environment.specular.largestRoot()),
       atlas_(gl::makeTexture(environment.specular.rgba(), Atlas::width(), Atlas::height(),
                              {GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE, GL_LINEAR, GL_LINEAR})) {}
 
@@ -13,6 +13,7 @@ void GpuEnvironment::bind(const gl::Program& program, int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, atlas_.name());
     program.setSampler("u_environment", unit);
+    program.set("u_environmentRoot", largestRoot_);
     program.set("u_environmentSh[0]", diffuse_);
 }
 

@@ -20,6 +20,7 @@ class GpuEnvironment {
 
   private:
     DiffuseCoefficients diffuse_;
+    float largestRoot_;
     gl::Texture atlas_;
 };
 

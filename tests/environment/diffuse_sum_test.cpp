@@ -15,7 +15,7 @@ Environment diffuseOnly(const Sky& sky) {
         for (int x = 0; x < size; ++x)
             sum.add(grid.direction(x, y), glm::vec3(sky(grid.direction(x, y))),
                     static_cast<double>(grid.solidAngle(x, y)));
-    return {sum.coefficients(), {}};
+    return {sum.coefficients(), Atlas()};
 }
 
 } // namespace

@@ -40,7 +40,7 @@ TEST(Filtering, ReflectionsAreCloseToBruteForceAtEveryRoughness) {
         const float roughness = Atlas::roughness(level);
         const float error = worstError(environment, lopsidedSky, roughness);
         RecordProperty("level" + std::to_string(level), std::to_string(error));
-        EXPECT_LT(error, 0.02f) << roughness;
+        EXPECT_LT(error, 0.03f) << roughness;
     }
 }
 
@@ -50,7 +50,7 @@ TEST(Filtering, BetweenLevelsTheyAreCloseToo) {
         const float roughness = 0.5f * (Atlas::roughness(level) + Atlas::roughness(level + 1));
         const float error = worstError(environment, lopsidedSky, roughness);
         RecordProperty("above" + std::to_string(level), std::to_string(error));
-        EXPECT_LT(error, 0.05f) << roughness;
+        EXPECT_LT(error, 0.07f) << roughness;
     }
 }
 

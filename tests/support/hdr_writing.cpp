@@ -1,24 +1,76 @@
 #include "tests/support/hdr_writing.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
-#include <stb_image_write.h>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace edgeshade::test {
+namespace {
+
+using Rgbe = std::array<std::uint8_t, 4>;
+
+/// A common exponent, mantissas as fractions of 256.
+Rgbe rgbeOf(const glm::vec3& color) {
+    const float brightest = std::max({color.r, color.g, color.b});
+    if (brightest < 1e-32f) return {};
+    int exponent = 0;
+    const float scale = std::frexp(brightest, &exponent) * 256.0f / brightest;
+    const glm::vec3 mantissas = color * scale;
+    return {static_cast<std::uint8_t>(mantissas.r), static_cast<std::uint8_t>(mantissas.g),
+            static_cast<std::uint8_t>(mantissas.b), static_cast<std::uint8_t>(exponent + 128)};
+}
+
+/// Runs of equal bytes (128 and their number), others one by one behind how many they are.
+void appendEncoded(Bytes& file, std::span<const std::uint8_t> values) {
+    while (!values.empty()) {
+        const auto most = values.first(std::min<std::size_t>(values.size(), 127));
+        const auto other = std::adjacent_find(most.begin(), most.end(), std::not_equal_to());
+        const std::size_t equal =
+            other == most.end() ? most.size() : static_cast<std::size_t>(other - most.begin()) + 1;
+        const auto pair = std::adjacent_find(most.begin(), most.end());
+        const std::size_t different = static_cast<std::size_t>(pair - most.begin());
+        const std::size_t count = equal > 1 ? equal : different;
+        file.push_back(static_cast<std::uint8_t>(equal > 1 ? 128 + equal : different));
+        file.insert(file.end(), values.begin(),
+                    values.begin() + static_cast<std::ptrdiff_t>(equal > 1 ? 1 : different));
+        values = values.subspan(count);
+    }
+}
+
+void appendRow(Bytes& file, const std::vector<Rgbe>& row) {
+    const std::size_t width = row.size();
+    if (width < 8) {
+        for (const Rgbe& pixel : row)
+            file.insert(file.end(), pixel.begin(), pixel.end());
+        return;
+    }
+    file.insert(file.end(), {2, 2, static_cast<std::uint8_t>(width >> 8),
+                             static_cast<std::uint8_t>(width & 0xFF)});
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        Bytes values;
+        for (const Rgbe& pixel : row)
+            values.push_back(pixel[channel]);
+        appendEncoded(file, values);
+    }
+}
+
+} // namespace
 
 Bytes hdrOf(int width, int height, const std::function<glm::vec3(int x, int y)>& pixel) {
-    std::vector<glm::vec3> pixels;
-    for (int y = 0; y < height; ++y)
+    const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
+                               std::to_string(height) + " +X " + std::to_string(width) + "\n";
+    Bytes file(header.begin(), header.end());
+    for (int y = 0; y < height; ++y) {
+        std::vector<Rgbe> row;
         for (int x = 0; x < width; ++x)
-            pixels.push_back(pixel(x, y));
-    Bytes file;
-    stbi_write_hdr_to_func(
-        [](void* to, void* data, int size) {
-            const auto* bytes = static_cast<const std::uint8_t*>(data);
-            static_cast<Bytes*>(to)->insert(static_cast<Bytes*>(to)->end(), bytes, bytes + size);
-        },
-        &file, width, height, 3, &pixels.front().x);
+            row.push_back(rgbeOf(pixel(x, y)));
+        appendRow(file, row);
+    }
     return file;
 }
 
