@@ -1,7 +1,8 @@
 // glTF 2.0, appendix B: what a surface of microfacets sends to the eye. All terms are times pi, as
 // lights are measured by what a white Lambert surface sends back of them.
 
-// Trowbridge-Reitz (GGX) times Smith's visibility, correlated by height; `alpha`: roughness squared.
+// Trowbridge-Reitz (GGX) times Smith's visibility, correlated by height; `alpha`: roughness
+// squared.
 float microfacets(float alpha, float nl, float nv, float nh) {
     float square = alpha * alpha;
     float tail = nh * nh * (square - 1.0) + 1.0;

@@ -22,8 +22,8 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #endif
 #ifdef PRIMITIVE_MAP
 #include "primitive_map_lookup.glsl"
-// The light is on the front (1) or the back (-1) of this caster; 0: the surface is no caster. SIDED:
-// some triangles of the surface face the light and others don't.
+// The light is on the front (1) or the back (-1) of this caster; 0: the surface is no caster.
+// SIDED: some triangles of the surface face the light and others don't.
 #ifdef SIDED
 varying float v_lightSide;
 #define LIGHT_SIDE v_lightSide

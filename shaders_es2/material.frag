@@ -8,7 +8,7 @@
 // CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
 // takes. FALLOFF, of LIT: candela, by the square of the
 // distance. SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
-#if defined(COARSE_MASK) || defined(DERIVED_TANGENTS)
+#if defined(COARSE_MASK) || defined(DERIVED_TANGENTS) || defined(SOFT_TERMINATOR)
 #extension GL_OES_standard_derivatives : enable
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
@@ -20,11 +20,10 @@ precision mediump float;
 uniform vec4 u_baseColor;  // linear
 uniform vec4 u_reflectance; // metallic, roughness, reflectance of dielectrics, specular
 uniform vec3 u_specularColor;
-uniform vec4 u_eye; // as seen from v_fromEye's origin, homogeneous
 uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
 uniform float u_exposure;
 varying vec3 v_normal;
-varying vec3 v_fromEye; // world axes
+#include "terminator.glsl"
 #ifdef COLORED
 varying vec4 v_color;
 #endif
@@ -277,7 +276,7 @@ void addAmbient(Surface surface, float occlusion, inout Seen seen) {
     vec2 share = reflectedFromEverywhere(surface.roughness, nv);
     vec3 once = surface.reflectance * share.x + vec3(surface.grazingReflectance * share.y);
     float lost = 1.0 - share.x - share.y;
-    vec3 average = surface.reflectance + (vec3(surface.grazingReflectance) - surface.reflectance) / 21.0;
+    vec3 average = mix(surface.reflectance, vec3(surface.grazingReflectance), 1.0 / 21.0);
     vec3 again = once * average / (vec3(1.0) - lost * average) * lost;
     vec3 all = once + again;
     vec3 around = environmentDiffuse(surface.normal);
@@ -341,6 +340,9 @@ void main() {
     lit = lightThrough(lit, normalize(side), light, weight);
 #ifdef FALLOFF
     window /= max(dot(v_towardsLight, v_towardsLight), 1e-12);
+#endif
+#ifdef SOFT_TERMINATOR
+    window *= lightAtTerminator(normalize(side), light);
 #endif
     addLight(surface, light, u_lightColor * (window * lit), seen);
 #endif

@@ -1,12 +1,12 @@
 // Base colour times ambient light or, with LIT, times the Lambert term of one light as far as it
 // reaches, in the display's own (sRGB) values; the lit pass adds one light at a time. WITH_AMBIENT,
 // of LIT, both at once, and the ambient share of their sum in alpha. Other variants: PLAIN, the
-// same with light itself added up, of which the display shows a power; MASK, the lit mask instead of
-// colours; TEXTURED; COLORED, with colours at vertices; ALPHA_TEST, materials with cutouts;
-// BLENDED, see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing
-// deeper than u_farthest. Of LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a
-// primitive map's texels hold.
-#ifdef COARSE_MASK
+// same with light itself added up, of which the display shows a power; SOFT_TERMINATOR, see
+// terminator.glsl; MASK, the lit mask instead of colours; TEXTURED; COLORED, with colours at
+// vertices; ALPHA_TEST, materials with cutouts; BLENDED, see-through ones; LINEAR, the light that
+// is mapped to such colours later; SLICED, nothing deeper than u_farthest. Of LIT those of
+// light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive map's texels hold.
+#if defined(COARSE_MASK) || defined(SOFT_TERMINATOR)
 #extension GL_OES_standard_derivatives : enable
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
@@ -39,6 +39,9 @@ float facing() { return gl_FrontFacing ? u_mirrored : -u_mirrored; }
 #ifdef LIT
 uniform float u_diffuse;
 #include "light.glsl"
+#ifdef SOFT_TERMINATOR
+#include "terminator.glsl"
+#endif
 #endif
 #if !defined(LIT) || defined(WITH_AMBIENT)
 uniform float u_ambient;
@@ -78,6 +81,9 @@ vec4 primitiveTint() {
 float shareOfLight(float lit, vec3 normal) {
     vec3 light = towardsLight();
     float lambert = max(dot(normal, light), 0.0);
+#ifdef SOFT_TERMINATOR
+    lambert *= lightAtTerminator(normal, light);
+#endif
     float window = lightWindow();
     lit = lightThrough(lit, normal, light, lambert * window);
 #ifdef MASK

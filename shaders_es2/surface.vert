@@ -1,8 +1,8 @@
 // Visible surfaces, in every pass: the depth test EQUAL of the lit pass needs the same positions,
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
-// DIRECTIONAL, PLAIN, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see surface.frag
-// and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see material.frag;
-// PLANE: see coarse_plane.glsl.
+// DIRECTIONAL, PLAIN, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see
+// surface.frag and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see
+// material.frag; SOFT_TERMINATOR: see terminator.glsl; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -35,7 +35,10 @@ uniform mat4 u_clipFromObject;
 #ifdef NORMAL
 uniform mat3 u_normalFromObject;
 #endif
-#if (defined(LIT) && !defined(DIRECTIONAL)) || defined(MATERIAL)
+#if defined(MATERIAL) || defined(SOFT_TERMINATOR)
+#define SHOWS_FROM_EYE
+#endif
+#if (defined(LIT) && !defined(DIRECTIONAL)) || defined(SHOWS_FROM_EYE)
 #define FROM_EYE
 uniform mat4 u_eyeOffsetFromObject; // to world axes, origin at the eye
 #endif
@@ -69,7 +72,7 @@ varying vec3 v_normal;
 #ifdef TANGENTS
 varying vec4 v_tangent;
 #endif
-#ifdef MATERIAL
+#ifdef SHOWS_FROM_EYE
 varying vec3 v_fromEye;
 #endif
 #if defined(LIT) && !defined(DIRECTIONAL)
@@ -113,7 +116,7 @@ void main() {
 #ifdef TANGENTS
     v_tangent = vec4(mat3(u_eyeOffsetFromObject) * a_tangent.xyz, a_tangent.w);
 #endif
-#ifdef MATERIAL
+#ifdef SHOWS_FROM_EYE
     v_fromEye = fromEye;
 #endif
 #if defined(LIT) && !defined(DIRECTIONAL)

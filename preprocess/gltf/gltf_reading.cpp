@@ -58,9 +58,8 @@ GltfDocument parseChecked(std::span<const std::uint8_t> bytes, const std::filesy
     requireSoundGltf(document.json, path, document.warnings);
     tagMeshoptFallbacks(document.json);
     requireWithinLimits(document.json, path, document.memory);
-    document.model = std::make_shared<const tinygltf::Model>(
-        typedModel(document.json, findBrokenAnimations(document.json, path, document.warnings),
-                   path));
+    document.model = std::make_shared<const tinygltf::Model>(typedModel(
+        document.json, findBrokenAnimations(document.json, path, document.warnings), path));
     resolveBuffers(document, std::move(chunks.binary));
     document.decodedViews.resize(document.model->bufferViews.size());
     decodeMeshoptViews(document);

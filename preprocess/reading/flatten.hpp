@@ -11,10 +11,9 @@ namespace edgeshade {
 /// outside outside. Skins and morphs are taken at rest.
 ///
 /// `weldTolerance` (scene units, >= 0) moves vertices closer than that onto each other; 0 changes
-/// nothing. A variant that there is not is warned of and means the file's own materials. The document's warnings are the
-/// scene's first. Safe on untrusted input. Throws InputError, also for what passes the limits that
-/// the document was read with.
-Scene flattenScene(const GltfDocument& document, double weldTolerance,
-                   const Looks& looks = {});
+/// nothing. A variant that there is not is warned of and means the file's own materials. The
+/// document's warnings are the scene's first. Safe on untrusted input. Throws InputError, also for
+/// what passes the limits that the document was read with.
+Scene flattenScene(const GltfDocument& document, double weldTolerance, const Looks& looks = {});
 
 } // namespace edgeshade

@@ -126,8 +126,8 @@ class MaterialReader {
         const auto index = field.find("sampler");
         if (!index) return sampler;
         const JsonField samplers = root_.member("samplers");
-        const JsonField given = samplers.item(
-            static_cast<std::size_t>(index->indexInto(samplers.size(), "samplers")));
+        const JsonField given =
+            samplers.item(static_cast<std::size_t>(index->indexInto(samplers.size(), "samplers")));
         const auto take = [&](const char* key, int& value) {
             if (const auto number = given.find(key)) value = number->index();
         };
@@ -208,8 +208,8 @@ class MaterialReader {
 
     void readSpecular(const JsonField& extension) {
         material_.specular = shareOr(extension, "specularFactor", 1.0f);
-        material_.specularColor = glm::max(
-            vectorOr(extension, "specularColorFactor", glm::vec3(1.0f)), glm::vec3(0.0f));
+        material_.specularColor =
+            glm::max(vectorOr(extension, "specularColorFactor", glm::vec3(1.0f)), glm::vec3(0.0f));
         if (material_.specular == 0.0f) return;
         readTexture(extension, "specularTexture", TextureSlot::specular);
         readTexture(extension, "specularColorTexture", TextureSlot::specularColor);

@@ -17,8 +17,8 @@ struct Primitive {
     std::vector<glm::vec3> normals;
     /// One array for each channel that was asked for.
     std::array<std::vector<glm::vec2>, mostTexcoordChannels> texcoords;
-    std::vector<glm::vec4> tangents;  ///< with the bitangent's sign
-    std::vector<glm::vec4> colors;    ///< linear, alpha 1 where the file has none
+    std::vector<glm::vec4> tangents; ///< with the bitangent's sign
+    std::vector<glm::vec4> colors;   ///< linear, alpha 1 where the file has none
     std::vector<glm::uvec4> joints;
     std::vector<glm::vec4> weights;
     std::vector<std::uint32_t> indices; ///< three a triangle, all below positions.size()

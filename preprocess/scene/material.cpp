@@ -11,9 +11,9 @@ constexpr float roughest = 0.95f;
 bool Material::isPlain() const {
     for (std::size_t slot = 1; slot < textureSlots; ++slot)
         if (textures[slot].texture >= 0) return false;
-    const bool reflects =
-        specularGlossiness ? specularColor != glm::vec3(0.0f) && roughness < roughest
-                           : metallic > 0.0f || (specular > 0.0f && roughness < roughest);
+    const bool reflects = specularGlossiness
+                              ? specularColor != glm::vec3(0.0f) && roughness < roughest
+                              : metallic > 0.0f || (specular > 0.0f && roughness < roughest);
     return !reflects && emissive == glm::vec3(0.0f) && clearcoat == 0.0f;
 }
 

@@ -19,10 +19,10 @@ enum class TextureSlot {
     baseColor,         ///< RGBA, sRGB; of specular-glossiness the diffuse colour
     metallicRoughness, ///< G, B; of specular-glossiness specular (sRGB) and glossiness in RGBA
     normal,
-    occlusion, ///< R
-    emissive,  ///< RGB, sRGB
-    specular,  ///< A
-    specularColor, ///< RGB, sRGB
+    occlusion,          ///< R
+    emissive,           ///< RGB, sRGB
+    specular,           ///< A
+    specularColor,      ///< RGB, sRGB
     clearcoat,          ///< R
     clearcoatRoughness, ///< G
     clearcoatNormal,
@@ -31,8 +31,8 @@ inline constexpr std::size_t textureSlots = 10;
 
 /// A texture of a material and how it is looked up.
 struct MaterialTexture {
-    int texture = -1;                ///< as the file says; -1: none
-    int image = -1;                  ///< that is drawn of it, as ImageChoice decides; -1: none
+    int texture = -1; ///< as the file says; -1: none
+    int image = -1;   ///< that is drawn of it, as ImageChoice decides; -1: none
     Sampler sampler;
     int texcoordSet = 0;
     glm::mat3 uvTransform{1.0f}; ///< KHR_texture_transform: uv' = uvTransform * (u, v, 1)
@@ -43,7 +43,8 @@ struct MaterialTexture {
     }
 };
 
-/// One of the texture coordinates that a material's vertices have: a set of the file's, transformed.
+/// One of the texture coordinates that a material's vertices have: a set of the file's,
+/// transformed.
 struct TexcoordChannel {
     int set = 0; ///< TEXCOORD_n
     glm::mat3 transform{1.0f};
@@ -61,8 +62,8 @@ struct Material {
     float metallic = 1.0f;           ///< 0..1
     float roughness = 1.0f;          ///< 0..1; 1 - glossiness
     float normalScale = 1.0f;
-    float occlusionStrength = 1.0f; ///< 0..1
-    glm::vec3 emissive{0.0f};       ///< times KHR_materials_emissive_strength
+    float occlusionStrength = 1.0f;      ///< 0..1
+    glm::vec3 emissive{0.0f};            ///< times KHR_materials_emissive_strength
     float dielectricReflectance = 0.04f; ///< at normal incidence, as KHR_materials_ior has it
     float specular = 1.0f;               ///< 0..1
     glm::vec3 specularColor{1.0f};       ///< 0 and more

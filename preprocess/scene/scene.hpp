@@ -40,9 +40,10 @@ struct Batch {
     std::vector<glm::vec3> positions; ///< no NaN, no infinity, no -0
     std::vector<glm::vec3> normals;   ///< unit length, or 0 for a triangle without area
     std::vector<glm::vec2> texcoords; ///< of the material's first channel
-    std::vector<glm::vec4> colors;      ///< linear
-    /// Of a material's channels after the first, and tangents with the bitangent's sign, 0 where the
-    /// file has none: as long as positions where some material of the batch has them, else empty.
+    std::vector<glm::vec4> colors;    ///< linear
+    /// Of a material's channels after the first, and tangents with the bitangent's sign, 0 where
+    /// the file has none: as long as positions where some material of the batch has them, else
+    /// empty.
     std::array<std::vector<glm::vec2>, mostTexcoordChannels - 1> moreTexcoords;
     std::vector<glm::vec4> tangents;
     std::vector<std::uint32_t> indices; ///< counter-clockwise is the outside

@@ -88,6 +88,18 @@ void addShadingOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--shading", settings.render.shading, shadingNames,
               "What surfaces are drawn with: all that their materials say, or base colour and "
               "Lambert's law (full)");
+    verb.add_option_function<std::string>(
+            "--terminator",
+            [&settings](const std::string& text) {
+                if (text != "soft" && text != "exact")
+                    throw CLI::ValidationError("--terminator",
+                                               "'" + text + "' is neither soft nor exact");
+                settings.render.softTerminator = text == "soft";
+                settings.fullOptions.push_back("--terminator");
+            },
+            "Where light grazes smooth surfaces: dimmed until their facets turn away, or as bright "
+            "as normals say up to there (exact)")
+        ->type_name("soft|exact");
     verb.add_option_function<float>(
             "--exposure",
             [&settings](float stops) {
@@ -294,8 +306,8 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"ambient", render.ambient}};
     if (render.shading == Shading::full) {
         json["exposure"] = render.exposure;
-        json["environment"] =
-            settings.environment.empty() ? "neutral" : settings.environment;
+        json["terminator"] = render.softTerminator ? "soft" : "exact";
+        json["environment"] = settings.environment.empty() ? "neutral" : settings.environment;
     }
     if (render.shadows == ShadowMethod::volumes)
         json["mask-scale"] = nameIn(maskScaleNames, render.maskScale);

@@ -39,10 +39,10 @@ struct DrawSettings {
 /// Adds the options; `settings` must outlive parsing.
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
-/// Reads the environment, and works out render.ambient, render.multiplicity and render.silhouette from what was typed: plane-pair records hold
-/// planes, published ones opposite vertices, so that layout or method follows from the other.
-/// Throws Error(usage) where they don't go together, and for options that another one makes
-/// meaningless; InputError.
+/// Reads the environment, and works out render.ambient, render.multiplicity and render.silhouette
+/// from what was typed: plane-pair records hold planes, published ones opposite vertices, so that
+/// layout or method follows from the other. Throws Error(usage) where they don't go together, and
+/// for options that another one makes meaningless; InputError.
 void resolve(DrawSettings& settings);
 
 /// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512",
@@ -53,8 +53,8 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
 /// What of materials has to be read for all of them.
 template <class Settings>
 Shading shadingFor(const Settings& settings) {
-    return std::ranges::any_of(
-               settings, [](const auto& one) { return one.render.shading == Shading::full; })
+    return std::ranges::any_of(settings,
+                               [](const auto& one) { return one.render.shading == Shading::full; })
                ? Shading::full
                : Shading::base;
 }

@@ -54,7 +54,8 @@ void view(const WindowOptions& options) {
                     "The window's camera is in perspective and looks from --camera-from to "
                     "--camera-to: --camera-matrix and --ortho are for render, compare and bench.");
     const auto load = [&](const std::filesystem::path& path, const std::string& variant) {
-        LoadedScene loaded = loadScene(path, options.casters.wanted(), options.limits, {}, {variant});
+        LoadedScene loaded =
+            loadScene(path, options.casters.wanted(), options.limits, {}, {variant});
         printWarnings(loaded.scene.warnings.sentences());
         return loaded;
     };

@@ -13,15 +13,15 @@ namespace edgeshade::gl {
 class Multisampling {
   public:
     /// Nothing where the GL has none.
-    static std::optional<Multisampling> find(const std::string& version,
-                                             const std::string& extensions,
-                                             void* (*lookUp)(const char*));
+    static std::optional<Multisampling>
+    find(const std::string& version, const std::string& extensions, void* (*lookUp)(const char*));
 
     /// Makes storage for the bound renderbuffer.
     void makeStorage(int samples, unsigned format, int width, int height) const {
         storage_(0x8D41 /* RENDERBUFFER */, samples, format, width, height);
     }
-    /// Averages the colours of one framebuffer into another of the same size, and leaves that bound.
+    /// Averages the colours of one framebuffer into another of the same size, and leaves that
+    /// bound.
     void average(Name from, Name into, int width, int height) const;
 
   private:

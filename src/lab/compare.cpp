@@ -133,8 +133,8 @@ class Jury {
     /// The program's pictures without shadows. Contenders with the same slices and the same look
     /// share them.
     void drawUnshadowed(RenderSettings plain, const FrameView& frame) {
-        const auto key = std::tuple(frame.slices.size(), plain.shading, plain.ambient,
-                                    plain.exposure);
+        const auto key =
+            std::tuple(frame.slices.size(), plain.shading, plain.ambient, plain.exposure);
         if (unshadowed_ == key) return;
         unshadowed_ = key;
         plain.shadows = ShadowMethod::none;

@@ -5,8 +5,8 @@
 
 namespace edgeshade::lab {
 
-/// What the program's picture would be if every pixel were lit as the oracle says: the program's own
-/// shading with the oracle's visibility.
+/// What the program's picture would be if every pixel were lit as the oracle says: the program's
+/// own shading with the oracle's visibility.
 class OraclePicture {
   public:
     using Color = std::array<int, 3>;

@@ -1,7 +1,5 @@
 #include "src/scene/gpu_scene.hpp"
 
-#include <algorithm>
-
 namespace edgeshade {
 namespace {
 
@@ -77,15 +75,19 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
     GpuScene gpu{
         {}, {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
     for (const Batch& batch : scene.batches)
-        gpu.batches.push_back(
-            {batch.worldFromBatch, batch.isAnimated(), false,
-             uploadSurfaces(batch, scene.materials), {}});
-    gpu.plain = std::all_of(gpu.batches.begin(), gpu.batches.end(), [&](const GpuBatch& batch) {
-        return std::all_of(batch.surfaces.begin(), batch.surfaces.end(), [&](const auto& chunk) {
+        gpu.batches.push_back({batch.worldFromBatch,
+                               batch.isAnimated(),
+                               false,
+                               uploadSurfaces(batch, scene.materials),
+                               {}});
+    gpu.plain = true;
+    for (const GpuBatch& batch : gpu.batches)
+        for (const SurfaceChunk& chunk : batch.surfaces) {
             const Material& material = gpu.materials[chunk.material];
-            return material.unlit || material.alphaMode == AlphaMode::blend || material.isPlain();
-        });
-    });
+            const bool blends = material.alphaMode == AlphaMode::blend;
+            gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
+            gpu.plain = gpu.plain && (material.unlit || blends || material.isPlain());
+        }
     if (records) addVolumes(gpu, loaded, *records);
     return gpu;
 }

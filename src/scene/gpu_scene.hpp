@@ -29,6 +29,7 @@ struct GpuScene {
     std::vector<Material> materials;
     Textures textures;
     bool castMasked = false; ///< MASK and BLEND surfaces cast too
+    bool seeThrough = false; ///< some surfaces are BLEND and take light
     bool plain = false;      ///< all that its surfaces do is scatter light, see Material::isPlain()
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);

@@ -37,14 +37,12 @@ const char* nameOf(LoadStage stage);
 /// variant shades may differ, so that nothing packed is used with it. Throws InputError.
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
-                      const std::function<void(LoadStage)>& onStage = {},
-                      const Looks& looks = {});
+                      const std::function<void(LoadStage)>& onStage = {}, const Looks& looks = {});
 
 /// Its first two stages; decoding the images is the caller's.
 LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
-                      const std::function<void(LoadStage)>& onStage = {},
-                      const Looks& looks = {});
+                      const std::function<void(LoadStage)>& onStage = {}, const Looks& looks = {});
 
 /// Its last stage. Throws InputError.
 void addShadows(LoadedScene& loaded);

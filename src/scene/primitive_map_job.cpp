@@ -33,8 +33,7 @@ bool othersReceive(const Scene& scene) {
 PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
                                  const PrimitiveMapSettings& settings, KeptEdges edges)
     : light_(light), settings_(settings), materials_(&loaded.scene.materials),
-      smallest_(std::max(4, settings.size / 8)),
-      edges_(std::move(edges)) {
+      smallest_(std::max(4, settings.size / 8)), edges_(std::move(edges)) {
     settings_.othersReceive = othersReceive(loaded.scene);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
@@ -96,9 +95,8 @@ bool PrimitiveMapJob::step() {
         const Placed& of = placed_[triangles_.size()];
         triangles_.emplace_back();
         if (!of.animated)
-            triangles_.back() =
-                sidedTriangles(*of.batch, *materials_,
-                               glm::inverse(of.worldFromBatch) * light_.position);
+            triangles_.back() = sidedTriangles(*of.batch, *materials_,
+                                               glm::inverse(of.worldFromBatch) * light_.position);
     } else if (joined_) {
         return false;
     } else if (!builder_) {

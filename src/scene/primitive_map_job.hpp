@@ -22,8 +22,8 @@ using KeptEdges =
 /// part by part.
 class PrimitiveMapJob {
   public:
-    /// The scene's batches and materials must stay as they are, but for where animated ones are, until the job is
-    /// gone. Those cast by volumes.
+    /// The scene's batches and materials must stay as they are, but for where animated ones are,
+    /// until the job is gone. Those cast by volumes.
     PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
                     const PrimitiveMapSettings& settings, KeptEdges edges);
     ~PrimitiveMapJob() { cancel(); }

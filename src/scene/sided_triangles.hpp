@@ -16,14 +16,13 @@ struct SidedTriangles {
     /// Of all of them, which are drawn as they are without a light; 0: of either, and the others
     /// are there.
     float lightSide = 0.0f;
-    std::vector<SidedVertex> vertices; ///< those of triangles on both sides stand twice
-    std::vector<SurfaceDetail> details;  ///< of the vertices, as far as the material has any
+    std::vector<SidedVertex> vertices;  ///< those of triangles on both sides stand twice
+    std::vector<SurfaceDetail> details; ///< of the vertices, as far as the material has any
     std::vector<std::uint16_t> indices;
 };
 
 /// Of every part of a batch, for a light in the batch's space.
-std::vector<SidedTriangles> sidedTriangles(const Batch& batch,
-                                           const std::vector<Material>& materials,
-                                           const glm::dvec4& light);
+std::vector<SidedTriangles>
+sidedTriangles(const Batch& batch, const std::vector<Material>& materials, const glm::dvec4& light);
 
 } // namespace edgeshade

@@ -35,6 +35,22 @@ bool haveTangents(const Batch& batch, const Material& material,
                        [&](std::uint32_t v) { return batch.tangents[v].w != 0.0f; });
 }
 
+/// Whether some triangle's vertices have other normals than it has itself.
+bool isSmooth(const Batch& batch, const SurfacePart& part) {
+    constexpr float parallel = 0.9999f; // the cosine of less than a degree
+    for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
+        const auto vertex = [&](std::size_t c) { return part.vertices[part.indices[i + c]]; };
+        const glm::vec3& a = batch.positions[vertex(0)];
+        const glm::vec3 across =
+            glm::cross(batch.positions[vertex(1)] - a, batch.positions[vertex(2)] - a);
+        const float size = glm::length(across);
+        if (!(size > 0.0f)) continue;
+        for (std::size_t c = 0; c < 3; ++c)
+            if (glm::dot(across, batch.normals[vertex(c)]) < parallel * size) return true;
+    }
+    return false;
+}
+
 SurfaceChunk upload(const Batch& batch, const Material& material, const SurfacePart& part) {
     SurfaceChunk chunk;
     chunk.material = part.material;
@@ -49,6 +65,7 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
     }
     chunk.center = glm::vec3(sum / static_cast<double>(vertices.size()));
     chunk.vertices = gl::vertexBuffer<SurfaceVertex>(vertices);
+    chunk.smooth = isSmooth(batch, part);
     chunk.tangents = haveTangents(batch, material, part.vertices);
     const std::vector<SurfaceDetail> details = surfaceDetailsOf(batch, material, part.vertices);
     if (!details.empty()) chunk.details = gl::vertexBuffer<SurfaceDetail>(details);

@@ -20,7 +20,7 @@ SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index);
 
 /// What a vertex has besides where its material asks for more; 40 bytes.
 struct SurfaceDetail {
-    glm::vec4 tangent; ///< w: the bitangent's sign
+    glm::vec4 tangent;                             ///< w: the bitangent's sign
     glm::vec2 texcoords[mostTexcoordChannels - 1]; ///< after the first
 };
 
@@ -37,6 +37,7 @@ struct SurfaceChunk {
     gl::Buffer indices;  ///< 16-bit
     int indexCount = 0;
     bool colored = false;   ///< some vertex isn't white
+    bool smooth = false;    ///< some triangle's normals aren't its own
     bool tangents = false;  ///< all vertices have one
     glm::vec3 center{0.0f}; ///< mean of the vertices, in the batch's space
     Box bounds;             ///< in the batch's space

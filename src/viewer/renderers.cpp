@@ -7,7 +7,8 @@ Renderers::Key Renderers::keyOf(const SideSettings& side, Shading shading) {
     const bool map = side.shadows == ShadowMethod::map;
     const bool volumes = side.shadows != ShadowMethod::map && side.shadows != ShadowMethod::none;
     return {side.shadows, map ? side.mapSize : 0,
-            volumes ? side.multiplicity : MultiplicityMethod::plane, volumes ? side.maskScale : 1, shading};
+            volumes ? side.multiplicity : MultiplicityMethod::plane, volumes ? side.maskScale : 1,
+            shading};
 }
 
 Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
@@ -29,11 +30,11 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
 
 void Renderers::dropUnusedTargets(const ViewState& state) {
     std::erase_if(renderers_, [&](const auto& entry) {
-        const bool used =
-            entry.first == keyOf(state.left, state.shading) ||
-            (state.split && entry.first == keyOf(state.right, state.shading));
+        const bool used = entry.first == keyOf(state.left, state.shading) ||
+                          (state.split && entry.first == keyOf(state.right, state.shading));
         const bool hasTargets =
-            entry.second && entry.second->mapBytes() + entry.second->maskBytes() + entry.second->lightBytes() > 0;
+            entry.second &&
+            entry.second->mapBytes() + entry.second->maskBytes() + entry.second->lightBytes() > 0;
         return !used && hasTargets;
     });
 }

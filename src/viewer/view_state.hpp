@@ -33,8 +33,8 @@ struct ViewState {
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
     Shading shading = Shading::full;
-    float ambient = 0.5f;   ///< see RenderSettings
-    float exposure = 0.0f; ///< EV, within mostExposure
+    float ambient = 0.5f;                               ///< see RenderSettings
+    float exposure = 0.0f;                              ///< EV, within mostExposure
     glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     SideSettings left; ///< of the whole picture where there is no split
     SideSettings right{ShadowMethod::map};

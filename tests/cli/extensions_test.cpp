@@ -70,7 +70,8 @@ ExtensionRow onMaterial(const std::string& name, const Json& extension) {
 ExtensionRow onGlossyMaterial(const std::string& name, const Json& extension) {
     return row(name, [=](GltfBuilder& gltf) {
         Json& material = gltf.json["materials"][0];
-        material["pbrMetallicRoughness"].update({{"metallicFactor", 0.0}, {"roughnessFactor", 0.3}});
+        material["pbrMetallicRoughness"].update(
+            {{"metallicFactor", 0.0}, {"roughnessFactor", 0.3}});
         material["emissiveFactor"] = {0.1, 0.1, 0.1};
         material["extensions"][name] = extension;
     });

@@ -99,7 +99,8 @@ TEST(Rendering, TexelsAreLookedUpAsTheSamplerSays) {
         gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
         gltf.addShapeNode(box(glm::vec3(1.0f)), {{"material", 0}});
         const Image image = decodeImage(
-            pictureOf(folder.write("box.glb", gltf.glb()), {"--ambient", "1"}), "box.png");
+            pictureOf(folder.write("box.glb", gltf.glb()), {"--shading", "base", "--ambient", "1"}),
+            "box.png");
         std::set<std::array<std::uint8_t, 3>> colours;
         for (std::size_t i = 0; i < image.rgba.size(); i += 4)
             colours.insert({image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
@@ -107,6 +108,59 @@ TEST(Rendering, TexelsAreLookedUpAsTheSamplerSays) {
     };
     EXPECT_LE(coloursWith(9728), 5u) << "nearest: four texels and what is behind them";
     EXPECT_GT(coloursWith(9729), 50u) << "linear";
+}
+
+/// A Radiance picture of 4 x 2 pixels in one colour, whose bytes share an exponent.
+Bytes smallPanorama(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+    const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+    Bytes bytes(header.begin(), header.end());
+    for (int i = 0; i < 8; ++i)
+        bytes.insert(bytes.end(), {red, green, blue, 129});
+    return bytes;
+}
+
+TEST(Rendering, SurfacesReflectTheEnvironmentThatWasAskedFor) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"metallicFactor", 1}, {"roughnessFactor", 0.2}}}});
+    gltf.addShapeNode(box(glm::vec3(1.0f)), {{"material", 0}});
+    const std::string file = folder.write("box.glb", gltf.glb());
+    const std::string warm = folder.write("warm.hdr", smallPanorama(200, 100, 50));
+    const auto middle = [&](const std::vector<std::string>& options) {
+        const Image image = decodeImage(pictureOf(file, options), "box.png");
+        const std::size_t i =
+            4 * static_cast<std::size_t>(image.width * (image.height / 2) + image.width / 2);
+        return glm::ivec3(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]);
+    };
+    const glm::ivec3 neutral = middle({}), lit = middle({"--environment", warm}),
+                     bright = middle({"--environment", warm, "--exposure", "1"});
+    EXPECT_EQ(neutral.r, neutral.b);
+    EXPECT_GT(lit.r, lit.g + 20);
+    EXPECT_GT(lit.g, lit.b + 20);
+    EXPECT_GT(bright.g, lit.g + 10);
+    const ProcessResult missing = runEdgeshade(
+        {"render", file, folder / "picture.png", "--environment", folder / "gone.hdr"});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_NE(missing.err.find("gone.hdr"), std::string::npos) << missing.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "picture.png"));
+}
+
+TEST(Rendering, BaseShadingIsAsItWas) {
+    // sRGB(0.5) * (0.35 + 0.65 * max(0, N.L)) under a sun from above, metal or not.
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addMaterial({{"emissiveFactor", {1, 1, 1}},
+                      {"pbrMetallicRoughness", {{"baseColorFactor", {0.2140411, 0, 0, 1}}}}});
+    gltf.addShapeNode(box({4, 0.1f, 4}), {{"material", 0}});
+    const Image image =
+        decodeImage(pictureOf(folder.write("box.glb", gltf.glb()),
+                              {"--shading", "base", "--sun", "0,1,0", "--camera-from", "0,9,0.01",
+                               "--camera-to", "0,0,0"}),
+                    "box.png");
+    const std::size_t i =
+        4 * static_cast<std::size_t>(image.width * (image.height / 2) + image.width / 2);
+    EXPECT_NEAR(image.rgba[i], 128, 1);
+    EXPECT_EQ(image.rgba[i + 1], 0);
 }
 
 TEST(Rendering, ProposedSilhouettesDrawWhatAllDo) {

@@ -20,8 +20,8 @@ GltfBuilder completeScene() {
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.7}, {"znear", 0.01}}}}};
     const int still = gltf.addShape(box(glm::vec3(1.0f)), {{"material", 0}});
     gltf.addNode({{"mesh", still}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
-    const int joint = gltf.addNode(
-        {{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
+    const int joint =
+        gltf.addNode({{"camera", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 1}}}}}});
     Json primitive = gltf.primitiveOf(tetrahedron());
     primitive["attributes"]["JOINTS_0"] = gltf.addArray(std::vector<std::uint8_t>(16, 0), 4);
     primitive["attributes"]["WEIGHTS_0"] = gltf.addArray(std::vector<float>(16, 0.25f), 4);

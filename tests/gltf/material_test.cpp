@@ -112,10 +112,7 @@ TEST(Material, ItsSamplerSaysHowTexelsAreLookedUp) {
         gltf.json["samplers"] = Json::array({sampler});
         gltf.json["textures"] = {{{"source", 0}, {"sampler", 0}}};
         Warnings warnings;
-        return readMaterials(parseGltf(gltf.glb(), "test.glb"), warnings)
-            .at(0)
-            .baseColor()
-            .sampler;
+        return readMaterials(parseGltf(gltf.glb(), "test.glb"), warnings).at(0).baseColor().sampler;
     };
     EXPECT_EQ(samplerOf(Json::object()), Sampler());
     EXPECT_TRUE(Sampler().takesMipmaps());

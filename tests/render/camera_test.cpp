@@ -86,9 +86,9 @@ TEST(Camera, FramingFillsThePictureWithWhatThereIs) {
             glm::dvec2 low(1e9), high(-1e9);
             for (const Batch& batch : scene.batches)
                 for (const glm::vec3& position : batch.positions) {
-                    const glm::dvec2 seen = project(
-                        camera, aspect,
-                        glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+                    const glm::dvec2 seen =
+                        project(camera, aspect,
+                                glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
                     low = glm::min(low, seen);
                     high = glm::max(high, seen);
                 }

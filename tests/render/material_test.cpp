@@ -18,8 +18,8 @@ namespace {
 using test::displayedBytes;
 using test::GltfBuilder;
 using test::Json;
-using test::reflectedLight;
 using test::ReferenceSurface;
+using test::reflectedLight;
 using test::sun;
 
 constexpr int size = 32;
@@ -45,8 +45,8 @@ std::vector<std::uint8_t> draw(const GltfBuilder& gltf, const test::TestView& vi
         << loaded.scene.warnings.sentences().front();
     loaded.images = decodeImages(*loaded.document, loaded.scene);
     loaded.planePairs = buildPlanePairs(loaded.scene, false);
-    FrameView frame = makeFrameView(loaded.scene, false,
-                                    {view.seen(), view.width, view.height, view.lights, {}});
+    FrameView frame =
+        makeFrameView(loaded.scene, false, {view.seen(), view.width, view.height, view.lights, {}});
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     prepareScene(gpu, loaded, frame, settings, context.capabilities());
     Renderer(settings, context.capabilities()).draw(gpu, frame);
@@ -74,8 +74,8 @@ struct Wall {
         for (const glm::u8vec4& texel : texels)
             rgba.insert(rgba.end(), {texel.r, texel.g, texel.b, texel.a});
         const int side = texels.size() == 1 ? 1 : 2;
-        const int image = gltf.addImage(
-            {{"uri", test::dataUri(encodePng(rgba, side, side), "image/png")}});
+        const int image =
+            gltf.addImage({{"uri", test::dataUri(encodePng(rgba, side, side), "image/png")}});
         gltf.json["samplers"] = {{{"magFilter", 9728}, {"minFilter", 9728}}};
         gltf.json["textures"].push_back({{"source", image}, {"sampler", 0}});
         return static_cast<int>(gltf.json["textures"].size()) - 1;
@@ -126,16 +126,18 @@ TEST(FullShading, MetalAndRoughness) {
         for (const double roughness : {0.15, 0.4, 0.7, 0.9}) {
             SCOPED_TRACE(std::to_string(metallic) + " " + std::to_string(roughness));
             for (const glm::dvec3& light : {aside, glm::dvec3(0.1, 0.05, 1), glm::dvec3(3, 0, 1)})
-                expectNear(middle(Wall(), metallicRoughness(metallic, roughness), fullSettings(),
-                                  {sun(light)}),
-                           displayedBytes(reflectedLight({copper, metallic, roughness}, light, eye)));
+                expectNear(
+                    middle(Wall(), metallicRoughness(metallic, roughness), fullSettings(),
+                           {sun(light)}),
+                    displayedBytes(reflectedLight({copper, metallic, roughness}, light, eye)));
         }
 }
 
 TEST(FullShading, MetalAndRoughnessByTexture) {
     Wall wall;
     const int texture = wall.texture({{255, 128, 51, 255}}); // roughness in G, metal in B
-    const Json material = metallicRoughness(1.0, 1.0, {{"metallicRoughnessTexture", {{"index", texture}}}});
+    const Json material =
+        metallicRoughness(1.0, 1.0, {{"metallicRoughnessTexture", {{"index", texture}}}});
     expectNear(middle(wall, material),
                displayedBytes(reflectedLight({copper, 51.0 / 255.0, 128.0 / 255.0}, aside, eye)));
 }
@@ -188,8 +190,8 @@ TEST(FullShading, NormalsByTextureOfBothHands) {
             material["normalTexture"] = {{"index", wall.texture({turnedTexel})}, {"scale", scale}};
             ReferenceSurface surface{copper, 0.3, 0.4};
             surface.normal = turnedNormal(mirror, scale);
-            expectNear(middle(wall, material),
-                       displayedBytes(reflectedLight(surface, aside, eye)), 2.0);
+            expectNear(middle(wall, material), displayedBytes(reflectedLight(surface, aside, eye)),
+                       2.0);
         }
 }
 
@@ -231,8 +233,8 @@ TEST(FullShading, SpecularGlossiness) {
     // Its diffuse colour is lessened by all that is reflected, straight on too.
     const auto expected = [&] {
         ReferenceSurface lessened = surface;
-        lessened.baseColor *= 1.0 - std::max({surface.reflectance.x, surface.reflectance.y,
-                                              surface.reflectance.z});
+        lessened.baseColor *=
+            1.0 - std::max({surface.reflectance.x, surface.reflectance.y, surface.reflectance.z});
         return displayedBytes(reflectedLight(lessened, aside, eye));
     };
     const auto material = [&] {
@@ -258,11 +260,12 @@ TEST(FullShading, UnlitColoursAreAsTheyAre) {
 
 TEST(FullShading, ColoursOfVertices) {
     Wall wall;
-    wall.attributes["COLOR_0"] = wall.gltf.addArray<float>(
-        {0.5, 0.25, 1, 0.5, 0.25, 1, 0.5, 0.25, 1, 0.5, 0.25, 1}, 3);
-    expectNear(middle(wall, metallicRoughness(0.2, 0.5)),
-               displayedBytes(reflectedLight({copper * Color(0.5, 0.25, 1.0), 0.2, 0.5}, aside, eye)),
-               2.0);
+    wall.attributes["COLOR_0"] =
+        wall.gltf.addArray<float>({0.5, 0.25, 1, 0.5, 0.25, 1, 0.5, 0.25, 1, 0.5, 0.25, 1}, 3);
+    expectNear(
+        middle(wall, metallicRoughness(0.2, 0.5)),
+        displayedBytes(reflectedLight({copper * Color(0.5, 0.25, 1.0), 0.2, 0.5}, aside, eye)),
+        2.0);
 }
 
 TEST(FullShading, EveryTextureTakesItsOwnCoordinates) {
@@ -270,15 +273,14 @@ TEST(FullShading, EveryTextureTakesItsOwnCoordinates) {
     Wall wall;
     wall.attributes["TEXCOORD_1"] = wall.gltf.addVectors(std::vector<glm::vec2>(4, {0.75f, 0.25f}));
     const int base = wall.texture({{255, 255, 255, 255}});
-    const int glow = wall.texture(
-        {{255, 0, 0, 255}, {0, 128, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 255}});
+    const int glow =
+        wall.texture({{255, 0, 0, 255}, {0, 128, 0, 255}, {0, 0, 255, 255}, {9, 9, 9, 255}});
     const int rough =
         wall.texture({{0, 255, 0, 255}, {0, 255, 0, 255}, {0, 102, 0, 255}, {0, 255, 0, 255}});
     Json material = metallicRoughness(1.0, 1.0, {{"baseColorTexture", {{"index", base}}}});
     material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {
         {"index", rough},
-        {"extensions",
-         {{"KHR_texture_transform", {{"scale", {0, 0}}, {"offset", {0.25, 0.75}}}}}}};
+        {"extensions", {{"KHR_texture_transform", {{"scale", {0, 0}}, {"offset", {0.25, 0.75}}}}}}};
     material["emissiveFactor"] = {0.5, 0.5, 0.5};
     material["emissiveTexture"] = {{"index", glow}, {"texCoord", 1}};
     const Color glowing(0.0, 0.5 * test::linearOf(128.0 / 255.0), 0.0);
@@ -288,9 +290,9 @@ TEST(FullShading, EveryTextureTakesItsOwnCoordinates) {
 
 TEST(FullShading, SpecularAndIndexOfRefraction) {
     Json material = metallicRoughness(0.0, 0.3);
-    material["extensions"] = {
-        {"KHR_materials_ior", {{"ior", 2.0}}},
-        {"KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 0}}}}};
+    material["extensions"] = {{"KHR_materials_ior", {{"ior", 2.0}}},
+                              {"KHR_materials_specular",
+                               {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 0}}}}};
     const double once = std::pow(1.0 / 3.0, 2.0);
     ReferenceSurface surface{copper, 0.0, 0.3, once * 0.5 * Color(1.0, 0.5, 0.0)};
     const Color drawn = middle(Wall(), material, fullSettings(), {sun({0.2, 0.1, 1})});
@@ -299,8 +301,8 @@ TEST(FullShading, SpecularAndIndexOfRefraction) {
 
 TEST(FullShading, ClearCoat) {
     Json material = metallicRoughness(0.4, 0.7);
-    material["extensions"] = {{"KHR_materials_clearcoat",
-                               {{"clearcoatFactor", 0.8}, {"clearcoatRoughnessFactor", 0.2}}}};
+    material["extensions"] = {
+        {"KHR_materials_clearcoat", {{"clearcoatFactor", 0.8}, {"clearcoatRoughnessFactor", 0.2}}}};
     ReferenceSurface surface{copper, 0.4, 0.7};
     surface.coat = 0.8;
     surface.coatRoughness = 0.2;
@@ -313,10 +315,12 @@ TEST(FullShading, LightsAddUpBeforeTheDisplaysCurve) {
     const glm::dvec3 other(-1.0, 0.2, 0.7);
     const Color sum = 0.5 * (reflectedLight({copper, 0.2, 0.4}, aside, eye) +
                              reflectedLight({copper, 0.2, 0.4}, other, eye));
-    const Color drawn = middle(Wall(), metallicRoughness(0.2, 0.4), fullSettings(),
-                               {sun(aside), sun(other)});
-    if (test::testLimits() == gl::Limits::device) expectNear(drawn, displayedBytes(sum), 2.0);
-    else EXPECT_GE(drawn.r, displayedBytes(sum).r); // colours are added up
+    const Color drawn =
+        middle(Wall(), metallicRoughness(0.2, 0.4), fullSettings(), {sun(aside), sun(other)});
+    if (test::testLimits() == gl::Limits::device)
+        expectNear(drawn, displayedBytes(sum), 2.0);
+    else
+        EXPECT_GE(drawn.r, displayedBytes(sum).r); // colours are added up
 }
 
 /// A copper box over a plain floor, with what gives off light and what is see-through.
@@ -324,7 +328,8 @@ GltfBuilder sceneOfSorts() {
     GltfBuilder gltf;
     gltf.addMaterial({{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 1}}}});
     gltf.addMaterial(metallicRoughness(0.7, 0.3));
-    gltf.addMaterial({{"emissiveFactor", {0.2, 0.5, 0.1}}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.4}}}});
+    gltf.addMaterial({{"emissiveFactor", {0.2, 0.5, 0.1}},
+                      {"pbrMetallicRoughness", {{"roughnessFactor", 0.4}}}});
     gltf.addShapeNode(test::box({3, 0.1f, 3}), {{"material", 0}});
     gltf.addNode({{"mesh", gltf.addShape(test::box({0.5f, 0.5f, 0.5f}), {{"material", 1}})},
                   {"translation", {0, 1, 0}}});
@@ -368,6 +373,65 @@ TEST(FullShading, ShadowTakesTheLightAndNothingElse) {
         expectLitOrNot(settings, {sun({1, 2, 0.5})});
         expectLitOrNot(settings, {test::pointLight({1.5, 3, 1})});
     }
+}
+
+TEST(FullShading, TheTerminatorIsSoftWhereNormalsAreSmooth) {
+    // A wall that the light just grazes, with normals that are turned towards it, or not.
+    const auto drawn = [](const glm::vec3& normal, const glm::dvec3& light, bool soft,
+                          double roughness) {
+        Wall wall;
+        wall.shape.normals.assign(4, glm::normalize(normal));
+        RenderSettings settings = fullSettings();
+        settings.softTerminator = soft;
+        return middle(wall, metallicRoughness(0.0, roughness), settings, {sun(light)}).r;
+    };
+    const glm::vec3 turned(1, 0, 1);
+    for (const double roughness : {0.5, 1.0}) { // material.frag, surface.frag
+        EXPECT_EQ(drawn({0, 0, 1}, aside, true, roughness),
+                  drawn({0, 0, 1}, aside, false, roughness));
+        EXPECT_NEAR(drawn(turned, {0, 0, 1}, true, roughness),
+                    drawn(turned, {0, 0, 1}, false, roughness), 1.0);
+        EXPECT_GT(drawn(turned, {1, 0, 0.01}, false, roughness), 150.0);
+        if (!test::hasDerivatives()) continue;
+        EXPECT_LT(drawn(turned, {1, 0, 0.001}, true, roughness), 60.0);
+        EXPECT_LT(drawn(turned, {1, 0, 0.1}, true, roughness) + 10.0,
+                  drawn(turned, {1, 0, 0.1}, false, roughness));
+    }
+}
+
+TEST(FullShading, SeeThroughSurfacesAreInShadowToo) {
+    // A pane over the floor, half of it beneath a roof: as dark there as without the light.
+    GltfBuilder gltf;
+    gltf.addMaterial({{"alphaMode", "BLEND"},
+                      {"pbrMetallicRoughness",
+                       {{"baseColorFactor", {0.9, 0.5, 0.3, 0.6}}, {"metallicFactor", 0}}}});
+    gltf.addMaterial({{"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+    gltf.addNode({{"mesh", gltf.addShape(test::box({2, 0.01f, 2}), {{"material", 0}})},
+                  {"translation", {0, 1, 0}}});
+    gltf.addShapeNode(test::box({3, 0.1f, 3}), {{"material", 1}});
+    gltf.addNode({{"mesh", gltf.addShape(test::box({1, 0.1f, 2}), {{"material", 1}})},
+                  {"translation", {-1.2, 2.5, 0}}});
+    const test::TestView view{{{1.5, 3.5, 5}, {0, 1, 0}, 40.0}, {sun({-0.3, 3, 0})}, size, size};
+    const auto picture = [&](ShadowMethod method, const glm::dvec3& light) {
+        RenderSettings settings = fullSettings(0.5f);
+        settings.shadows = method;
+        test::TestView seen = view;
+        seen.lights = {sun(light)};
+        return draw(gltf, seen, settings);
+    };
+    const glm::dvec3 light(-0.3, 3, 0);
+    const auto counted = picture(ShadowMethod::volumes, light);
+    const auto lookedUp = picture(ShadowMethod::primitiveMap, light);
+    const auto lit = picture(ShadowMethod::none, light);
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "needs float textures";
+    int darker = 0;
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+        EXPECT_NEAR(counted[i], lookedUp[i], 2);
+        darker += counted[i] + 20 < lit[i];
+    }
+    EXPECT_GT(darker, 200);
+    const Color shaded = at(counted, 11, 19), bright = at(counted, 20, 19);
+    EXPECT_LT(shaded.r + 30.0, bright.r);
 }
 
 TEST(FullShading, MasksOfLowerResolutionToo) {

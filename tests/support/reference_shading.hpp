@@ -29,8 +29,8 @@ inline glm::dvec3 reflectedLight(const ReferenceSurface& of, const glm::dvec3& t
         const double nl = glm::dot(n, l), nv = glm::dot(n, v), nh = glm::dot(n, h);
         if (nl <= 0.0 || nv <= 0.0) return 0.0;
         const double d = a2 / (pi * std::pow(nh * nh * (a2 - 1.0) + 1.0, 2.0));
-        const double masking = nl * std::sqrt(a2 + (1.0 - a2) * nv * nv) +
-                               nv * std::sqrt(a2 + (1.0 - a2) * nl * nl);
+        const double masking =
+            nl * std::sqrt(a2 + (1.0 - a2) * nv * nv) + nv * std::sqrt(a2 + (1.0 - a2) * nl * nl);
         return d * 0.5 / masking;
     };
     const double f = std::pow(1.0 - glm::dot(v, h), 5.0);
@@ -39,14 +39,14 @@ inline glm::dvec3 reflectedLight(const ReferenceSurface& of, const glm::dvec3& t
     const double s = specular(of.normal, of.roughness);
     const glm::dvec3 plastic = of.baseColor / pi * (1.0 - most) + s * dielectric;
     const glm::dvec3 metal = s * (of.baseColor + (1.0 - of.baseColor) * f);
-    const glm::dvec3 beneath = glm::mix(plastic, metal, of.metallic) *
-                               std::max(glm::dot(of.normal, l), 0.0);
+    const glm::dvec3 beneath =
+        glm::mix(plastic, metal, of.metallic) * std::max(glm::dot(of.normal, l), 0.0);
     const glm::dvec3 up(0.0, 0.0, 1.0);
     const double coatView = 0.04 + 0.96 * std::pow(1.0 - glm::dot(up, v), 5.0);
-    const double coatHere = of.coat > 0.0 ? of.coat * (0.04 + 0.96 * f) *
-                                                specular(up, of.coatRoughness) *
-                                                std::max(glm::dot(up, l), 0.0)
-                                          : 0.0;
+    const double coatHere = of.coat > 0.0
+                                ? of.coat * (0.04 + 0.96 * f) * specular(up, of.coatRoughness) *
+                                      std::max(glm::dot(up, l), 0.0)
+                                : 0.0;
     return pi * (beneath * (1.0 - of.coat * coatView) + coatHere);
 }
 

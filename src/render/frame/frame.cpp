@@ -86,8 +86,7 @@ BatchView viewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& 
                  const DepthSlice& slice, const SurfaceShading& shading) {
     BatchView result = batchViewOf(batch, view, slice);
     if (shading.light && shading.light->isSpot())
-        result.coneFromObject =
-            glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
+        result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
     if (shading.map)
         result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
     if (shading.primitives) {
@@ -108,7 +107,8 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
       surfaces_(capabilities, settings.map.pcf) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
-    if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities)) linear_.emplace(capabilities);
+    if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
+        linear_.emplace(capabilities);
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
 }
@@ -130,12 +130,11 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
 Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) {
     if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return {};
     LightSum sum{.full = true, .darkens = false};
-    sum.plainIsShort = view.lights.size() == 1 && isPlain(settings_) &&
-                       isPlain(view.lights.front().light);
+    sum.plainIsShort =
+        view.lights.size() == 1 && isPlain(settings_) && isPlain(view.lights.front().light);
     const bool allShort = scene.plain && sum.plainIsShort;
-    if (!allShort && !environment_)
-        environment_.emplace(settings_.environment ? *settings_.environment
-                                                   : neutralEnvironment());
+    if ((!allShort || scene.seeThrough) && !environment_)
+        environment_.emplace(settings_.environment ? *settings_.environment : neutralEnvironment());
     if (view.lights.size() == 1) {
         sum.replaces = true;
         sum.darkens = allShort;
@@ -249,9 +248,8 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     if (pass.first) {
         const glm::vec4 clear =
             pass.view.mask ? glm::vec4(0.0f)
-            : sum_.linear
-                ? glm::vec4(LinearTarget::lightShownAs(settings_.background), 1.0f)
-                : glm::vec4(settings_.background, 1.0f);
+            : sum_.linear  ? glm::vec4(LinearTarget::lightShownAs(settings_.background), 1.0f)
+                           : glm::vec4(settings_.background, 1.0f);
         glClearColor(clear.r, clear.g, clear.b, clear.a);
     }
     // Depth and stencil at once: one without the other is dear where they share their bytes.
@@ -393,7 +391,12 @@ ShadowMapLookup Renderer::drawMap(const SlicePass& pass, const Light& light) {
 }
 
 const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const Light& light) const {
-    if (!settings_.looksUpPrimitives()) return nullptr;
+    return settings_.looksUpPrimitives() ? anyPrimitiveMapOf(scene, light) : nullptr;
+}
+
+const GpuPrimitiveMap* Renderer::anyPrimitiveMapOf(const GpuScene& scene,
+                                                   const Light& light) const {
+    if (!settings_.records()) return nullptr;
     const PrimitiveMapState* state = scene.primitiveMaps.of(light);
     return state ? state->map.get() : nullptr;
 }
@@ -424,6 +427,7 @@ void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
     FullShading& full = shading.full.emplace();
     full.plainIsShort = sum_.plainIsShort;
     full.environment = environment_ ? &*environment_ : nullptr;
+    full.softTerminator = settings_.softTerminator;
     full.linear = sum_.linear;
     full.exposure = std::exp2(settings_.exposure);
     shading.ambient = lightShown(settings_.ambient);
@@ -472,12 +476,14 @@ void Renderer::drawBlended(const SlicePass& pass) {
         drawSeeThrough(pass, *item.batch, *item.chunk);
 }
 
-/// In base shading as bright as in full light; else in all lights.
+/// In base shading as bright as in full light; else in all lights, as far as their primitive maps
+/// say, where they have some.
 void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
                               const SurfaceChunk& chunk) {
     const auto draw = [&](SurfaceShading shading) {
         shading.farthest = static_cast<float>(pass.slice.far);
-        surfaces_.drawChunk(pass.scene, chunk, viewOf(pass.scene, batch, pass.view, pass.slice, shading),
+        surfaces_.drawChunk(pass.scene, chunk,
+                            viewOf(pass.scene, batch, pass.view, pass.slice, shading),
                             pass.view.frustum.position(), shading);
     };
     if (!sum_.full || pass.scene.materials[chunk.material].unlit) {
@@ -491,6 +497,7 @@ void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
     for (const FrameLight& light : pass.view.lights) {
         if (!light.drawn) continue;
         SurfaceShading shading = shadingOf(pass, &light.light);
+        shading.primitives = anyPrimitiveMapOf(pass.scene, light.light);
         shading.withAmbient = first;
         draw(shading);
         first = false;

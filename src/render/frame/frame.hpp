@@ -105,10 +105,10 @@ class Renderer {
 
     /// How what lights leave is put together in one frame.
     struct LightSum {
-        bool full = false;    ///< Shading::full
-        bool darkens = true;  ///< shadow leaves colours the share that alpha says
-        bool replaces = false; ///< the one light is drawn over ambient light
-        bool linear = false;  ///< light itself is added up
+        bool full = false;         ///< Shading::full
+        bool darkens = true;       ///< shadow leaves colours the share that alpha says
+        bool replaces = false;     ///< the one light is drawn over ambient light
+        bool linear = false;       ///< light itself is added up
         bool plainIsShort = false; ///< see FullShading
     };
 
@@ -139,6 +139,8 @@ class Renderer {
     ShadowMapLookup drawMap(const SlicePass& pass, const Light& light);
     /// The light's primitive map; null: it has none, or shadows are something else.
     const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const Light& light) const;
+    /// The same where volumes are counted: for surfaces that are not counted for.
+    const GpuPrimitiveMap* anyPrimitiveMapOf(const GpuScene& scene, const Light& light) const;
     void drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const SlicePass& pass);
     void drawSeeThrough(const SlicePass& pass, const GpuBatch& batch, const SurfaceChunk& chunk);
@@ -157,8 +159,8 @@ class Renderer {
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps
     std::optional<LinearTarget> linear_;
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it
-    std::optional<CoarseMask> coarse_;  ///< where volumes are counted at a lower resolution
-    std::size_t vertexRuns_ = 0;        ///< of the last frame
+    std::optional<CoarseMask> coarse_;          ///< where volumes are counted at a lower resolution
+    std::size_t vertexRuns_ = 0;                ///< of the last frame
 };
 
 /// The layout that suits the context: instanced where it can, else not.

@@ -28,8 +28,8 @@ constexpr Map maps[] = {
 };
 static_assert(std::size(maps) == textureSlots);
 
-constexpr const char* coordinates[mostTexcoordChannels] = {
-    "v_texcoord", "v_texcoord1", "v_texcoord23.xy", "v_texcoord23.zw"};
+constexpr const char* coordinates[mostTexcoordChannels] = {"v_texcoord", "v_texcoord1",
+                                                           "v_texcoord23.xy", "v_texcoord23.zw"};
 
 bool isNormal(TextureSlot slot) {
     return slot == normal || slot == clearcoatNormal;
@@ -61,8 +61,7 @@ MaterialFeatures featuresOf(const GpuScene& scene, const SurfaceChunk& chunk, bo
             static_cast<signed char>(texture.channel);
         --textureUnits;
     }
-    features.tangents =
-        chunk.tangents && (features.has(normal) || features.has(clearcoatNormal));
+    features.tangents = chunk.tangents && (features.has(normal) || features.has(clearcoatNormal));
     return features;
 }
 
@@ -90,9 +89,8 @@ void addDefines(const MaterialFeatures& features, std::vector<std::string>& defi
 void setMaterial(gl::Program& program, const MaterialFeatures& features, const Material& material,
                  const Textures& textures, int firstUnit) {
     program.set("u_baseColor", material.baseColorFactor);
-    program.set("u_reflectance",
-                glm::vec4(material.metallic, material.roughness, material.dielectricReflectance,
-                          material.specular));
+    program.set("u_reflectance", glm::vec4(material.metallic, material.roughness,
+                                           material.dielectricReflectance, material.specular));
     program.set("u_specularColor", material.specularColor);
     program.set("u_emissive", material.emissive);
     program.set("u_normalScale", material.normalScale);

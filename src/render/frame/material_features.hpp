@@ -11,11 +11,11 @@ namespace edgeshade {
 /// A variant of the shader is compiled for each.
 struct MaterialFeatures {
     std::array<signed char, textureSlots> channels{}; ///< of each texture's coordinates; -1: none
-    bool glossy = false;    ///< specular-glossiness
-    bool emissive = false;  ///< gives off light
-    bool clearcoat = false; ///< has a coat
-    bool tangents = false;  ///< of its vertices
-    bool ambient = false;   ///< light from everywhere is shown
+    bool glossy = false;                              ///< specular-glossiness
+    bool emissive = false;                            ///< gives off light
+    bool clearcoat = false;                           ///< has a coat
+    bool tangents = false;                            ///< of its vertices
+    bool ambient = false;                             ///< light from everywhere is shown
 
     auto operator<=>(const MaterialFeatures&) const = default;
 

@@ -21,6 +21,14 @@ MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& set
     return task;
 }
 
+/// Whether there are surfaces to look up that volumes can't give shadows: they are seen together
+/// with what is behind them, for which the stencil counts.
+bool receivesSeeThrough(const GpuScene& scene, const FrameView& view,
+                        const RenderSettings& settings) {
+    return settings.shadows == ShadowMethod::volumes && settings.shading == Shading::full &&
+           scene.seeThrough && view.drawBlended && !view.mask;
+}
+
 const char* nameOf(ShadowMethod method) {
     switch (method) {
     case ShadowMethod::map:
@@ -36,8 +44,9 @@ const char* nameOf(ShadowMethod method) {
 
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities) {
-    if (settings.looksUpPrimitives()) {
-        const MapTask task = mapTask(view.lights, settings, isAutomatic(settings));
+    if (settings.looksUpPrimitives() || receivesSeeThrough(scene, view, settings)) {
+        const MapTask task =
+            mapTask(view.lights, settings, settings.shadows != ShadowMethod::primitiveMap);
         scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
                                  capabilities);
     }

@@ -173,7 +173,8 @@ const std::array<SurfacePass::Attribute, 8> SurfacePass::attributes_ = {{
      [](const Variant& of) { return of.material && of.material->tangents; }},
     {"a_texcoord1", 2, GL_FLOAT, offsetof(SurfaceDetail, texcoords), Buffer::details,
      [](const Variant& of) { return of.material && of.material->takes(1); }},
-    {"a_texcoord23", 4, GL_FLOAT, offsetof(SurfaceDetail, texcoords) + sizeof(glm::vec2), Buffer::details,
+    {"a_texcoord23", 4, GL_FLOAT, offsetof(SurfaceDetail, texcoords) + sizeof(glm::vec2),
+     Buffer::details,
      [](const Variant& of) {
          return of.material && (of.material->takes(2) || of.material->takes(3));
      }},
@@ -188,6 +189,8 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
     if (!shading.full || shading.mask || shading.planes || shading.tintPrimitives) return;
     variant.linear = shading.full->linear;
     if (material.unlit) return;
+    variant.softTerminator =
+        variant.lit && shading.full->softTerminator && chunk.smooth && derivatives_;
     const bool simple = material.isPlain() && material.alphaMode != AlphaMode::blend;
     if (simple && shading.full->plainIsShort) {
         variant.plain = true;
@@ -197,8 +200,7 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
     variant.material = featuresOf(scene, chunk, ambient, derivatives_,
                                   textureUnits_ - unitsOfLookups(shading) - (ambient ? 1 : 0));
     variant.textured = false;
-    variant.falloff =
-        variant.lit && shading.light->photometric && shading.light->position.w != 0.0;
+    variant.falloff = variant.lit && shading.light->photometric && shading.light->position.w != 0.0;
 }
 
 SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
@@ -238,6 +240,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.material) addDefines(*variant.material, defines);
     if (variant.falloff) defines.push_back("FALLOFF");
     if (variant.plain) defines.push_back("PLAIN");
+    if (variant.softTerminator) defines.push_back("SOFT_TERMINATOR");
     if (variant.linear) defines.push_back("LINEAR");
     if (variant.textured) defines.push_back("TEXTURED");
     if (variant.colored) defines.push_back("COLORED");
@@ -266,12 +269,11 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     for (const Attribute& attribute : attributes_)
         if (attribute.isOf(variant)) names.push_back(attribute.name);
     return programs_
-        .emplace(variant,
-                 gl::Program(shaders::surface_vert,
-                             variant.planes     ? shaders::coarse_surface_frag
-                             : variant.material ? shaders::material_frag
-                                                : shaders::surface_frag,
-                             defines, names))
+        .emplace(variant, gl::Program(shaders::surface_vert,
+                                      variant.planes     ? shaders::coarse_surface_frag
+                                      : variant.material ? shaders::material_frag
+                                                         : shaders::surface_frag,
+                                      defines, names))
         .first->second;
 }
 
@@ -333,12 +335,12 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     const std::size_t stride = variant.sided ? sizeof(SidedVertex) : sizeof(SurfaceVertex);
     for (const Attribute& attribute : attributes_)
         if (attribute.isOf(variant))
-        if (attribute.isOf(variant)) {
-            const bool detail = attribute.buffer == Buffer::details;
-            binding.add(detail ? details : vertices, attribute.components, attribute.type,
-                        attribute.type == GL_UNSIGNED_BYTE,
-                        detail ? sizeof(SurfaceDetail) : stride, attribute.offset, false);
-        }
+            if (attribute.isOf(variant)) {
+                const bool detail = attribute.buffer == Buffer::details;
+                binding.add(detail ? details : vertices, attribute.components, attribute.type,
+                            attribute.type == GL_UNSIGNED_BYTE,
+                            detail ? sizeof(SurfaceDetail) : stride, attribute.offset, false);
+            }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (variant.sided ? sided->indices : chunk.indices).name());
     glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);

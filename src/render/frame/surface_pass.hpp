@@ -24,10 +24,11 @@ struct FullShading {
     /// the display shows of it.
     bool plainIsShort = false;
     const GpuEnvironment* environment = nullptr; ///< null where all is plain and short
-    bool linear = false;        ///< light itself is written, to be mapped later
-    float ambientSlope = 0.0f;  ///< of `ambient` from the side to above
-    float exposure = 1.0f;      ///< a factor
-    glm::vec3 lightColor{0.0f}; ///< what a white Lambert surface sends back of it, straight on
+    bool softTerminator = false; ///< where normals are smooth and the GL has derivatives
+    bool linear = false;         ///< light itself is written, to be mapped later
+    float ambientSlope = 0.0f;   ///< of `ambient` from the side to above
+    float exposure = 1.0f;       ///< a factor
+    glm::vec3 lightColor{0.0f};  ///< what a white Lambert surface sends back of it, straight on
     glm::vec4 eye{0.0f, 0.0f, 0.0f, 1.0f}; ///< from the camera's position, world axes, homogeneous
 };
 
@@ -35,8 +36,8 @@ struct FullShading {
 /// for the lit mask, `maskValue`.
 struct SurfaceShading {
     std::optional<FullShading> full; ///< nothing: Shading::base
-    std::optional<Light> light; ///< nothing: ambient light
-    bool withAmbient = false;   ///< light and ambient light, whose share of both is in alpha
+    std::optional<Light> light;      ///< nothing: ambient light
+    bool withAmbient = false;        ///< light and ambient light, whose share of both is in alpha
     float ambient = 0.0f;
     float diffuse = 0.0f; ///< of the light, times its Lambert term
     bool mask = false;
@@ -82,8 +83,9 @@ class SurfacePass {
         std::optional<MaterialFeatures> material; ///< of material.frag
         std::optional<ShadowMapKind> map;
         std::optional<PrimitiveMapVariant> primitives;
-        bool plain;    ///< full shading of what needs no material.frag
-        bool linear;   ///< writes light itself
+        bool plain;          ///< full shading of what needs no material.frag
+        bool linear;         ///< writes light itself
+        bool softTerminator; ///< dims the light where it grazes facets
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
@@ -100,9 +102,9 @@ class SurfacePass {
         bool sided;        ///< its vertices know which side the light is on
 
         auto key() const {
-            return std::tie(alphaMode, material, map, primitives, plain, linear, textured, colored,
-                            lit, falloff, withAmbient, directional, ranged, spot, mask, sliced, coarse, planes,
-                            orthographic, sided);
+            return std::tie(alphaMode, material, map, primitives, plain, linear, softTerminator,
+                            textured, colored, lit, falloff, withAmbient, directional, ranged, spot,
+                            mask, sliced, coarse, planes, orthographic, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

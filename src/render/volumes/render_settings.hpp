@@ -35,12 +35,13 @@ struct RenderSettings {
     ShadowMapSettings map;             ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
-    int maskScale = 1;     ///< where they are volumes: counted once for so many by so many pixels
+    int maskScale = 1; ///< where they are volumes: counted once for so many by so many pixels
     Shading shading = Shading::base;
     float ambient = 0.35f; ///< 0..1, as the display shows it; the lights share the rest
     /// What ambient light is where shading is full; null: the neutral one.
     std::shared_ptr<const Environment> environment;
-    float exposure = 0.0f; ///< of full shading, in EV: light is taken 2^exposure times
+    bool softTerminator = false; ///< of full shading: see shaders_es2/terminator.glsl
+    float exposure = 0.0f;       ///< of full shading, in EV: light is taken 2^exposure times
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
     bool looksUpPrimitives() const {

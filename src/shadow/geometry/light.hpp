@@ -33,7 +33,7 @@ struct Light {
     /// by max(1 - (d / range)^4, 0), the window that KHR_lights_punctual recommends. Directional
     /// lights have none.
     double range = std::numeric_limits<double>::infinity();
-    glm::vec3 color{1.0f};      ///< linear, times intensity; 1: as bright as a light is by itself
+    glm::vec3 color{1.0f}; ///< linear, times intensity; 1: as bright as a light is by itself
     /// `color` is in candela, of which a point light leaves the square of the distance's share, or
     /// in lux of a directional light; else it is a share of what a picture's lights have together.
     bool photometric = false;

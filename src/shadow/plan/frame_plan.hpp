@@ -40,8 +40,8 @@ struct FramePlan {
 /// What is planned, with what it needs of others.
 struct FrameTask {
     const FrameView& view;
-    PixelRectangle open;     ///< the pixels that may be drawn at all
-    bool ownStencil = false; ///< volumes are counted in another framebuffer than the picture's
+    PixelRectangle open;       ///< the pixels that may be drawn at all
+    bool ownStencil = false;   ///< volumes are counted in another framebuffer than the picture's
     bool ambientApart = false; ///< no light is drawn together with ambient light
     /// How many groups the casters of the light with that index come in; 0: its shadows
     /// are no volumes.
