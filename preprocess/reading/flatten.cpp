@@ -317,7 +317,8 @@ Scene flattenScene(const GltfDocument& document, double weldTolerance, const Loo
     Scene scene;
     scene.warnings = document.warnings;
     scene.materials = readMaterials(document, scene.warnings);
-    if (looks.shading == Shading::base) std::ranges::for_each(scene.materials, keepBase);
+    if (looks.shading == Shading::base)
+        std::for_each(scene.materials.begin(), scene.materials.end(), keepBase);
     const NodeWalk walk = walkNodes(document, scene.warnings);
     scene.animatedNodes = walk.animatedNodes;
     scene.cameras = readCameras(document, walk, scene.warnings);

@@ -70,10 +70,10 @@ class MaterialReader {
             material_.of(TextureSlot::baseColor) = {};
             material_.baseColorFactor = glm::vec4(1.0f);
             readBaseColor(glossy, "diffuseFactor", "diffuseTexture");
-            orLeaveOut("its highlights", [&] { readSpecularGlossiness(glossy); });
+            orLeaveOut("its highlights are", [&] { readSpecularGlossiness(glossy); });
         });
         if (metallic && !material_.specularGlossiness)
-            orLeaveOut("its metal and roughness", [&] { readMetallicRoughness(*metallic); });
+            orLeaveOut("its metal and roughness are", [&] { readMetallicRoughness(*metallic); });
         if (material_.unlit) keepBase(material_);
         if (!material_.unlit) readWhatReflects();
         assignChannels();
@@ -85,7 +85,7 @@ class MaterialReader {
     template <class Read>
     void orLeaveOut(const std::string& what, Read read) {
         const Material before = material_;
-        if (!readOrWarn(warnings_, what + " are left out", read)) material_ = before;
+        if (!readOrWarn(warnings_, what + " left out", read)) material_ = before;
     }
 
     template <class Read>
@@ -160,20 +160,22 @@ class MaterialReader {
     }
 
     void readWhatReflects() {
-        orLeaveOut("its normals", [&] {
-            readTexture(source_, "normalTexture", TextureSlot::normal);
-            if (const auto info = source_.find("normalTexture"))
-                material_.normalScale = floatOr(*info, "scale", 1.0f);
+        orLeaveOut("its normals are", [&] {
+            const auto info = source_.find("normalTexture");
+            if (!info) return;
+            material_.normalScale = floatOr(*info, "scale", 1.0f);
+            if (material_.normalScale != 0.0f)
+                readTexture(source_, "normalTexture", TextureSlot::normal);
         });
-        orLeaveOut("its occlusion", [&] {
+        orLeaveOut("its occlusion is", [&] {
             const auto info = source_.find("occlusionTexture");
             if (!info) return;
             material_.occlusionStrength = shareOr(*info, "strength", 1.0f);
             if (material_.occlusionStrength > 0.0f)
                 readTexture(source_, "occlusionTexture", TextureSlot::occlusion);
         });
-        orLeaveOut("what it gives off", [&] { readEmission(); });
-        readExtension("KHR_materials_ior", "its highlights", [&](const JsonField& extension) {
+        orLeaveOut("what it gives off is", [&] { readEmission(); });
+        readExtension("KHR_materials_ior", "its highlights are", [&](const JsonField& extension) {
             const float ior = floatOr(extension, "ior", 1.5f);
             if (ior != 0.0f && ior < 1.0f)
                 extension.member("ior").fail(" is " + std::to_string(ior) +
@@ -182,16 +184,18 @@ class MaterialReader {
             material_.dielectricReflectance = share * share;
         });
         if (!material_.specularGlossiness)
-            readExtension("KHR_materials_specular", "its highlights",
+            readExtension("KHR_materials_specular", "its highlights are",
                           [&](const JsonField& extension) { readSpecular(extension); });
-        readExtension("KHR_materials_clearcoat", "its clear coats",
+        readExtension("KHR_materials_clearcoat", "its clear coat is",
                       [&](const JsonField& extension) { readClearcoat(extension); });
-        readExtension("KHR_materials_transmission", "its glass", [&](const JsonField& extension) {
-            material_.transmission = shareOr(extension, "transmissionFactor", 0.0f);
-            if (material_.transmission == 0.0f || material_.alphaMode != AlphaMode::opaque) return;
-            material_.alphaMode = AlphaMode::blend; // it casts no shadow, nor refracts
-            material_.baseColorFactor.a = 1.0f;
-        });
+        readExtension(
+            "KHR_materials_transmission", "its glass is", [&](const JsonField& extension) {
+                material_.transmission = shareOr(extension, "transmissionFactor", 0.0f);
+                if (material_.transmission == 0.0f || material_.alphaMode != AlphaMode::opaque)
+                    return;
+                material_.alphaMode = AlphaMode::blend; // it casts no shadow, nor refracts
+                material_.baseColorFactor.a = 1.0f;
+            });
     }
 
     void readEmission() {

@@ -191,7 +191,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addEnvironment(verb, settings);
     verb.add_option("--ambient", settings.ambient,
                     "Share of ambient light, as the display shows it; the lights share the rest "
-                    "(0.5; 0.35 with --shading base)")
+                    "(0.45; 0.35 with --shading base)")
         ->check(finite())
         ->check(CLI::Range(0.0, 1.0))
         ->type_name("0..1");
@@ -199,7 +199,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
 
 void resolve(DrawSettings& settings) {
     const bool full = settings.render.shading == Shading::full;
-    settings.render.ambient = settings.ambient.value_or(full ? 0.5f : 0.35f);
+    settings.render.ambient = settings.ambient.value_or(full ? 0.45f : 0.35f);
     if (!full) settings.render.environment.reset();
     if (full && !settings.environment.empty() && !settings.render.environment)
         settings.render.environment =

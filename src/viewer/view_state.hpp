@@ -33,7 +33,7 @@ struct ViewState {
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
     Shading shading = Shading::full;
-    float ambient = 0.5f;                               ///< see RenderSettings
+    float ambient = 0.45f;                              ///< see RenderSettings
     float exposure = 0.0f;                              ///< EV, within mostExposure
     glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     SideSettings left; ///< of the whole picture where there is no split
@@ -49,7 +49,7 @@ struct ViewState {
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
 ///  "chosen_light": 0, "shading": "full|base",
-///  "ambient": 0.5, "exposure": 0, "background": [r,g,b], "left": {"shadows":
+///  "ambient": 0.45, "exposure": 0, "background": [r,g,b], "left": {"shadows":
 ///  "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity": "plane",
 ///  "mask_scale": 1|2|4},
 ///  "right": {…}, "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,

@@ -91,12 +91,12 @@ TEST_F(FileLights, TypedOnesHaveColoursAndIntensities) {
     EXPECT_EQ(lamp["color"][0], 1.0);
     EXPECT_NEAR(lamp["color"][1].get<double>(), 0.21586, 1e-4) << "sRGB made linear";
     EXPECT_EQ(lamp["color"][2], 0.0);
-    EXPECT_EQ(lamp["intensity"], 12.5);
+    EXPECT_NEAR(lamp["intensity"].get<double>(), 12.5, 1e-5);
     const Json dim = lights({"--light", "1,2,3:#808080"})[0];
     EXPECT_FALSE(dim.contains("intensity")) << "it doesn't fall off";
     EXPECT_NEAR(dim["color"][0].get<double>(), 0.21586, 1e-4);
     const Json sun = lights({"--sun", "0,1,0:#ffffff:3"})[0];
-    EXPECT_EQ(sun["intensity"], 3.0);
+    EXPECT_NEAR(sun["intensity"].get<double>(), 3.0, 1e-5);
 }
 
 TEST_F(FileLights, WrongColoursAndIntensitiesAreNamed) {

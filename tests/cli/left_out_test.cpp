@@ -165,15 +165,17 @@ TEST(LeftOut, TheTextureOfTheSceneIsSeen) {
 TEST(LeftOut, WhatNothingSamplesIsNeitherReadNorWarnedAbout) {
     const TempFolder folder;
     GltfBuilder gltf = soundScene();
-    const Json gone = {{"index", 1}}, nowhere = {{"index", 99}}, broken = Json::object();
+    const Json gone = {{"index", 1}}, nowhere = {{"index", 99}};
     gltf.addImage({{"uri", "gone.png"}});
     gltf.json["textures"].push_back({{"source", 1}});
-    // Of a material that is drawn, but not sampled.
+    // Of a material that is drawn, but not sampled, since nothing would come of it.
     Json& material = gltf.json["materials"][0];
-    material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = gone;
-    material["normalTexture"] = nowhere;
-    material["occlusionTexture"] = broken;
+    material["normalTexture"] = {{"index", 99}, {"scale", 0}};
+    material["occlusionTexture"] = {{"index", "one"}, {"strength", 0}};
     material["emissiveTexture"] = 7;
+    material["extensions"] = {
+        {"KHR_materials_clearcoat", {{"clearcoatTexture", gone}, {"clearcoatFactor", 0}}},
+        {"KHR_materials_specular", {{"specularTexture", nowhere}, {"specularFactor", 0}}}};
     // Of a material that no surface has, and of none.
     gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", gone}}}});
     gltf.addMaterial({{"pbrMetallicRoughness", {{"baseColorTexture", nowhere}}}});

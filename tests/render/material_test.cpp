@@ -152,6 +152,18 @@ TEST(FullShading, PlainSurfacesTakeTheShortWay) {
     }
 }
 
+TEST(FullShading, AmbientLightIsTheSameTheShortWay) {
+    for (const glm::vec3& normal : {glm::vec3(0, 0, 1), glm::vec3(0, 1, 1), glm::vec3(0, -1, 1)}) {
+        const auto drawn = [&](double roughness) {
+            Wall wall;
+            wall.shape.normals.assign(4, glm::normalize(normal));
+            return middle(wall, metallicRoughness(0.0, roughness), fullSettings(0.6f),
+                          {sun({0, 0, -1})});
+        };
+        EXPECT_NEAR(drawn(1.0).r, drawn(0.94).r, 16.0) << normal.y;
+    }
+}
+
 TEST(FullShading, SurfacesGiveOffLight) {
     Json material = metallicRoughness(0.0, 0.5);
     material["emissiveFactor"] = {0.5, 0.25, 0.0};

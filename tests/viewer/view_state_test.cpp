@@ -16,7 +16,9 @@ ViewState someState() {
     state.camera = {{1.25, -2, 1e6 + 0.001}, {0.1, 0.2, 0.3}, 60.5};
     state.lights = {{{1, 2, 3, 1}, 4.5}, {{0.1, 0.7, -0.3, 0}}};
     state.chosenLight = 1;
+    state.shading = Shading::base;
     state.ambient = 0.25f;
+    state.exposure = -1.5f;
     state.background = {0.1f, 0.2f, 0.3f};
     state.left = {ShadowMethod::map, 512, MultiplicityMethod::threeEdge};
     state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge, 4};
@@ -80,7 +82,7 @@ TEST(LightState, NamesSayWhatAnArrayCanNot) {
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 14u);
+    EXPECT_EQ(json.size(), 16u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }

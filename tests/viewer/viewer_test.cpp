@@ -49,6 +49,7 @@ class ViewerTest : public testing::Test {
         settings.map.size = side.mapSize;
         settings.maskScale = side.maskScale;
         const ViewState& state = viewer.state();
+        settings.shading = state.shading;
         settings.ambient = state.ambient;
         return test::drawScene(test::yard().scene(), {state.camera, state.lights, width, height},
                                settings);
@@ -273,7 +274,10 @@ class Animated : public ViewerTest {
     }
     Pixels plain(const Scene& scene) const {
         const ViewState& state = viewer.state();
-        return test::drawScene(scene, {state.camera, state.lights, width, height}, {});
+        RenderSettings settings;
+        settings.shading = state.shading;
+        settings.ambient = state.ambient;
+        return test::drawScene(scene, {state.camera, state.lights, width, height}, settings);
     }
 };
 

@@ -46,8 +46,9 @@ float lightShown(float displayed) {
     return std::pow(displayed, 2.2f);
 }
 
-/// Of the neutral environment: how much more of it comes from above than from the side.
-constexpr float neutralSlope = 0.35f;
+/// Of the neutral environment: how much more a white surface sends back that looks up than one that
+/// looks aside (neutralRadiance(), to the first order).
+constexpr float neutralSlope = 0.59f;
 
 /// Whether plain surfaces need no curve but a power: all light is white, and nothing is brighter
 /// than the display shows.
@@ -130,14 +131,14 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
 Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) {
     if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return {};
     LightSum sum{.full = true, .darkens = false};
-    sum.plainIsShort =
-        view.lights.size() == 1 && isPlain(settings_) && isPlain(view.lights.front().light);
-    const bool allShort = scene.plain && sum.plainIsShort;
-    if ((!allShort || scene.seeThrough) && !environment_)
+    // All or none: Neutral shows dark and deep colours darker than the short way.
+    sum.plainIsShort = scene.plain && view.lights.size() == 1 && isPlain(settings_) &&
+                       isPlain(view.lights.front().light);
+    if ((!sum.plainIsShort || scene.seeThrough) && !environment_)
         environment_.emplace(settings_.environment ? *settings_.environment : neutralEnvironment());
     if (view.lights.size() == 1) {
         sum.replaces = true;
-        sum.darkens = allShort;
+        sum.darkens = sum.plainIsShort;
         return sum;
     }
     sum.linear = linear_ && linear_->bind(view.width, view.height);
@@ -409,7 +410,10 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) co
     if (sum_.full) setFull(pass, shading);
     if (!light) return shading;
     shading.light = *light;
-    const float share = (1.0f - shading.ambient) / static_cast<float>(pass.view.lights.size());
+    // So that what looks up, straight into all lights, is shown as it is.
+    const float ambient = shading.ambient * (shading.full ? 1.0f + neutralSlope : 1.0f);
+    const float share =
+        std::max(1.0f - ambient, 0.0f) / static_cast<float>(pass.view.lights.size());
     shading.diffuse = share;
     if (shading.full) {
         shading.full->lightColor =

@@ -26,9 +26,10 @@ gl::Framebuffer makeFramebuffer() {
     return gl::Framebuffer(name);
 }
 
+/// Also forgets the error of what the GL has refused.
 bool isComplete() {
-    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
-           glGetError() == GL_NO_ERROR;
+    const bool refused = glGetError() != GL_NO_ERROR;
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && !refused;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "src/scene/gpu_scene.hpp"
 
 #include <string>
+#include <tuple>
 
 namespace edgeshade {
 
@@ -17,7 +18,8 @@ struct MaterialFeatures {
     bool tangents = false;                            ///< of its vertices
     bool ambient = false;                             ///< light from everywhere is shown
 
-    auto operator<=>(const MaterialFeatures&) const = default;
+    auto key() const { return std::tie(channels, glossy, emissive, clearcoat, tangents, ambient); }
+    bool operator<(const MaterialFeatures& other) const { return key() < other.key(); }
 
     bool has(TextureSlot slot) const { return channels[static_cast<std::size_t>(slot)] >= 0; }
     /// Whether some texture, or the base colour's for channel 0, takes these coordinates.
