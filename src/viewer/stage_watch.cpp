@@ -1,13 +1,21 @@
 #include "src/viewer/stage_watch.hpp"
 
-#include <cstdint>
 #include <GLES2/gl2.h>
 
 namespace edgeshade::viewer {
 
 void waitForPicture() {
-    std::uint8_t pixel[4];
-    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    // Of a framebuffer of one's own none that has samples can be read; it is no browser's either,
+    // where finishing doesn't wait.
+    GLint framebuffer = 0, sampled = 0;
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetIntegerv(GL_SAMPLE_BUFFERS, &sampled);
+    if (framebuffer != 0 && sampled != 0) return glFinish();
+    GLint format = GL_RGBA, type = GL_UNSIGNED_BYTE;
+    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_FORMAT, &format);
+    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_TYPE, &type);
+    float pixel[4]; // as large as any has it
+    glReadPixels(0, 0, 1, 1, static_cast<GLenum>(format), static_cast<GLenum>(type), pixel);
 }
 
 void StageWatch::enter(FrameStage stage) {

@@ -17,6 +17,7 @@ const sampleUrl = '../assets/pavilion.glb';
 const sampleView = {
   camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 },
   lights: [[1.5, 2.2, 2.0, 1]],
+  shading: 'base', // as three.js' Lambert materials
   ambient: 0.4,
 };
 
