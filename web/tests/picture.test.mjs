@@ -11,7 +11,7 @@ const shared = useBrowser();
 /** The picture is the native one but for outlines that the two rasterisers, with 4 and 8 bits below
  * a pixel, put next to each other, and slivers whose depth the coarser one loses (docs/robustness.md):
  * at most `most` pixels away from outlines, and `share` of all. */
-async function requireAlike(page, name, most = 100, share = 0.002) {
+async function requireAlike(page, name, most = 100, share = 0.0035) {
   const native = rendered(await stateOf(page));
   const { pixels, different, astray, colors } = await compare(page, await picture(page), native);
   console.log(`${name}: ${different} of ${pixels} pixels differ, ${astray} away from outlines`);

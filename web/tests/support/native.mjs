@@ -56,5 +56,5 @@ export const views = [
   { name: 'from inside', camera: { from: [0.5, 1.6, 3.5], to: [-0.5, 1.2, -2], fov: 70 }, lights: [[-0.62, 0.62, -0.3, 0]] },
   { name: 'a lamp, from the side', camera: { from: [9, 1.2, 1], to: [0, 1.5, 0], fov: 40 }, lights: [[1.5, 2.2, 2, 1]] },
   // Twice the shadows, twice their outlines.
-  { name: 'two suns', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0], [0.5, 1, 0.4, 0]], share: 0.003 },
+  { name: 'two suns', camera: { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 }, lights: [[-0.62, 0.62, -0.3, 0], [0.5, 1, 0.4, 0]], share: 0.005 },
 ];
