@@ -60,7 +60,7 @@ test('materials look as they do natively', async () => {
   await expectAsNatively(page, sceneOfSorts(), { lights: [sun] });
   await expectAsNatively(page, sceneOfSorts(), { lights: [sun], exposure: 1 }, ['--exposure', '1']);
   await expectAsNatively(page, sceneOfSorts(), { lights: [sun], shading: 'base' }, ['--shading', 'base']);
-  await expectAsNatively(page, textured(), { lights: [sun], exposure: 0 });
+  await expectAsNatively(page, textured(), { lights: [sun], exposure: 0, shading: 'full' });
   await shared.check(page);
 });
 
