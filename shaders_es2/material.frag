@@ -6,8 +6,8 @@
 // SPECULAR_MAP, SPECULAR_COLOR_MAP; NORMAL_MAP, with TANGENTS of the vertices or else by
 // derivatives; OCCLUSION_MAP; EMISSIVE and EMISSIVE_MAP; CLEARCOAT with CLEARCOAT_MAP,
 // CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
-// takes. FALLOFF, of LIT: candela, by the square of the
-// distance. SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
+// takes. FALLOFF, of LIT: candela, by the square of the distance. SOFT_TERMINATOR, of LIT: see
+// terminator.glsl. SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
 #if defined(COARSE_MASK) || defined(DERIVED_TANGENTS) || defined(SOFT_TERMINATOR)
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -17,13 +17,10 @@ precision highp float;
 precision mediump float;
 #endif
 
-uniform vec4 u_baseColor;  // linear
+uniform vec4 u_baseColor;   // linear
 uniform vec4 u_reflectance; // metallic, roughness, reflectance of dielectrics, specular
 uniform vec3 u_specularColor;
-uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
 uniform float u_exposure;
-varying vec3 v_normal;
-#include "terminator.glsl"
 #ifdef COLORED
 varying vec4 v_color;
 #endif
@@ -92,14 +89,16 @@ uniform float u_farthest;
 varying float v_depth;
 #endif
 
-// 1: the triangle's front is seen, -1: its back.
-float facing() { return gl_FrontFacing ? u_mirrored : -u_mirrored; }
-
+#include "facing.glsl"
+#include "eye.glsl"
 #include "tone_mapping.glsl"
 #include "brdf.glsl"
 #ifdef LIT
 uniform vec3 u_lightColor; // what a white Lambert surface sends back of it, straight on
 #include "light.glsl"
+#ifdef SOFT_TERMINATOR
+#include "terminator.glsl"
+#endif
 #endif
 
 // A surface at the fragment; the eye's side.
@@ -162,7 +161,7 @@ vec4 baseColor() {
 
 Surface surfaceOf(vec3 base) {
     Surface surface;
-    surface.toEye = normalize(u_eye.xyz - v_fromEye * u_eye.w);
+    surface.toEye = normalize(towardsEye());
     float size = dot(v_normal, v_normal);
     vec3 geometric = size > 0.0 ? v_normal * inversesqrt(size) : surface.toEye;
     surface.normal = geometric * facing();

@@ -30,16 +30,13 @@ uniform float u_alphaCutoff;
 uniform float u_maskValue;
 #endif
 #if defined(LIT) || defined(PLAIN)
-varying vec3 v_normal;
-uniform float u_mirrored; // 1, or -1 where the node's transform turns triangles over
-
-// 1: the triangle's front is seen, -1: its back.
-float facing() { return gl_FrontFacing ? u_mirrored : -u_mirrored; }
+#include "facing.glsl"
 #endif
 #ifdef LIT
 uniform float u_diffuse;
 #include "light.glsl"
 #ifdef SOFT_TERMINATOR
+#include "eye.glsl"
 #include "terminator.glsl"
 #endif
 #endif

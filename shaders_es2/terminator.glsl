@@ -1,21 +1,18 @@
 // Coarse meshes with smooth normals show the facets of their own shadow where light grazes them:
 // the facet is dark while its normals still say lit. This dims the light before that, so that it
 // reaches 0 where the facet turns away (Chiang, Li, Burley, Taming the shadow terminator, 2019).
-uniform vec4 u_eye;     // as seen from v_fromEye's origin, homogeneous
-varying vec3 v_fromEye; // world axes
+// Takes eye.glsl before it.
 
-#ifdef SOFT_TERMINATOR
 // What is left of the light, 0..1; `normal` points towards the eye.
 float lightAtTerminator(vec3 normal, vec3 light) {
     vec3 facet = cross(dFdx(v_fromEye), dFdy(v_fromEye));
     float size = dot(facet, facet);
     if (!(size > 0.0)) return 1.0;
     facet *= inversesqrt(size);
-    if (dot(facet, u_eye.xyz - v_fromEye * u_eye.w) < 0.0) facet = -facet;
+    if (dot(facet, towardsEye()) < 0.0) facet = -facet;
     float turned = dot(facet, light);
     float shaded = dot(normal, light) * dot(facet, normal);
     if (turned <= 0.0 || shaded <= 0.0) return 0.0;
     float share = min(turned / shaded, 1.0);
     return share * (1.0 + share - share * share);
 }
-#endif

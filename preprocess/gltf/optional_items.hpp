@@ -3,6 +3,9 @@
 #include "preprocess/base/warnings.hpp"
 #include "preprocess/gltf/json_field.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace edgeshade {
 
 /// Calls read(JsonField) for every item of the member, if it is there: of things that a scene can
@@ -20,6 +23,21 @@ void forEachSoundItem(const JsonField& parent, const char* key, const char* thin
         if (!readOrWarn(warnings, leftOut + " is left out", [&] { read(item); })) broken(index);
         ++index;
     });
+}
+
+/// What read(JsonField) makes of every item; nothing where it refuses one.
+template <class Read>
+auto soundItems(const JsonField& parent, const char* key, const char* thing, Warnings& warnings,
+                Read read) {
+    std::vector<std::optional<decltype(read(parent))>> items;
+    forEachSoundItem(
+        parent, key, thing, warnings,
+        [&](const JsonField& item) {
+            items.emplace_back();
+            items.back() = read(item);
+        },
+        [](std::size_t) {});
+    return items;
 }
 
 } // namespace edgeshade

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 namespace edgeshade {
 namespace {
@@ -44,14 +43,7 @@ SceneCamera lensOf(const JsonField& camera) {
 std::vector<SceneCamera> readCameras(const GltfDocument& document, const NodeWalk& walk,
                                      Warnings& warnings) {
     const JsonField root(document.path, document.json);
-    std::vector<std::optional<SceneCamera>> lenses;
-    forEachSoundItem(
-        root, "cameras", "camera", warnings,
-        [&](const JsonField& camera) {
-            lenses.emplace_back();
-            lenses.back() = lensOf(camera);
-        },
-        [](std::size_t) {});
+    const auto lenses = soundItems(root, "cameras", "camera", warnings, lensOf);
     std::vector<SceneCamera> cameras;
     forEachNode(document, walk, "camera", warnings, [&](const JsonField& node, const auto* placed) {
         node.ifPresent("camera", [&](const JsonField& reference) {

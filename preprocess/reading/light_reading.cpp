@@ -82,13 +82,7 @@ std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk&
     root.ifExtension(extensionName, [&](const JsonField& extension) {
         if (!readOrWarn(warnings, "the lights are left out", [&] { extension.requireObject(); }))
             return;
-        forEachSoundItem(
-            extension, "lights", "light", warnings,
-            [&](const JsonField& light) {
-                lamps.emplace_back();
-                lamps.back() = lampOf(light);
-            },
-            [](std::size_t) {});
+        lamps = soundItems(extension, "lights", "light", warnings, lampOf);
     });
     std::vector<SceneLight> lights;
     forEachNode(document, walk, "light", warnings, [&](const JsonField& node, const auto* placed) {

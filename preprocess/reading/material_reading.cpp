@@ -74,8 +74,10 @@ class MaterialReader {
         });
         if (metallic && !material_.specularGlossiness)
             orLeaveOut("its metal and roughness are", [&] { readMetallicRoughness(*metallic); });
-        if (material_.unlit) keepBase(material_);
-        if (!material_.unlit) readWhatReflects();
+        if (material_.unlit)
+            keepBase(material_);
+        else
+            readWhatReflects();
         assignChannels();
         return material_;
     }
@@ -232,20 +234,20 @@ class MaterialReader {
 
     /// Textures that take the same set, transformed alike, share a channel.
     void assignChannels() {
-        const MaterialTexture& base = material_.baseColor();
-        material_.channels[0] = {base.texcoordSet, base.uvTransform};
-        bool named = base.texture >= 0;
+        const auto wantedBy = [](const MaterialTexture& texture) {
+            return TexcoordChannel{texture.texcoordSet, texture.uvTransform};
+        };
+        auto& channels = material_.channels;
+        channels[0] = wantedBy(material_.baseColor());
+        bool named = material_.baseColor().texture >= 0;
         for (std::size_t slot = 1; slot < textureSlots; ++slot) {
             MaterialTexture& texture = material_.textures[slot];
             if (texture.texture < 0) continue;
-            if (!named) material_.channels[0] = {texture.texcoordSet, texture.uvTransform};
+            const TexcoordChannel wanted = wantedBy(texture);
+            if (!named) channels[0] = wanted;
             named = true;
             int channel = 0;
-            const auto fits = [&] {
-                return material_.channels[channel].set == texture.texcoordSet &&
-                       material_.channels[channel].transform == texture.uvTransform;
-            };
-            while (channel < material_.texcoordChannels && !fits())
+            while (channel < material_.texcoordChannels && channels[channel] != wanted)
                 ++channel;
             if (channel == mostTexcoordChannels) {
                 readOrWarn(warnings_, "a texture that takes a fifth is left out", [&] {
@@ -255,8 +257,7 @@ class MaterialReader {
                 continue;
             }
             if (channel == material_.texcoordChannels)
-                material_.channels[material_.texcoordChannels++] = {texture.texcoordSet,
-                                                                    texture.uvTransform};
+                channels[material_.texcoordChannels++] = wanted;
             texture.channel = channel;
         }
     }

@@ -37,10 +37,6 @@ struct MaterialTexture {
     int texcoordSet = 0;
     glm::mat3 uvTransform{1.0f}; ///< KHR_texture_transform: uv' = uvTransform * (u, v, 1)
     int channel = 0; ///< which of the material's texture coordinates it takes, see TexcoordChannel
-
-    bool samplesLike(const MaterialTexture& other) const {
-        return texcoordSet == other.texcoordSet && uvTransform == other.uvTransform;
-    }
 };
 
 /// One of the texture coordinates that a material's vertices have: a set of the file's,
@@ -48,6 +44,8 @@ struct MaterialTexture {
 struct TexcoordChannel {
     int set = 0; ///< TEXCOORD_n
     glm::mat3 transform{1.0f};
+
+    bool operator==(const TexcoordChannel&) const = default;
 };
 inline constexpr int mostTexcoordChannels = 4;
 

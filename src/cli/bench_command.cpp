@@ -47,10 +47,7 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const bool full = std::ranges::any_of(settings, [](const BenchSetting& setting) {
-        return setting.settings.render.shading == Shading::full;
-    });
-    const LoadedScene loaded = options.load(full ? Shading::full : Shading::base);
+    const LoadedScene loaded = options.load(shadingFor(settings, &BenchSetting::settings));
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);

@@ -31,6 +31,7 @@ const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
 
 const Choices<Shading> shadingNames = {{"full", Shading::full}, {"base", Shading::base}};
+const Choices<bool> terminatorNames = {{"soft", true}, {"exact", false}};
 const Choices<int> maskScaleNames = {{"1", 1}, {"1/2", 2}, {"1/4", 4}};
 
 template <class Value>
@@ -40,46 +41,37 @@ std::string nameIn(const Choices<Value>& names, Value value) {
     return "auto";
 }
 
-/// Adds an option that only shadow maps have.
-template <class Value>
-CLI::Option* addMapOption(CLI::App& verb, DrawSettings& settings, const std::string& name,
-                          Value& value, const std::string& help) {
-    return verb.add_option_function<Value>(
-        name,
-        [&settings, &value, name](const Value& typed) {
-            value = typed;
-            settings.mapOptions.push_back(name);
-        },
-        help);
+/// Notes in `typed` that the option was, for resolve().
+CLI::Option* noted(CLI::Option* option, std::vector<std::string>& typed) {
+    return option->each(
+        [&typed, name = option->get_name()](const std::string&) { typed.push_back(name); });
 }
 
 void addMapOptions(CLI::App& verb, DrawSettings& settings) {
     ShadowMapSettings& map = settings.render.map;
-    addMapOption(verb, settings, "--map-size", map.size,
-                 "Texels along an edge of a shadow map, of each of a point light's six (2048)")
+    const auto add = [&](const std::string& name, auto& value, const std::string& help) {
+        return noted(verb.add_option(name, value, help), settings.mapOptions);
+    };
+    add("--map-size", map.size,
+        "Texels along an edge of a shadow map, of each of a point light's six (2048)")
         ->check(CLI::Range(16, 16384))
         ->type_name("N");
-    addMapOption(verb, settings, "--map-bias", map.biasTexels,
-                 "How far receivers are moved towards the light, in texels as large as they are "
-                 "there (1.5)")
+    add("--map-bias", map.biasTexels,
+        "How far receivers are moved towards the light, in texels as large as they are there (1.5)")
         ->check(finite())
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("TEXELS");
-    addMapOption(verb, settings, "--pcf", map.pcf,
-                 "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
+    add("--pcf", map.pcf, "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
         ->check(CLI::IsMember({1, 3, 5, 7}))
         ->type_name("N");
 }
 
 void addPrimitiveMapMemory(CLI::App& verb, DrawSettings& settings) {
-    verb.add_option_function<std::size_t>(
-            "--primitive-map-memory",
-            [&settings](std::size_t bytes) {
-                settings.render.primitiveMap.mostBytes = bytes;
-                settings.primitiveMapOptions.push_back("--primitive-map-memory");
-            },
-            "What the primitive map of a light may take on the GPU; a coarser one is tried, then "
-            "volumes are counted (67108864)")
+    noted(verb.add_option(
+              "--primitive-map-memory", settings.render.primitiveMap.mostBytes,
+              "What the primitive map of a light may take on the GPU; a coarser one is tried, then "
+              "volumes are counted (67108864)"),
+          settings.primitiveMapOptions)
         ->check(CLI::Range(std::size_t{1} << 16, std::size_t{1} << 32))
         ->type_name("BYTES");
 }
@@ -88,60 +80,39 @@ void addShadingOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--shading", settings.render.shading, shadingNames,
               "What surfaces are drawn with: all that their materials say, or base colour and "
               "Lambert's law (full)");
-    verb.add_option_function<std::string>(
-            "--terminator",
-            [&settings](const std::string& text) {
-                if (text != "soft" && text != "exact")
-                    throw CLI::ValidationError("--terminator",
-                                               "'" + text + "' is neither soft nor exact");
-                settings.render.softTerminator = text == "soft";
-                settings.fullOptions.push_back("--terminator");
-            },
-            "Where light grazes smooth surfaces: dimmed until their facets turn away, or as bright "
-            "as normals say up to there (exact)")
-        ->type_name("soft|exact");
-    verb.add_option_function<float>(
-            "--exposure",
-            [&settings](float stops) {
-                settings.render.exposure = stops;
-                settings.fullOptions.push_back("--exposure");
-            },
-            "Light is taken 2^EV times before the display's colours are made of it (0)")
+    addChoice(verb, "--terminator", settings.render.softTerminator, terminatorNames,
+              "Where light grazes smooth surfaces: dimmed until their facets turn away, or as "
+              "bright as normals say up to there (exact)");
+    noted(verb.get_option("--terminator"), settings.fullOptions);
+    noted(verb.add_option(
+              "--exposure", settings.render.exposure,
+              "Light is taken 2^EV times before the display's colours are made of it (0)"),
+          settings.fullOptions)
         ->check(finite())
         ->check(CLI::Range(-20.0, 20.0))
         ->type_name("EV");
 }
 
 void addEnvironment(CLI::App& verb, DrawSettings& settings) {
-    verb.add_option_function<std::string>(
-            "--environment",
-            [&settings](const std::string& file) {
-                settings.environment = file;
-                settings.render.environment.reset();
-                settings.fullOptions.push_back("--environment");
-            },
-            "What ambient light is and metals reflect: an equirectangular Radiance picture whose "
-            "middle looks along -Z, taken as bright on average as --ambient says (a neutral sky "
-            "and ground)")
+    noted(verb.add_option_function<std::string>(
+              "--environment",
+              [&settings](const std::string& file) {
+                  settings.environment = file;
+                  settings.render.environment.reset();
+              },
+              "What ambient light is and metals reflect: an equirectangular Radiance picture whose "
+              "middle looks along -Z, taken as bright on average as --ambient says (a neutral sky "
+              "and ground)"),
+          settings.fullOptions)
         ->type_name("FILE.hdr");
 }
 
 void addMaskScale(CLI::App& verb, DrawSettings& settings) {
-    verb.add_option_function<std::string>(
-            "--mask-scale",
-            [&settings](const std::string& text) {
-                for (const auto& [word, scale] : maskScaleNames)
-                    if (word == text) {
-                        settings.render.maskScale = scale;
-                        settings.volumeOptions.push_back("--mask-scale");
-                        return;
-                    }
-                throw CLI::ValidationError("--mask-scale", "'" + text + "' is none of " +
-                                                               wordsOf(maskScaleNames, ", "));
-            },
-            "Resolution at which volumes are counted, as a share of the picture's; less is faster "
-            "and less exact (1)")
-        ->type_name(wordsOf(maskScaleNames, "|"));
+    addChoice(
+        verb, "--mask-scale", settings.render.maskScale, maskScaleNames,
+        "Resolution at which volumes are counted, as a share of the picture's; less is faster "
+        "and less exact (1)");
+    noted(verb.get_option("--mask-scale"), settings.volumeOptions);
 }
 
 } // namespace
@@ -306,7 +277,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"ambient", render.ambient}};
     if (render.shading == Shading::full) {
         json["exposure"] = render.exposure;
-        json["terminator"] = render.softTerminator ? "soft" : "exact";
+        json["terminator"] = nameIn(terminatorNames, render.softTerminator);
         json["environment"] = settings.environment.empty() ? "neutral" : settings.environment;
     }
     if (render.shadows == ShadowMethod::volumes)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -50,13 +51,11 @@ void resolve(DrawSettings& settings);
 /// Throws Error(usage).
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text);
 
-/// What of materials has to be read for all of them.
-template <class Settings>
-Shading shadingFor(const Settings& settings) {
-    return std::ranges::any_of(settings,
-                               [](const auto& one) { return one.render.shading == Shading::full; })
-               ? Shading::full
-               : Shading::base;
+/// What of materials has to be read for all of them. `settingsOf`: a member that has them.
+template <class Items, class Member = std::identity>
+Shading shadingFor(const Items& items, Member settingsOf = {}) {
+    const auto isFull = [](const DrawSettings& one) { return one.render.shading == Shading::full; };
+    return std::ranges::any_of(items, isFull, settingsOf) ? Shading::full : Shading::base;
 }
 
 /// The layout that the choice means in this context.

@@ -11,15 +11,11 @@ std::optional<Instancing> Instancing::find(const std::string& version,
     const auto suffix = entryPointSuffix(version, extensions, "instanced_arrays");
     if (!suffix) return std::nullopt;
     Instancing instancing;
-    instancing.divisor_ =
-        reinterpret_cast<Divisor>(lookUp(("glVertexAttribDivisor" + *suffix).c_str()));
-    instancing.drawArrays_ =
-        reinterpret_cast<DrawArrays>(lookUp(("glDrawArraysInstanced" + *suffix).c_str()));
-    instancing.drawElements_ =
-        reinterpret_cast<DrawElements>(lookUp(("glDrawElementsInstanced" + *suffix).c_str()));
-    if (!instancing.divisor_ || !instancing.drawArrays_ || !instancing.drawElements_)
-        return std::nullopt;
-    return instancing;
+    const bool complete =
+        takeEntryPoint(instancing.divisor_, lookUp, "glVertexAttribDivisor" + *suffix) &&
+        takeEntryPoint(instancing.drawArrays_, lookUp, "glDrawArraysInstanced" + *suffix) &&
+        takeEntryPoint(instancing.drawElements_, lookUp, "glDrawElementsInstanced" + *suffix);
+    return complete ? std::optional(instancing) : std::nullopt;
 }
 
 void Instancing::drawTriangles(int vertices, int instances) const {

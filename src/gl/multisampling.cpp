@@ -27,11 +27,10 @@ std::optional<Multisampling> Multisampling::find(const std::string& version,
     const auto suffix = entryPointSuffix(version, extensions, "framebuffer_multisample");
     if (!suffix) return std::nullopt;
     Multisampling found;
-    found.storage_ =
-        reinterpret_cast<Storage>(lookUp(("glRenderbufferStorageMultisample" + *suffix).c_str()));
-    found.blit_ = reinterpret_cast<Blit>(lookUp(("glBlitFramebuffer" + *suffix).c_str()));
-    if (!found.storage_ || !found.blit_) return std::nullopt;
-    return found;
+    const bool complete =
+        takeEntryPoint(found.storage_, lookUp, "glRenderbufferStorageMultisample" + *suffix) &&
+        takeEntryPoint(found.blit_, lookUp, "glBlitFramebuffer" + *suffix);
+    return complete ? std::optional(found) : std::nullopt;
 }
 
 void Multisampling::average(Name from, Name into, int width, int height) const {
@@ -40,6 +39,28 @@ void Multisampling::average(Name from, Name into, int width, int height) const {
     blit_(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, into);
     requireNoError("averaging samples");
+}
+
+SampledBuffers::SampledBuffers(const Multisampling& multisampling, int samples, unsigned format,
+                               int width, int height) {
+    const auto make = [&](unsigned as) {
+        Name name = 0;
+        glGenRenderbuffers(1, &name);
+        Renderbuffer buffer(name);
+        glBindRenderbuffer(GL_RENDERBUFFER, name);
+        multisampling.makeStorage(samples, as, width, height);
+        return buffer;
+    };
+    color_ = make(format);
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, 0x8CAB /* RENDERBUFFER_SAMPLES */, &samples_);
+    depthStencil_ = make(GL_DEPTH24_STENCIL8_OES);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    const auto attach = [](GLenum attachment, const Renderbuffer& buffer) {
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
+    };
+    attach(GL_COLOR_ATTACHMENT0, color_);
+    attach(GL_DEPTH_ATTACHMENT, depthStencil_);
+    attach(GL_STENCIL_ATTACHMENT, depthStencil_);
 }
 
 MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samples,
@@ -53,25 +74,11 @@ MultisampledFramebuffer::MultisampledFramebuffer(int width, int height, int samp
     if (samples > most) unavailable(samples);
     multisampling_ = *found;
 
-    Name names[2] = {};
-    glGenRenderbuffers(2, names);
-    color_ = Renderbuffer(names[0]);
-    depthStencil_ = Renderbuffer(names[1]);
-    glBindRenderbuffer(GL_RENDERBUFFER, color_.name());
-    multisampling_.makeStorage(samples, GL_RGBA8_OES, width, height);
-    glGetRenderbufferParameteriv(GL_RENDERBUFFER, 0x8CAB /* RENDERBUFFER_SAMPLES */, &samples_);
-    glBindRenderbuffer(GL_RENDERBUFFER, depthStencil_.name());
-    multisampling_.makeStorage(samples, GL_DEPTH24_STENCIL8_OES, width, height);
-
     Name framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
     framebuffer_ = Framebuffer(framebuffer);
     bind();
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                              depthStencil_.name());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                              depthStencil_.name());
+    buffers_ = SampledBuffers(multisampling_, samples, GL_RGBA8_OES, width, height);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (const GLenum error = glGetError(); error == GL_OUT_OF_MEMORY || error == contextLost)
         requireNoError(error, "making a framebuffer with several samples a pixel");

@@ -32,6 +32,24 @@ class Multisampling {
     Blit blit_ = nullptr;
 };
 
+/// What a framebuffer with several samples a pixel draws into: colour, and depth with an 8-bit
+/// stencil.
+class SampledBuffers {
+  public:
+    SampledBuffers() = default;
+    /// Makes both and attaches them to the bound framebuffer, whose status says whether the GL can
+    /// draw so. `format`: a GL enum, of the colour.
+    SampledBuffers(const Multisampling& multisampling, int samples, unsigned format, int width,
+                   int height);
+
+    int samples() const { return samples_; } ///< a pixel, as the GL has made them
+
+  private:
+    Renderbuffer color_;
+    Renderbuffer depthStencil_;
+    int samples_ = 0;
+};
+
 /// A multisampled framebuffer beside the default one.
 class MultisampledFramebuffer {
   public:
@@ -45,16 +63,14 @@ class MultisampledFramebuffer {
     /// Binds it for drawing again.
     void bind() const;
 
-    int samples() const { return samples_; }
+    int samples() const { return buffers_.samples(); }
 
   private:
     Multisampling multisampling_;
     Framebuffer framebuffer_;
-    Renderbuffer color_;
-    Renderbuffer depthStencil_;
+    SampledBuffers buffers_;
     int width_ = 0;
     int height_ = 0;
-    int samples_ = 0;
 };
 
 } // namespace edgeshade::gl

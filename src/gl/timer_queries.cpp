@@ -6,28 +6,18 @@
 #include <GLES2/gl2ext.h>
 
 namespace edgeshade::gl {
-namespace {
-
-template <class Function>
-bool take(Function& function, void* (*lookUp)(const char*), const char* name) {
-    function = reinterpret_cast<Function>(lookUp(name));
-    return function != nullptr;
-}
-
-} // namespace
-
 std::optional<TimerQueries> TimerQueries::find(const std::string& extensions,
                                                void* (*lookUp)(const char*)) {
     if (!listsExtension(extensions, "GL_EXT_disjoint_timer_query")) return std::nullopt;
     TimerQueries queries;
     GetParameter getParameter = nullptr;
-    const bool complete = take(queries.make_, lookUp, "glGenQueriesEXT") &&
-                          take(queries.destroy_, lookUp, "glDeleteQueriesEXT") &&
-                          take(queries.begin_, lookUp, "glBeginQueryEXT") &&
-                          take(queries.end_, lookUp, "glEndQueryEXT") &&
-                          take(queries.get32_, lookUp, "glGetQueryObjectuivEXT") &&
-                          take(queries.get64_, lookUp, "glGetQueryObjectui64vEXT") &&
-                          take(getParameter, lookUp, "glGetQueryivEXT");
+    const bool complete = takeEntryPoint(queries.make_, lookUp, "glGenQueriesEXT") &&
+                          takeEntryPoint(queries.destroy_, lookUp, "glDeleteQueriesEXT") &&
+                          takeEntryPoint(queries.begin_, lookUp, "glBeginQueryEXT") &&
+                          takeEntryPoint(queries.end_, lookUp, "glEndQueryEXT") &&
+                          takeEntryPoint(queries.get32_, lookUp, "glGetQueryObjectuivEXT") &&
+                          takeEntryPoint(queries.get64_, lookUp, "glGetQueryObjectui64vEXT") &&
+                          takeEntryPoint(getParameter, lookUp, "glGetQueryivEXT");
     if (!complete) return std::nullopt;
     GLint bits = 0;
     getParameter(GL_TIME_ELAPSED_EXT, GL_QUERY_COUNTER_BITS_EXT, &bits);

@@ -90,10 +90,6 @@ Light lightFromObject(const Field& field) {
     return light;
 }
 
-Json toJson(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 } // namespace
 
 Light lightFrom(const Field& field) {

@@ -103,4 +103,9 @@ class Field {
     const Json& value_;
 };
 
+/// [x, y, z].
+inline nlohmann::ordered_json toJson(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
 } // namespace edgeshade::viewer

@@ -96,10 +96,6 @@ double shortDecimal(float value) {
     return std::round(static_cast<double>(value) * 1e6) / 1e6;
 }
 
-Json toJson(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 Json toJson(const glm::vec3& color) {
     return {shortDecimal(color.r), shortDecimal(color.g), shortDecimal(color.b)};
 }

@@ -6,6 +6,7 @@
 #include "tests/support/brute_force.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/pixel_place.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <cstdlib>
@@ -61,13 +62,11 @@ TEST(LightReach, HoldsEveryVisiblePointOfTheBall) {
             const glm::dvec3 point = center + light.range * share * direction;
             const glm::dvec4 clip = clipFromWorld * glm::dvec4(point, 1.0);
             if (clip.w < near || clip.w > farthest) continue;
-            const double x = (0.5 * clip.x / clip.w + 0.5) * width;
-            const double y = (0.5 * clip.y / clip.w + 0.5) * height;
-            if (x < 0 || y < 0 || x > width || y > height) continue;
+            const auto place = test::placeInPicture(clip, view);
+            if (!place) continue;
             ++checked;
-            ASSERT_TRUE(reach.x <= x && x <= reach.x + reach.width && reach.y <= y &&
-                        y <= reach.y + reach.height)
-                << "ball " << i << ": " << x << ", " << y;
+            ASSERT_TRUE(test::holds(reach, *place))
+                << "ball " << i << ": " << place->x << ", " << place->y;
         }
     }
     EXPECT_GT(inside, 300);

@@ -6,6 +6,7 @@
 #include "src/shadow/geometry/light_reach.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/mask_case.hpp"
+#include "tests/support/pixel_place.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <cstdlib>
@@ -116,13 +117,11 @@ TEST(SpotLight, ReachHoldsEveryVisiblePoint) {
             if (depth < near || depth > farthest) continue;
             const glm::dvec4 clip = clipFromView(view.frustum, near, view.farPlane) *
                                     view.frustum.viewFromWorld * glm::dvec4(point, 1.0);
-            const double x = (0.5 * clip.x / clip.w + 0.5) * width;
-            const double y = (0.5 * clip.y / clip.w + 0.5) * height;
-            if (x < 0 || y < 0 || x > width || y > height) continue;
+            const auto place = test::placeInPicture(clip, view);
+            if (!place) continue;
             ++checked;
-            ASSERT_TRUE(pixels.x <= x && x <= pixels.x + pixels.width && pixels.y <= y &&
-                        y <= pixels.y + pixels.height)
-                << "spot " << i << ": " << x << ", " << y;
+            ASSERT_TRUE(test::holds(pixels, *place))
+                << "spot " << i << ": " << place->x << ", " << place->y;
         }
     }
     EXPECT_GT(checked, 5'000);

@@ -7,9 +7,17 @@
 
 namespace edgeshade {
 
-WholePicture::WholePicture() : program_(shaders::fill_vert, shaders::fill_frag, {}, {"a_corner"}) {
+WholePicture::WholePicture() : WholePicture(shaders::fill_frag) {}
+
+WholePicture::WholePicture(const char* fragmentSource)
+    : program_(shaders::fill_vert, fragmentSource, {}, {"a_corner"}) {
     constexpr std::array<float, 6> corners = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
     triangle_ = gl::vertexBuffer<float>(corners);
+}
+
+const gl::Program& WholePicture::use() const {
+    program_.use();
+    return program_;
 }
 
 void WholePicture::draw() const {

@@ -4,11 +4,17 @@
 
 namespace edgeshade {
 
-/// One triangle over the whole viewport that draws 0 in all channels; what is written of it, and
-/// where, is the caller's state.
+/// One triangle over the whole viewport; what is written of it, and where, is the caller's state.
 class WholePicture {
   public:
+    /// Draws 0 in all channels.
     WholePicture();
+
+    /// Draws what this fragment shader says.
+    explicit WholePicture(const char* fragmentSource);
+
+    /// In use, for uniforms to be set before draw().
+    const gl::Program& use() const;
 
     void draw() const;
 

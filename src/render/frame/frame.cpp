@@ -124,25 +124,26 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
     GLint framebuffer = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
     sum_ = lightSum(scene, view);
+    prepareSum(scene, view);
     drawSlices(scene, view, clock);
     if (sum_.linear) linear_->show(static_cast<gl::Name>(framebuffer));
 }
 
-Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) {
+Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) const {
     if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return {};
-    LightSum sum{.full = true, .darkens = false};
+    LightSum sum{.full = true, .replaces = view.lights.size() == 1};
     // All or none: Neutral shows dark and deep colours darker than the short way.
-    sum.plainIsShort = scene.plain && view.lights.size() == 1 && isPlain(settings_) &&
-                       isPlain(view.lights.front().light);
-    if ((!sum.plainIsShort || scene.seeThrough) && !environment_)
-        environment_.emplace(settings_.environment ? *settings_.environment : neutralEnvironment());
-    if (view.lights.size() == 1) {
-        sum.replaces = true;
-        sum.darkens = sum.plainIsShort;
-        return sum;
-    }
-    sum.linear = linear_ && linear_->bind(view.width, view.height);
+    sum.plainIsShort =
+        sum.replaces && scene.plain && isPlain(settings_) && isPlain(view.lights.front().light);
     return sum;
+}
+
+void Renderer::prepareSum(const GpuScene& scene, const FrameView& view) {
+    if (!sum_.full) return;
+    const bool reflects = !sum_.plainIsShort || scene.seeThrough;
+    if (reflects && !environment_)
+        environment_.emplace(settings_.environment ? *settings_.environment : neutralEnvironment());
+    sum_.linear = !sum_.replaces && linear_ && linear_->bind(view.width, view.height);
 }
 
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
@@ -263,7 +264,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
         shading.map = map ? &*map : nullptr;
         // Alpha, which is 1, is the volumes'.
         const bool counted = pass.plan.lights[*pass.plan.first].isCounted();
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, counted && sum_.darkens);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, counted && sum_.darkens());
     }
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
 }
@@ -272,7 +273,7 @@ void Renderer::drawShadow(const SlicePass& pass) {
     const gl::ScissorScope cut(pass.plan.lights[*pass.plan.first].reach);
     count(pass, *pass.plan.first, 0);
     const StageScope stage(pass.clock, FrameStage::lit);
-    if (sum_.darkens) {
+    if (sum_.darkens()) {
         mark_.darkenCounted();
         mark_.clear();
     } else {

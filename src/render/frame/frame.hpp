@@ -106,13 +106,17 @@ class Renderer {
     /// How what lights leave is put together in one frame.
     struct LightSum {
         bool full = false;         ///< Shading::full
-        bool darkens = true;       ///< shadow leaves colours the share that alpha says
         bool replaces = false;     ///< the one light is drawn over ambient light
         bool linear = false;       ///< light itself is added up
         bool plainIsShort = false; ///< see FullShading
+
+        /// Whether shadow leaves colours the share that alpha says.
+        bool darkens() const { return !full || plainIsShort; }
     };
 
-    LightSum lightSum(const GpuScene& scene, const FrameView& view);
+    LightSum lightSum(const GpuScene& scene, const FrameView& view) const;
+    /// Makes what the sum takes, and binds what it is made in.
+    void prepareSum(const GpuScene& scene, const FrameView& view);
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
     /// Whether nothing is counted where no surface is; the published method counts everywhere.
     bool cutsToVisible() const;

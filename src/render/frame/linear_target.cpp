@@ -1,13 +1,12 @@
 #include "src/render/frame/linear_target.hpp"
 
 #include "shaders_es2.hpp"
-#include "src/render/drawing/attributes.hpp"
+#include "src/scene/srgb.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <GLES2/gl2.h>
 #include <GLES2/gl2ext.h>
-#include <glm/gtc/color_space.hpp>
 
 namespace edgeshade {
 namespace {
@@ -40,13 +39,6 @@ bool LinearTarget::isPossible(const gl::Capabilities& capabilities) {
     const bool holds = capabilities.has("GL_OES_texture_half_float") ||
                        capabilities.version.starts_with("OpenGL ES 3");
     return draws && holds;
-}
-
-LinearTarget::LinearTarget(const gl::Capabilities& capabilities)
-    : capabilities_(capabilities),
-      program_(shaders::fill_vert, shaders::show_light_frag, {}, {"a_corner"}) {
-    constexpr std::array<float, 6> corners = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
-    triangle_ = gl::vertexBuffer<float>(corners);
 }
 
 bool LinearTarget::bind(int width, int height) {
@@ -94,24 +86,9 @@ bool LinearTarget::makeTexture(unsigned internalFormat, unsigned type) {
 }
 
 bool LinearTarget::makeSamples() {
-    gl::Name names[2] = {};
-    glGenRenderbuffers(2, names);
-    sampledLight_ = gl::Renderbuffer(names[0]);
-    sampledDepth_ = gl::Renderbuffer(names[1]);
     sampled_ = makeFramebuffer();
-    const auto store = [&](const gl::Renderbuffer& buffer, GLenum format) {
-        glBindRenderbuffer(GL_RENDERBUFFER, buffer.name());
-        capabilities_.multisampling->makeStorage(capabilities_.samples, format, size_.x, size_.y);
-        glBindRenderbuffer(GL_RENDERBUFFER, 0);
-    };
-    store(sampledLight_, rgba16f);
-    store(sampledDepth_, GL_DEPTH24_STENCIL8_OES);
-    const auto attach = [](GLenum attachment, const gl::Renderbuffer& buffer) {
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
-    };
-    attach(GL_COLOR_ATTACHMENT0, sampledLight_);
-    attach(GL_DEPTH_ATTACHMENT, sampledDepth_);
-    attach(GL_STENCIL_ATTACHMENT, sampledDepth_);
+    samples_ = gl::SampledBuffers(*capabilities_.multisampling, capabilities_.samples, rgba16f,
+                                  size_.x, size_.y);
     return isComplete();
 }
 
@@ -124,16 +101,13 @@ void LinearTarget::show(gl::Name framebuffer) {
     glDisable(GL_STENCIL_TEST);
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    program_.use();
+    if (!picture_) picture_.emplace(shaders::show_light_frag);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, light_.name());
-    program_.setSampler("u_light", 0);
-    program_.set("u_size", 1.0f / glm::vec2(size_));
-    {
-        AttributeBinding binding(nullptr);
-        binding.add(triangle_, 2, GL_FLOAT, false, 2 * sizeof(float), 0, false);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-    }
+    const gl::Program& program = picture_->use();
+    program.setSampler("u_light", 0);
+    program.set("u_size", 1.0f / glm::vec2(size_));
+    picture_->draw();
     glBindTexture(GL_TEXTURE_2D, 0);
     glEnable(GL_DEPTH_TEST);
 }
@@ -141,7 +115,7 @@ void LinearTarget::show(gl::Name framebuffer) {
 /// As tone_inverse.glsl has it.
 glm::vec3 LinearTarget::lightShownAs(const glm::vec3& color) {
     constexpr float reflected = 0.04f, shown = 0.8f - reflected;
-    glm::vec3 light = glm::convertSRGBToLinear(color);
+    glm::vec3 light = linearFromSrgb(color);
     const float most = std::max({light.r, light.g, light.b});
     if (most > shown) {
         constexpr float room = 1.0f - shown;

@@ -2,7 +2,7 @@
 
 #include "src/gl/capabilities.hpp"
 #include "src/gl/depth_stencil.hpp"
-#include "src/gl/program.hpp"
+#include "src/render/drawing/whole_picture.hpp"
 
 #include <glm/glm.hpp>
 
@@ -15,7 +15,7 @@ class LinearTarget {
     /// Whether the GL can draw into half floats.
     static bool isPossible(const gl::Capabilities& capabilities);
 
-    explicit LinearTarget(const gl::Capabilities& capabilities);
+    explicit LinearTarget(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
     /// Makes it that large, and binds it. Returns whether the GL draws into it; else what was bound
     /// is bound again.
@@ -39,11 +39,10 @@ class LinearTarget {
     bool refused_ = false; ///< the GL can't after all
     gl::Texture light_;
     gl::Framebuffer framebuffer_;
-    gl::Renderbuffer sampledLight_, sampledDepth_; ///< where there are samples
+    gl::SampledBuffers samples_; ///< where there are samples
     gl::Framebuffer sampled_;
     std::optional<gl::DepthStencil> depthStencil_; ///< where there are none
-    gl::Program program_;
-    gl::Buffer triangle_;
+    std::optional<WholePicture> picture_;          ///< once it was drawn into
 };
 
 } // namespace edgeshade

@@ -128,7 +128,6 @@ void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool cast
 /// light, which of surfaces that coincide is drawn for the first as well.
 SurfaceShading unlitShading(SurfaceShading shading) {
     const bool addsLight = shading.light && !shading.withAmbient;
-    if (shading.full) shading.full->plainIsShort = false;
     shading.ambient = addsLight ? 0.0f : 1.0f;
     shading.light.reset();
     shading.withAmbient = false;

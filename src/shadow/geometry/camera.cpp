@@ -23,8 +23,12 @@ glm::dmat4 viewFromWorld(const Camera& camera) {
     return view;
 }
 
+glm::dvec3 framingDirection() {
+    return glm::normalize(glm::dvec3(0.55, 0.45, 1.0));
+}
+
 Camera framingCamera(const Box& box, double fovDegrees, double aspect) {
-    return framingCamera(box, fovDegrees, aspect, glm::normalize(glm::dvec3(0.55, 0.45, 1.0)));
+    return framingCamera(box, fovDegrees, aspect, framingDirection());
 }
 
 Camera framingCamera(const Box& box, double fovDegrees, double aspect,

@@ -20,7 +20,10 @@ glm::dmat4 viewFromWorld(const Camera& camera);
 /// Half the picture's height a unit of depth.
 double tangentOfHalfFov(double fovDegrees);
 
-/// A camera that sees the whole box from slightly above: what measured views are laid around; see
+/// The direction from a scene to the eye that suits any scene: from slightly above.
+glm::dvec3 framingDirection();
+
+/// A camera that sees the whole box from there: what measured views are laid around; see
 /// framing.hpp for pictures.
 Camera framingCamera(const Box& box, double fovDegrees, double aspect);
 

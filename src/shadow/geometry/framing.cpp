@@ -29,10 +29,6 @@ class Spread {
 
 } // namespace
 
-glm::dvec3 framingDirection() {
-    return glm::normalize(glm::dvec3(0.55, 0.45, 1.0));
-}
-
 Camera framingCamera(const Scene& scene, double fovDegrees, double aspect,
                      const glm::dvec3& direction) {
     const Box box = worldBounds(scene);

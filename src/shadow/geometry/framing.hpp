@@ -4,9 +4,6 @@
 
 namespace edgeshade {
 
-/// The direction from a scene to the eye that suits any scene: from slightly above.
-glm::dvec3 framingDirection();
-
 /// The nearest camera from `direction` that shows all vertices of the scene with a small margin
 /// around them: their picture touches it left and right, or above and below, or all four where they
 /// fit it. It looks at the depth of the scene's middle. Takes time linear in the vertices.

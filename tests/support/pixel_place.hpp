@@ -1,0 +1,22 @@
+#pragma once
+
+#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/geometry/pixel_rectangle.hpp"
+
+namespace edgeshade::test {
+
+/// Where a clip position is seen, in pixels from the lower left; nothing beside the picture.
+inline std::optional<glm::dvec2> placeInPicture(const glm::dvec4& clip, const FrameView& view) {
+    const glm::dvec2 size(view.width, view.height);
+    const glm::dvec2 place = (0.5 * glm::dvec2(clip) / clip.w + 0.5) * size;
+    if (place.x < 0 || place.y < 0 || place.x > size.x || place.y > size.y) return std::nullopt;
+    return place;
+}
+
+/// Whether the place is in the rectangle, its edges included.
+inline bool holds(const PixelRectangle& pixels, const glm::dvec2& place) {
+    return pixels.x <= place.x && place.x <= pixels.x + pixels.width && pixels.y <= place.y &&
+           place.y <= pixels.y + pixels.height;
+}
+
+} // namespace edgeshade::test
