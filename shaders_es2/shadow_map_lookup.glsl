@@ -85,6 +85,7 @@ float lightFromMap(vec3 normal, vec3 light) {
     axisT *= u_mapStep * major;
     float own = length(at);
 #endif
+    own = min(own, 1.0); // what no caster reaches, the ground for one, is as far as empty texels
     float lit = 0.0;
     for (int j = 0; j < PCF; ++j)
         for (int i = 0; i < PCF; ++i) {

@@ -3,7 +3,8 @@
 // of LIT, both at once, and the ambient share of their sum in alpha. Other variants: PLAIN, the
 // same with light itself added up, of which the display shows a power; SOFT_TERMINATOR, see
 // terminator.glsl; MASK, the lit mask instead of colours; TEXTURED; COLORED, with colours at
-// vertices; ALPHA_TEST, materials with cutouts; BLENDED, see-through ones; LINEAR, the light that
+// vertices; CATCHER, with COLORED, a ground that shows the background and, the more the larger its
+// vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts; BLENDED, see-through ones; LINEAR, the light that
 // is mapped to such colours later; SLICED, nothing deeper than u_farthest. Of LIT those of
 // light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive map's texels hold.
 #if defined(COARSE_MASK) || defined(SOFT_TERMINATOR)
@@ -78,6 +79,9 @@ vec4 primitiveTint() {
 float shareOfLight(float lit, vec3 normal) {
     vec3 light = towardsLight();
     float lambert = max(dot(normal, light), 0.0);
+#ifdef CATCHER
+    lambert = lambert > 0.0 ? 1.0 : 0.0; // it is as bright as the background wherever it is lit
+#endif
 #ifdef SOFT_TERMINATOR
     lambert *= lightAtTerminator(normal, light);
 #endif
@@ -100,7 +104,7 @@ void main() {
     if (v_depth > u_farthest) discard;
 #endif
     vec4 base = u_baseColor;
-#ifdef COLORED
+#if defined(COLORED) && !defined(CATCHER)
     base *= v_color;
 #endif
 #ifdef TEXTURED
@@ -118,8 +122,17 @@ void main() {
     ambient += u_ambientSlope * normal.y;
 #endif
 #endif
+#ifdef CATCHER
+    float strength = smoothstep(0.0, 1.0, v_color.a);
+#if !defined(LIT) || defined(WITH_AMBIENT)
+    ambient = 1.0 - strength * (1.0 - ambient);
+#endif
+#endif
 #if defined(LIT)
     float share = shareOfLight(lit, normal);
+#ifdef CATCHER
+    share *= strength;
+#endif
 #elif defined(MASK)
     float share = 1.0;
 #else
@@ -143,9 +156,12 @@ void main() {
 #ifdef MASK
     gl_FragColor = vec4(vec3(u_maskValue * share), alpha);
 #else
+#if defined(CATCHER) && defined(LINEAR)
+    gl_FragColor = vec4(lightShownAs(base.rgb) * share, alpha);
+#elif defined(LINEAR)
+    gl_FragColor = vec4(lightShownAs(base.rgb * share), alpha);
+#else
     gl_FragColor = vec4(base.rgb * share, alpha);
-#ifdef LINEAR
-    gl_FragColor.rgb = lightShownAs(gl_FragColor.rgb);
 #endif
 #endif
 #ifdef PRIMITIVE_MAP_TINT

@@ -38,6 +38,7 @@ constexpr std::pair<std::string_view, Command> commands[] = {
     {"splitLeft", Command::splitLeft},
     {"splitRight", Command::splitRight},
     {"toggleDebug", Command::toggleDebug},
+    {"toggleGround", Command::toggleGround},
     {"toggleLights", Command::toggleLights},
     {"togglePlaying", Command::togglePlaying},
     {"slower", Command::slower},

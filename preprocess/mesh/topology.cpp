@@ -18,7 +18,7 @@ Casters castingSurfacesOf(const Batch& batch, const std::vector<Material>& mater
                           bool castMasked) {
     Casters casters;
     for (const SurfaceGroup& group : batch.groups)
-        if (castMasked || materials[group.material].alphaMode == AlphaMode::opaque)
+        if (materials[group.material].casts(castMasked))
             add(casters, group.material,
                 std::span(batch.indices).subspan(group.firstIndex, group.indexCount));
     return casters;

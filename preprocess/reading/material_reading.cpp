@@ -61,6 +61,10 @@ class MaterialReader {
         if (alphaMode == "MASK") material_.alphaMode = AlphaMode::mask;
         if (alphaMode == "BLEND") material_.alphaMode = AlphaMode::blend;
         material_.alphaCutoff = floatOr(source_, "alphaCutoff", 0.5f);
+        orLeaveOut("its two sides are", [&] {
+            const auto sides = source_.find("doubleSided");
+            material_.doubleSided = sides && sides->boolean();
+        });
         const auto metallic = source_.find("pbrMetallicRoughness");
         if (metallic) readBaseColor(*metallic, "baseColorFactor", "baseColorTexture");
         source_.ifExtension("KHR_materials_unlit",

@@ -20,6 +20,8 @@ bool Material::isPlain() const {
 void keepBase(Material& material) {
     Material base;
     base.alphaMode = material.alphaMode;
+    base.doubleSided = material.doubleSided;
+    base.ground = material.ground;
     base.unlit = material.unlit;
     base.alphaCutoff = material.alphaCutoff;
     base.baseColorFactor = material.baseColorFactor;

@@ -14,6 +14,15 @@ enum class AlphaMode { opaque, mask, blend };
 /// Lambert's law.
 enum class Shading { full, base };
 
+/// Materials of the ground that is laid beneath a scene, which no file has: they receive shadow and
+/// cast none.
+enum class GroundMaterial {
+    none,
+    surface, ///< a floor of some colour
+    catcher, ///< shows shadow on the background and nothing else, the less the smaller vertex alpha
+             ///< is
+};
+
 /// What a texture says of a surface, by the channels that glTF reads.
 enum class TextureSlot {
     baseColor,         ///< RGBA, sRGB; of specular-glossiness the diffuse colour
@@ -53,6 +62,8 @@ inline constexpr int mostTexcoordChannels = 4;
 /// docs/extensions.md lists). Factors are linear.
 struct Material {
     AlphaMode alphaMode = AlphaMode::opaque;
+    bool doubleSided = false; ///< BLEND surfaces are seen from behind, too
+    GroundMaterial ground = GroundMaterial::none;
     bool unlit = false; ///< KHR_materials_unlit: its colour as it is; it casts all the same
     float alphaCutoff = 0.5f;
     glm::vec4 baseColorFactor{1.0f};
@@ -82,6 +93,11 @@ struct Material {
 
     bool hasNormalTexture() const {
         return hasTexture(TextureSlot::normal) || hasTexture(TextureSlot::clearcoatNormal);
+    }
+
+    /// Whether its surfaces cast shadow. `castMasked` as in CasterSettings.
+    bool casts(bool castMasked) const {
+        return ground == GroundMaterial::none && (castMasked || alphaMode == AlphaMode::opaque);
     }
 
     /// Whether it only scatters light, as base colour and Lambert's law have it: what a rough

@@ -52,6 +52,10 @@ struct Batch {
     /// simplifyCasters() found them; nothing: they cast themselves.
     std::optional<std::vector<std::uint32_t>> simplifiedCasters;
 
+    /// It is the ground, which the program lays beneath a scene: no file has it, and it is seen
+    /// from above alone.
+    bool ground = false;
+
     bool isAnimated() const { return node >= 0; } ///< an animation can move it
 };
 
@@ -64,15 +68,16 @@ struct Scene {
     std::vector<SceneLight> lights;   ///< likewise
     Warnings warnings;
 
+    /// Without those of the ground.
     std::size_t triangleCount() const {
         std::size_t count = 0;
         for (const Batch& batch : batches)
-            count += batch.indices.size() / 3;
+            if (!batch.ground) count += batch.indices.size() / 3;
         return count;
     }
 };
 
-/// The box of all vertices in the world.
+/// The box of all vertices in the world, but for the ground's.
 Box worldBounds(const Scene& scene);
 
 } // namespace edgeshade

@@ -46,6 +46,7 @@ class BenchReport {
   public:
     std::vector<std::string> warnings; ///< of loading
     CasterSettings casters;            ///< of the call
+    GroundChoice ground;               ///< beneath the scene
 
     /// Adds what was measured at one size; `settings` in the order of the task's.
     void add(const bench::Task& task, const std::vector<BenchSetting>& settings,

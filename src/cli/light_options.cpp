@@ -3,27 +3,18 @@
 #include "preprocess/scene/extremes.hpp"
 #include "src/cli/choices.hpp"
 #include "src/cli/number_text.hpp"
-#include "src/scene/srgb.hpp"
+#include "src/scene/color_text.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 namespace edgeshade::cli {
 namespace {
 
 /// "#rrggbb", linear.
 glm::vec3 colorFrom(const std::string& text, const std::string& option) {
-    glm::vec3 srgb(0.0f);
-    bool sound = text.size() == 7 && text[0] == '#';
-    for (std::size_t i = 0; sound && i < 3; ++i) {
-        unsigned byte = 0;
-        const char* const end = text.data() + 3 + 2 * i;
-        const auto result = std::from_chars(end - 2, end, byte, 16);
-        sound = result.ec == std::errc() && result.ptr == end;
-        srgb[static_cast<glm::length_t>(i)] = static_cast<float>(byte) / 255.0f;
-    }
-    if (!sound) throw CLI::ValidationError(option, "'" + text + "' is no colour #rrggbb");
-    return linearFromSrgb(srgb);
+    const auto color = linearFromText(text);
+    if (!color) throw CLI::ValidationError(option, "'" + text + "' is no colour #rrggbb");
+    return *color;
 }
 
 double intensityFrom(const std::string& text, const std::string& option) {

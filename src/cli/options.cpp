@@ -160,7 +160,25 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
                     "Which of the scene's variants of materials is drawn; info lists them (the "
                     "scene's own materials)")
         ->type_name("NAME");
+    verb.add_option_function<std::string>(
+            "--ground",
+            [&](const std::string& text) {
+                options.ground = groundFromText(text);
+                if (!options.ground)
+                    throw CLI::ValidationError("--ground", "'" + text +
+                                                               "' is neither off nor catcher nor a "
+                                                               "colour #rrggbb");
+            },
+            "A plane just beneath the scene, seen from above: one that catches shadow and shows "
+            "nothing else, or one of a colour (off; of view, catcher where the scene has no floor)")
+        ->type_name("off|catcher|#RRGGBB");
     addLimitOptions(verb, options.limits);
+}
+
+LoadedScene SceneOptions::load(Shading shading) const {
+    LoadedScene loaded = loadScene(input, casters.wanted(), limits, {}, {variant, shading});
+    if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
+    return loaded;
 }
 
 std::string glLimitsName(gl::Limits limits) {

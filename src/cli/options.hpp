@@ -3,6 +3,7 @@
 #include "src/cli/choices.hpp"
 #include "src/cli/light_options.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/scene/ground_text.hpp"
 #include "src/scene/load.hpp"
 
 #include <CLI/CLI.hpp>
@@ -57,11 +58,12 @@ struct SceneOptions {
     CasterOptions casters;
     ReadingLimits limits;
     gl::Limits glLimits = gl::Limits::device;
-    std::string variant; ///< of its materials; empty: the file's own
+    std::string variant;                ///< of its materials; empty: the file's own
+    std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
-    LoadedScene load(Shading shading) const {
-        return loadScene(input, casters.wanted(), limits, {}, {variant, shading});
-    }
+    GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
+    /// With the ground that was typed.
+    LoadedScene load(Shading shading) const;
 };
 
 /// "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.

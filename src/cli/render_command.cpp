@@ -166,7 +166,9 @@ void render(const RenderOptions& options) {
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };
-    report["settings"].update({{"samples", capabilities.samples}, {"mask", options.mask}});
+    report["settings"].update({{"samples", capabilities.samples},
+                               {"mask", options.mask},
+                               {"ground", textOf(options.typedGround())}});
     if (options.mask) {
         const auto [visible, lit] = countMask(pixels);
         report["visible_pixels"] = visible;

@@ -45,6 +45,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
     Json typed;
     for (const char* key : {"camera", "lights", "shading", "ambient", "exposure", "left"})
         typed[key] = all[key];
+    if (options.ground) typed["ground"] = textOf(*options.ground);
     return typed;
 }
 

@@ -36,6 +36,8 @@ std::optional<Command> commandForCharacter(unsigned character) {
         return Command::splitRight;
     case 'v':
         return Command::toggleDebug;
+    case 'g':
+        return Command::toggleGround;
     case ' ':
         return Command::togglePlaying;
     case '[':
@@ -86,6 +88,7 @@ std::string helpText() {
            "M\tauto, volumes, primitive map, map, none\n"
            "S / , .\ttwo kinds side by side / move the line\n"
            "V\tshow the volumes\n"
+           "G\tground beneath the scene\n"
            "Space / [ ]\tplay / slower, faster\n"
            "K\tnext variant of materials\n"
            "I\tfigures\n"

@@ -1,28 +1,31 @@
 #include "src/lab/eye_triangles.hpp"
 
+#include "src/shadow/geometry/visible_depth.hpp"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace edgeshade::lab {
 
-std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const glm::dvec3& eye, bool castMasked) {
+std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked) {
     std::vector<EyeTriangle> triangles;
     triangles.reserve(scene.triangleCount());
     for (std::uint32_t b = 0; b < scene.batches.size(); ++b) {
         const Batch& batch = scene.batches[b];
+        if (batch.ground && !isAboveGround(frustum, batch)) continue;
         const glm::dmat4 eyeFromBatch =
-            glm::translate(glm::dmat4(1.0), -eye) * batch.worldFromBatch;
+            glm::translate(glm::dmat4(1.0), -frustum.position()) * batch.worldFromBatch;
         const auto corner = [&](std::uint32_t index) {
             return glm::dvec3(eyeFromBatch *
                               glm::dvec4(batch.positions[batch.indices[index]], 1.0));
         };
         for (const SurfaceGroup& group : batch.groups) {
-            const AlphaMode mode = scene.materials[group.material].alphaMode;
+            const Material& material = scene.materials[group.material];
             for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount;
                  i += 3)
                 triangles.push_back({corner(i), corner(i + 1), corner(i + 2), b, i,
                                      static_cast<std::uint32_t>(group.material),
-                                     mode == AlphaMode::opaque || castMasked,
-                                     mode != AlphaMode::blend});
+                                     material.casts(castMasked),
+                                     material.alphaMode != AlphaMode::blend});
         }
     }
     return triangles;

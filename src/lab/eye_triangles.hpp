@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/scene/scene.hpp"
+#include "src/shadow/geometry/frustum.hpp"
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -23,7 +24,8 @@ inline glm::dvec3 normalOf(const EyeTriangle& triangle) {
     return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
 }
 
-/// All triangles of the scene. `castMasked` as in CasterSettings.
-std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const glm::dvec3& eye, bool castMasked);
+/// All triangles of the scene, as seen from the frustum's position; those of its ground if the eye
+/// is above it. `castMasked` as in CasterSettings.
+std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked);
 
 } // namespace edgeshade::lab

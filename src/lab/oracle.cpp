@@ -189,7 +189,7 @@ PixelRay pixelRay(const Question& question, double x, double y) {
 Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
     : question_(question), position_(question.frustum.position()),
       eye_(fromPosition(question.frustum.eye())), alpha_(alpha),
-      triangles_(eyeTriangles(*question.scene, position_, question.castMasked)),
+      triangles_(eyeTriangles(*question.scene, question.frustum, question.castMasked)),
       tree_(std::make_unique<Tree>(triangles_)) {}
 
 Oracle::~Oracle() = default;

@@ -78,6 +78,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         gpu.batches.push_back({batch.worldFromBatch,
                                batch.isAnimated(),
                                false,
+                               batch.ground,
                                uploadSurfaces(batch, scene.materials),
                                {}});
     gpu.plain = true;

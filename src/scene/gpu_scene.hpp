@@ -15,6 +15,7 @@ struct GpuBatch {
     glm::dmat4 worldFromBatch{1.0};
     bool animated = false; ///< an animation can move it: it is in no primitive map
     bool hidden = false;   ///< not drawn and without a shadow: scaled to nothing
+    bool ground = false;   ///< see Batch
     std::vector<SurfaceChunk> surfaces;
     BatchVolumes volumes;
 

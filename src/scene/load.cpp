@@ -72,6 +72,14 @@ LoadedScene loadScene(const std::filesystem::path& path,
     return loaded;
 }
 
+void addGround(LoadedScene& loaded, const Ground& ground) {
+    if (!addGround(loaded.scene, ground)) return;
+    loaded.ground = ground;
+    // It casts nothing.
+    loaded.planePairs.push_back(std::make_shared<const PlanePairShadow>());
+    if (!loaded.shadows.empty()) loaded.shadows.emplace_back();
+}
+
 std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image) {
     const auto found = loaded.images.find(image);
     if (found != loaded.images.end()) return found->second;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/base/limits.hpp"
+#include "preprocess/scene/ground.hpp"
 #include "preprocess/scene/looks.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "preprocess/volumes/shadow_data.hpp"
@@ -22,7 +23,8 @@ struct LoadedScene {
     std::vector<std::shared_ptr<const PlanePairShadow>> planePairs; ///< one a batch
     std::vector<BatchShadow> shadows; ///< with opposite vertices, where the file has them; or empty
     CasterSettings settings;
-    Looks looks = {}; ///< as they were asked for
+    Looks looks = {};                  ///< as they were asked for
+    std::optional<Ground> ground = {}; ///< that was laid beneath the scene
 };
 
 /// What loading does, in this order.
@@ -46,6 +48,10 @@ LoadedScene readScene(const std::filesystem::path& path,
 
 /// Its last stage. Throws InputError.
 void addShadows(LoadedScene& loaded);
+
+/// Lays a ground beneath a scene that has its shadow data and no ground yet; see addGround() of a
+/// Scene.
+void addGround(LoadedScene& loaded, const Ground& ground);
 
 /// The pixels of an image that a material is drawn with: those at hand, or decoded anew. Throws
 /// InputError.

@@ -23,7 +23,7 @@ bool othersReceive(const Scene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
         return batch.isAnimated() ||
                std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
-                   return scene.materials[g.material].alphaMode != AlphaMode::opaque;
+                   return !scene.materials[g.material].casts(false);
                });
     });
 }

@@ -198,6 +198,9 @@ ViewState after(Command command, const ViewState& before, const Stage& stage) {
     case Command::toggleDebug:
         state.debug = state.debug == DebugView::none ? DebugView::volumes : DebugView::none;
         break;
+    case Command::toggleGround:
+        state.ground = state.ground ? GroundChoice() : GroundChoice(Ground{});
+        break;
     case Command::toggleLights:
         state.showLights = !state.showLights;
         break;

@@ -44,6 +44,7 @@ enum class Command {
     splitLeft,
     splitRight,
     toggleDebug,
+    toggleGround, ///< one that catches shadow
     toggleLights,
     togglePlaying,
     slower,

@@ -69,6 +69,11 @@ class Field {
         return value_.get<bool>();
     }
 
+    std::string word() const {
+        if (!value_.is_string()) fail("a text");
+        return value_.get<std::string>();
+    }
+
     template <class Value, std::size_t N>
     Value oneOf(const Words<Value, N>& words) const {
         std::string all;

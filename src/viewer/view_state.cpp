@@ -53,6 +53,12 @@ Camera cameraFrom(const Field& field, Camera camera) {
     return camera;
 }
 
+GroundChoice groundFrom(const Field& field) {
+    const auto ground = groundFromText(field.word());
+    if (!ground) field.fail("off, catcher or a colour #rrggbb");
+    return *ground;
+}
+
 std::vector<Light> lightsFrom(const Field& field) {
     if (field.arraySize() < 1 || field.arraySize() > mostLights)
         field.fail("an array of 1 to " + std::to_string(mostLights) + " lights");
@@ -116,6 +122,7 @@ Json toJson(const ViewState& state) {
             {"ambient", shortDecimal(state.ambient)},
             {"exposure", shortDecimal(state.exposure)},
             {"background", toJson(state.background)},
+            {"ground", textOf(state.ground)},
             {"left", toJson(state.left)},
             {"right", toJson(state.right)},
             {"split", state.split},
@@ -150,6 +157,8 @@ ViewState changed(const ViewState& base, const Json& changes) {
             state.exposure = static_cast<float>(value.number(-mostExposure, mostExposure));
         else if (key == "background")
             state.background = glm::vec3(value.place<3>(0.0, 1.0));
+        else if (key == "ground")
+            state.ground = groundFrom(value);
         else if (key == "left")
             state.left = sideFrom(value, state.left);
         else if (key == "right")

@@ -90,6 +90,7 @@ struct Viewer::Parts {
     void addVolumesFor(const ViewState& of, Gpu& on) const;
     void adopt(const ViewState& next);
     void applyPose();
+    void applyGround();
     void sceneMoved();
     void advanceMaps(double now);
     void draw();
@@ -130,7 +131,9 @@ void Viewer::Parts::adopt(const ViewState& next) {
         addVolumesFor(next, *gpu);
     }
     const bool posed = next.time != state.time;
+    const bool grounded = next.ground != state.ground;
     state = next;
+    if (grounded) applyGround();
     if (posed) applyPose();
     dirty = true;
 }
@@ -149,6 +152,13 @@ void Viewer::Parts::applyPose() {
         gpu->scene->batches[i].hidden = hidden;
     }
     sceneMoved();
+}
+
+/// Makes the ground, which is there in any case, the one that the state shows.
+void Viewer::Parts::applyGround() {
+    if (!loaded || !loaded->ground || !state.ground) return;
+    setGround(loaded->scene, *state.ground);
+    if (gpu && gpu->scene) gpu->scene->materials.back() = loaded->scene.materials.back();
 }
 
 /// Forgets what was worked out for the batches where they were.
@@ -221,6 +231,7 @@ void Viewer::Parts::draw() {
     request.height = stage.height;
     request.lights = state.lights;
     request.depth = settings.depth;
+    request.ground = state.ground.has_value();
     FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
     groupCasters(state.left, view);
     if (state.split) groupCasters(state.right, view);
@@ -271,6 +282,10 @@ void Viewer::show(LoadedScene scene) {
     Parts& parts = *parts_;
     std::optional<Animation> animation;
     if (scene.document) animation = readAnimation(*scene.document, scene.scene.warnings);
+    // It is there in any case, so that it can be shown at any time.
+    const GroundChoice ground =
+        scene.ground || hasFloor(scene.scene) ? scene.ground : GroundChoice(Ground{});
+    if (!scene.ground) addGround(scene, Ground{});
     std::optional<GpuScene> uploaded;
     if (parts.gpu && parts.gpu->scene) parts.gpu->scene->primitiveMaps.clear();
     if (parts.gpu)
@@ -280,6 +295,7 @@ void Viewer::show(LoadedScene scene) {
     parts.animation = std::move(animation);
     parts.state.time = 0.0;
     parts.state.playing = false;
+    parts.state.ground = ground;
     if (parts.gpu) {
         parts.gpu->scene = std::move(uploaded);
         parts.addVolumesFor(parts.state, *parts.gpu);
@@ -291,6 +307,7 @@ void Viewer::show(LoadedScene scene) {
     parts.stage.lights = lightsOf(parts.loaded->scene);
     parts.state = framed(parts.state, parts.stage);
     if (parts.animation) parts.applyPose();
+    parts.applyGround();
 }
 
 bool Viewer::hasScene() const {

@@ -43,6 +43,8 @@ const BadUsage usages[] = {
     {"UnknownOption", {"pack", "IN", "OUT", "--fast"}, {"--fast"}},
     {"OptionOfAnotherVerb", {"info", "IN", "--mask"}, {"--mask"}},
     {"OptionWithoutValue", {"render", "IN", "OUT", "--size"}, {"--size"}},
+    badRender("GroundOfNoColour", {"--ground", "lava"}),
+    badRender("GroundOfAShortColour", {"--ground", "#fff"}),
     {"UnknownEncoding", {"pack", "IN", "OUT", "--encoding", "zip"}, {"--encoding", "zip"}},
     {"EncodingByNumber", {"pack", "IN", "OUT", "--encoding", "0"}, {"--encoding", "0"}},
     {"NegativeTolerance",

@@ -33,7 +33,8 @@ TEST(Help, EveryVerbNamesItsOptions) {
           "--lights",      "--light-range",  "--shadows",    "--map-size",
           "--map-bias",    "--pcf",          "--mask-scale", "--multiplicity",
           "--instancing",  "--depth-slices", "--samples",    "--report",
-          "--silhouette",  "--explain",      "--debug",      "--primitive-map-memory"})
+          "--silhouette",  "--explain",      "--debug",      "--primitive-map-memory",
+          "--ground"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

@@ -147,6 +147,29 @@ TEST(Rendering, SurfacesReflectTheEnvironmentThatWasAskedFor) {
     EXPECT_FALSE(std::filesystem::exists(folder / "picture.png"));
 }
 
+TEST(Rendering, AGroundReceivesTheShadowOfWhatIsAboveIt) {
+    const TempFolder folder;
+    GltfBuilder gltf;
+    gltf.addShapeNode(box({1, 1, 1}));
+    const std::string file = folder.write("box.glb", gltf.glb());
+    const std::vector<std::string> view = {"--sun", "-1,2,0",      "--camera-from",
+                                           "0,9,9", "--camera-to", "0,0,0"};
+    const auto darkPixels = [&](const std::vector<std::string>& ground) {
+        std::vector<std::string> options = view;
+        options.insert(options.end(), ground.begin(), ground.end());
+        options.push_back("--mask");
+        const Image mask = decodeImage(pictureOf(file, options), "mask.png");
+        int dark = 0;
+        for (std::size_t i = 0; i < mask.rgba.size(); i += 4)
+            dark += mask.rgba[i] == 0 && mask.rgba[i + 3] == 255;
+        return dark;
+    };
+    const int without = darkPixels({});
+    EXPECT_EQ(darkPixels({"--ground", "off"}), without);
+    EXPECT_GT(darkPixels({"--ground", "catcher"}), without + 300);
+    EXPECT_EQ(darkPixels({"--ground", "#204060"}), darkPixels({"--ground", "catcher"}));
+}
+
 TEST(Rendering, BaseShadingIsAsItWas) {
     // sRGB(0.5) * (0.35 + 0.65 * max(0, N.L)) under a sun from above, metal or not.
     const TempFolder folder;

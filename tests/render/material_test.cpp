@@ -446,6 +446,37 @@ TEST(FullShading, SeeThroughSurfacesAreInShadowToo) {
     EXPECT_LT(shaded.r + 30.0, bright.r);
 }
 
+/// A see-through box, with its triangles in the file's order or the other way round.
+std::vector<std::uint8_t> seeThroughBox(bool reversed, bool doubleSided, bool mirrored = false) {
+    GltfBuilder gltf;
+    gltf.addMaterial({{"alphaMode", "BLEND"},
+                      {"doubleSided", doubleSided},
+                      {"pbrMetallicRoughness",
+                       {{"baseColorFactor", {0.9, 0.5, 0.3, 0.6}}, {"metallicFactor", 0}}}});
+    test::Shape shape = test::box({1, 1, 1});
+    if (reversed)
+        for (std::size_t i = 0, j = shape.indices.size(); i + 3 < j; i += 3) {
+            j -= 3;
+            for (std::size_t c = 0; c < 3; ++c)
+                std::swap(shape.indices[i + c], shape.indices[j + c]);
+        }
+    gltf.addNode({{"mesh", gltf.addShape(shape, {{"material", 0}})},
+                  {"scale", {mirrored ? -1.0 : 1.0, 1.0, 1.0}}});
+    return draw(gltf, {{{1.5, 2, 5}, {0, 0, 0}, 40.0}, {sun({0.5, 2, 3})}, size, size},
+                fullSettings(0.5f));
+}
+
+TEST(FullShading, TheOrderOfSeeThroughTrianglesMakesNoDifference) {
+    for (const bool doubleSided : {false, true})
+        for (const bool mirrored : {false, true})
+            EXPECT_EQ(seeThroughBox(false, doubleSided, mirrored),
+                      seeThroughBox(true, doubleSided, mirrored));
+    // What is seen from behind hides some of what is behind it.
+    EXPECT_LT(at(seeThroughBox(false, true), size / 2, size / 2).b + 10.0,
+              at(seeThroughBox(false, false), size / 2, size / 2).b);
+    EXPECT_EQ(seeThroughBox(false, false, true), seeThroughBox(false, false));
+}
+
 TEST(FullShading, MasksOfLowerResolutionToo) {
     if (!test::hasDerivatives()) GTEST_SKIP() << "needs derivatives in shaders";
     RenderSettings settings = fullSettings(0.5f);

@@ -25,7 +25,8 @@ std::vector<WorldTriangle> worldTriangles(const Scene& scene, bool castMasked) {
                     p[c] = glm::dvec3(
                         batch.worldFromBatch *
                         glm::dvec4(batch.positions[batch.indices[group.firstIndex + i + c]], 1.0));
-                triangles.push_back({p[0], p[1], p[2], opaque || castMasked, opaque || solid});
+                triangles.push_back(
+                    {p[0], p[1], p[2], !batch.ground && (opaque || castMasked), opaque || solid});
             }
         }
     return triangles;

@@ -229,6 +229,30 @@ TEST(ViewerWithoutAScene, DrawsTheGroundAndTakesEverything) {
     EXPECT_NE(context.readPixels(), Pixels(4 * width * height, 0));
 }
 
+TEST_F(ViewerTest, AGroundIsLaidBeneathAFloorWhereAskedAlone) {
+    EXPECT_FALSE(viewer.state().ground) << "the yard has a floor";
+    const Pixels without = picture();
+    viewer.run(Command::toggleGround);
+    ASSERT_TRUE(viewer.state().ground);
+    picture();
+    viewer.change({{"ground", "#ff0000"}});
+    const Pixels red = picture();
+    EXPECT_GT(differing(red, without), 500u);
+    viewer.change({{"ground", "off"}});
+    EXPECT_EQ(picture(), without);
+}
+
+TEST_F(ViewerTest, WhereThereIsNoFloorShadowsAreCaught) {
+    const Scene scene = test::SceneBuilder().box({-1, 0, -1}, {1, 3, 1}).scene();
+    viewer.show({{}, scene, {}, buildPlanePairs(scene, false), {}, {}});
+    viewer.change(Json::parse(R"({"show_lights": false, "lights": [[-1, 1, 0.3, 0]]})"));
+    ASSERT_TRUE(viewer.state().ground);
+    EXPECT_EQ(viewer.stats().triangles, 12u);
+    const Pixels caught = picture();
+    viewer.change({{"ground", "off"}});
+    EXPECT_GT(differing(caught, picture()), 100u);
+}
+
 TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     Pixels before;
     auto context = std::make_unique<gl::HeadlessContext>(test::testPicture(width, height));

@@ -57,6 +57,8 @@ export interface ViewState {
   exposure: number;
   /** Behind the scene, 0..1. */
   background: Vector;
+  /** A plane beneath the scene: off, catcher (it shows shadow alone) or a colour #rrggbb. */
+  ground: string;
   left: SideSettings;
   right: SideSettings;
   split: boolean;
@@ -101,7 +103,7 @@ export type Command =
   | 'lightLeft' | 'lightRight' | 'lightUp' | 'lightDown' | 'lightNearer' | 'lightFarther'
   | 'nextLight' | 'addLight' | 'removeLight' | 'toggleSun'
   | 'nextShadows' | 'toggleSplit' | 'splitLeft' | 'splitRight'
-  | 'toggleDebug' | 'toggleLights' | 'togglePlaying' | 'slower' | 'faster';
+  | 'toggleDebug' | 'toggleGround' | 'toggleLights' | 'togglePlaying' | 'slower' | 'faster';
 
 export interface LoadDetail {
   name: string;
@@ -152,6 +154,8 @@ export interface EdgeshadeViewerEventMap {
  *   shading     full (the default): all that materials say; base: base colour and Lambert's law
  *   ambient     0..1
  *   exposure    of full shading, in EV, -20..20
+ *   ground      beneath the scene, seen from above: off, catcher (shadow alone; the default where the
+ *               scene has no floor) or a colour #rrggbb
  *   shadows     auto (the default), volumes, primitive-map, map or none; map-size: of a map, in
  *               texels; multiplicity; mask-scale: 1, 2 or 4, pixels along the edge of those that
  *               volumes are counted once for

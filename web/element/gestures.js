@@ -33,6 +33,7 @@ export const keys = [
   { key: '[', command: 'splitLeft', does: 'Move the divider left' },
   { key: ']', command: 'splitRight', does: 'Move the divider right' },
   { key: 'v', command: 'toggleDebug', does: 'Show the shadow volumes' },
+  { key: 'g', command: 'toggleGround', does: 'Ground beneath the scene' },
   { key: 'h', command: 'toggleLights', does: 'Show the lights' },
   { key: ' ', command: 'togglePlaying', does: 'Play or pause' },
   { key: ',', command: 'slower', does: 'Slower' },

@@ -41,6 +41,20 @@ function mapSize(id, onChange) {
   };
 }
 
+/** off, catcher, or a colour of its own. */
+function groundChoice(onChange) {
+  const [select, color] = [$('ground'), $('ground-color')];
+  const choose = () => onChange(select.value === 'color' ? color.value : select.value);
+  select.addEventListener('change', choose);
+  color.addEventListener('input', choose);
+  return (ground) => {
+    const colored = ground.startsWith('#');
+    select.value = colored ? 'color' : ground;
+    color.hidden = !colored;
+    if (colored) color.value = ground;
+  };
+}
+
 /** Chips, one a light. */
 function showLights(state, choose) {
   const box = $('lights');
@@ -79,6 +93,7 @@ export function connectControls(viewer) {
     elevation: slider('elevation', (v) => `${Math.round(v)}°`, aimSun),
     ambient: slider('ambient', (v) => `${Math.round(100 * v)} %`, (ambient) => viewer.change({ ambient })),
     exposure: slider('exposure', (v) => `${v > 0 ? '+' : ''}${v.toFixed(1)} EV`, (exposure) => viewer.change({ exposure })),
+    ground: groundChoice((ground) => viewer.change({ ground })),
     lights: check('show-lights', (on) => viewer.change({ show_lights: on })),
     split: check('split', (on) => viewer.change({ split: on })),
     debug: check('debug', (on) => viewer.change({ debug: on ? 'volumes' : 'none' })),
@@ -117,6 +132,7 @@ export function connectControls(viewer) {
     $('light-remove').disabled = state.lights.length < 2;
     show.ambient(state.ambient);
     show.exposure(state.exposure);
+    show.ground(state.ground);
     show.lights(state.show_lights);
     for (const side of ['left', 'right']) {
       sides[side].shadows(state[side].shadows);

@@ -5,7 +5,8 @@ import { test } from 'node:test';
 import { drop, loaded, noticesOf, settled, stateOf, useBrowser, waitForNotice } from './support/browser.mjs';
 import { packed, rendered } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
-import { dataUri, texelsAsPng, texelsAsWebp, texturedGltf } from './support/scenes.mjs';
+import { dataUri } from './support/png.mjs';
+import { texelsAsPng, texelsAsWebp, texturedGltf } from './support/scenes.mjs';
 
 const shared = useBrowser();
 const eye = { camera: { from: [5, 6, 8], to: [0, 0.8, 0], fov: 40 }, lights: [[0.5, 1, 0.3, 0]], ambient: 0.4 };

@@ -116,6 +116,8 @@ test('keys on the picture do what the help says', async () => {
   assert.equal((await press('m')).left.shadows === start.left.shadows, false);
   assert.equal((await press('c')).split, true);
   assert.equal((await press('v')).debug, 'volumes');
+  assert.equal(start.ground, 'off'); // the scene has a floor
+  assert.equal((await press('g')).ground, 'catcher');
   assert.equal((await press('h')).show_lights, false);
   const home = await press('r');
   assert.ok(moved(home.camera.from, start.camera.from) < 1e-6);

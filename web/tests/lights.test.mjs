@@ -35,6 +35,7 @@ const state = {
   ],
   chosen_light: 0,
   ambient: 0.3,
+  ground: 'off',
   left: { shadows: 'auto', mask_scale: 1 },
   split: false,
   debug: 'none',

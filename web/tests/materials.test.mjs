@@ -5,7 +5,8 @@ import { test } from 'node:test';
 import { settled, stateOf, useBrowser } from './support/browser.mjs';
 import { rendered } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
-import { dataUri, smallGltf, texelsAsPng, texturedGltf } from './support/scenes.mjs';
+import { dataUri } from './support/png.mjs';
+import { smallGltf, texelsAsPng, texturedGltf } from './support/scenes.mjs';
 
 const shared = useBrowser();
 const camera = { from: [5, 6, 8], to: [0, 0.8, 0], fov: 40 };

@@ -21,6 +21,7 @@ const view = {
   lights: [[1.5, 2.25, 2, 1, 6.5], [0.48, 0.64, 0.6, 0]],
   chosen_light: 1,
   ambient: 0.25,
+  ground: '#8090a0',
   left: { shadows: 'volumes', mask_scale: 2 },
   right: { shadows: 'map', map_size: 512 },
   split: true,
@@ -43,6 +44,8 @@ test('the address brings back what was set, in a new page', async () => {
   assert.equal(await again.isChecked('#split'), true);
   assert.equal(await again.isVisible('#divider'), true);
   assert.equal(await again.inputValue('#right-map-size'), '512');
+  assert.equal(await again.inputValue('#ground'), 'color');
+  assert.equal(await again.inputValue('#ground-color'), '#8090a0');
   await shared.check(again);
 });
 

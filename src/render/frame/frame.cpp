@@ -5,7 +5,6 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/volumes/stencil_count.hpp"
-#include "src/shadow/geometry/light_cone.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 
 #include <algorithm>
@@ -27,12 +26,6 @@ void requireCountable(const RenderSettings& settings, const FrameView& view) {
         throw Error(ExitStatus::unavailable,
                     "Opposite-vertex records can't be counted in an orthographic picture; "
                     "'--multiplicity plane' can.");
-}
-
-/// How far away a point is, for what is drawn from far to near.
-double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
-    return frustum.orthographic ? depthOf(frustum, point)
-                                : glm::distance(frustum.position(), point);
 }
 
 /// Where lines of sight come from, from the camera's position.
@@ -80,22 +73,6 @@ void forEachCount(const FramePlan& frame, const FrameView& view, Use use) {
             for (std::size_t group = 0; group < counts.size(); ++group)
                 use(counts[group], CasterGroupInSlice{view, view.slices[s], light, group});
         }
-}
-
-/// Where the view's camera sees a batch from, and where its light's map has it.
-BatchView viewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
-                 const DepthSlice& slice, const SurfaceShading& shading) {
-    BatchView result = batchViewOf(batch, view, slice);
-    if (shading.light && shading.light->isSpot())
-        result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
-    if (shading.map)
-        result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
-    if (shading.primitives) {
-        result.mapFromObject = glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
-        result.sided =
-            &shading.primitives->sided[static_cast<std::size_t>(&batch - scene.batches.data())];
-    }
-    return result;
 }
 
 } // namespace
@@ -223,8 +200,8 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
     std::size_t runs = 0;
     const glm::dvec3 eye = view.frustum.position();
     for (const GpuBatch& batch : scene.batches) {
-        if (batch.hidden) continue;
-        const BatchView batchView = viewOf(scene, batch, view, slice, shading);
+        if (batch.hidden || (batch.ground && !view.ground)) continue;
+        const BatchView batchView = surfaceViewOf(scene, batch, view, slice, shading);
         for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
             runs += surfaces_.draw(scene, batch, batchView, eye, shading, kind);
     }
@@ -408,13 +385,14 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) co
     shading.mask = pass.view.mask;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     shading.ambient = settings_.ambient;
+    shading.background = settings_.background;
+    shading.lights = static_cast<int>(pass.view.lights.size());
     if (sum_.full) setFull(pass, shading);
     if (!light) return shading;
     shading.light = *light;
     // So that what looks up, straight into all lights, is shown as it is.
     const float ambient = shading.ambient * (shading.full ? 1.0f + neutralSlope : 1.0f);
-    const float share =
-        std::max(1.0f - ambient, 0.0f) / static_cast<float>(pass.view.lights.size());
+    const float share = std::max(1.0f - ambient, 0.0f) / static_cast<float>(shading.lights);
     shading.diffuse = share;
     if (shading.full) {
         shading.full->lightColor =
@@ -452,63 +430,6 @@ void Renderer::drawLit(const SlicePass& pass, const Light& light, const ShadowMa
         shading.coarse = &mask;
     }
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
-}
-
-void Renderer::drawBlended(const SlicePass& pass) {
-    struct Item {
-        double distance;
-        const SurfaceChunk* chunk;
-        const GpuBatch* batch;
-    };
-    std::vector<Item> items;
-    for (const GpuBatch& batch : pass.scene.batches)
-        for (const SurfaceChunk& chunk : batch.surfaces) {
-            const bool blends = pass.scene.materials[chunk.material].alphaMode == AlphaMode::blend;
-            if (!blends || batch.hidden) continue;
-            const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
-            items.push_back({distanceFrom(pass.view.frustum, center), &chunk, &batch});
-        }
-    std::stable_sort(items.begin(), items.end(),
-                     [](const Item& a, const Item& b) { return a.distance > b.distance; });
-
-    if (items.empty()) return;
-    const StageScope stage(pass.clock, FrameStage::lit);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_BLEND);
-    for (const Item& item : items)
-        drawSeeThrough(pass, *item.batch, *item.chunk);
-}
-
-/// In base shading as bright as in full light; else in all lights, as far as their primitive maps
-/// say, where they have some.
-void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
-                              const SurfaceChunk& chunk) {
-    const auto draw = [&](SurfaceShading shading) {
-        shading.farthest = static_cast<float>(pass.slice.far);
-        surfaces_.drawChunk(pass.scene, chunk,
-                            viewOf(pass.scene, batch, pass.view, pass.slice, shading),
-                            pass.view.frustum.position(), shading);
-    };
-    if (!sum_.full || pass.scene.materials[chunk.material].unlit) {
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-        SurfaceShading shading = shadingOf(pass, nullptr);
-        shading.ambient = 1.0f;
-        return draw(shading);
-    }
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    bool first = true;
-    for (const FrameLight& light : pass.view.lights) {
-        if (!light.drawn) continue;
-        SurfaceShading shading = shadingOf(pass, &light.light);
-        shading.primitives = anyPrimitiveMapOf(pass.scene, light.light);
-        shading.withAmbient = first;
-        draw(shading);
-        first = false;
-        glBlendFunc(GL_ONE, GL_ONE);
-    }
-    if (first) draw(shadingOf(pass, nullptr));
 }
 
 void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {

@@ -147,6 +147,10 @@ class Renderer {
     const GpuPrimitiveMap* anyPrimitiveMapOf(const GpuScene& scene, const Light& light) const;
     void drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map);
     void drawBlended(const SlicePass& pass);
+    void drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch, const SurfaceChunk& chunk,
+                          SurfaceShading shading);
+    void drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch, const SurfaceChunk& chunk);
+    /// In all lights, as far as their primitive maps say, where they have some.
     void drawSeeThrough(const SlicePass& pass, const GpuBatch& batch, const SurfaceChunk& chunk);
     void restoreAlpha(const GpuScene& scene, const FrameView& view);
     /// Returns vertex runs.

@@ -4,6 +4,7 @@
 #include "src/render/drawing/attributes.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
+#include "src/shadow/geometry/light_cone.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
@@ -137,6 +138,19 @@ SurfaceShading unlitShading(SurfaceShading shading) {
     return shading;
 }
 
+/// What a ground that catches shadow draws: what the lights leave of the background between them is
+/// all of it, whatever their colours and intensities are.
+SurfaceShading catcherShading(SurfaceShading shading) {
+    if (shading.full) {
+        shading.ambient += shading.full->ambientSlope; // of what looks up
+        shading.full->ambientSlope = 0.0f;
+        shading.full->exposure = 1.0f;
+    }
+    shading.ambient = std::min(shading.ambient, 1.0f);
+    shading.diffuse = (1.0f - shading.ambient) / static_cast<float>(shading.lights);
+    return shading;
+}
+
 /// Which side of a casting chunk's triangles a primitive map's light is on; null: nobody asks, or
 /// an animation moves them.
 const SidedChunk* sidedOf(const SurfaceChunk& chunk, const BatchView& view,
@@ -150,6 +164,21 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
 }
 
 } // namespace
+
+BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
+                        const DepthSlice& slice, const SurfaceShading& shading) {
+    BatchView result = batchViewOf(batch, view, slice);
+    if (shading.light && shading.light->isSpot())
+        result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
+    if (shading.map)
+        result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
+    if (shading.primitives) {
+        result.mapFromObject = glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
+        result.sided =
+            &shading.primitives->sided[static_cast<std::size_t>(&batch - scene.batches.data())];
+    }
+    return result;
+}
 
 /// Of a material's textures; the environment's is bound to the one before where it is looked up.
 int SurfacePass::firstUnit(const SurfaceShading& shading, const gl::Program& program) {
@@ -187,6 +216,10 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
     const Material& material = scene.materials[chunk.material];
     if (!shading.full || shading.mask || shading.planes || shading.tintPrimitives) return;
     variant.linear = shading.full->linear;
+    if (variant.catcher) {
+        variant.plain = shading.lights == 1; // else light or the display's colours are added up
+        return;
+    }
     if (material.unlit) return;
     variant.softTerminator =
         variant.lit && shading.full->softTerminator && chunk.smooth && derivatives_;
@@ -213,6 +246,10 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
                               shading.primitives->longestList, shading.tintPrimitives};
     variant.textured = scene.textures.has(material.baseColor());
     variant.colored = chunk.colored;
+    variant.catcher = material.ground == GroundMaterial::catcher && !shading.mask &&
+                      !shading.planes && !shading.tintPrimitives;
+    variant.colored =
+        variant.colored && (variant.catcher || material.ground == GroundMaterial::none);
     variant.lit = shading.light.has_value();
     variant.withAmbient = variant.lit && shading.withAmbient;
     variant.directional = variant.lit && shading.light->position.w == 0.0;
@@ -239,6 +276,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.material) addDefines(*variant.material, defines);
     if (variant.falloff) defines.push_back("FALLOFF");
     if (variant.plain) defines.push_back("PLAIN");
+    if (variant.catcher) defines.push_back("CATCHER");
     if (variant.softTerminator) defines.push_back("SOFT_TERMINATOR");
     if (variant.linear) defines.push_back("LINEAR");
     if (variant.textured) defines.push_back("TEXTURED");
@@ -293,6 +331,8 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
     const bool shaded = !shading.mask && !shading.planes;
     if (shaded && scene.materials[chunk.material].unlit)
         return drawSeen(scene, chunk, view, eye, unlitShading(shading));
+    if (shaded && scene.materials[chunk.material].ground == GroundMaterial::catcher)
+        return drawSeen(scene, chunk, view, eye, catcherShading(shading));
     return drawSeen(scene, chunk, view, eye, shading);
 }
 
@@ -300,7 +340,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
                                   const BatchView& view, const glm::dvec3& eye,
                                   const SurfaceShading& shading) {
     const Material& material = scene.materials[chunk.material];
-    const bool casts = material.alphaMode == AlphaMode::opaque || scene.castMasked;
+    const bool casts = material.casts(scene.castMasked);
     const SidedChunk* sided = casts ? sidedOf(chunk, view, shading) : nullptr;
     Variant variant = variantOf(scene, chunk, shading);
     variant.sided = sided && sided->lightSide == 0.0f;
@@ -317,7 +357,8 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     used.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);
     used.set("u_normalFromObject", view.normalFromObject);
     used.set("u_mirrored", view.mirrored ? -1.0f : 1.0f);
-    used.set("u_baseColor", srgbFromLinear(material.baseColorFactor));
+    used.set("u_baseColor", variant.catcher ? glm::vec4(shading.background, 1.0f)
+                                            : srgbFromLinear(material.baseColorFactor));
     used.set("u_alphaCutoff", material.alphaCutoff);
     if (shading.full) setFullShading(used, *shading.full);
     if (variant.material)

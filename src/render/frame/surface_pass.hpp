@@ -39,7 +39,9 @@ struct SurfaceShading {
     std::optional<Light> light;      ///< nothing: ambient light
     bool withAmbient = false;        ///< light and ambient light, whose share of both is in alpha
     float ambient = 0.0f;
-    float diffuse = 0.0f; ///< of the light, times its Lambert term
+    float diffuse = 0.0f;       ///< of the light, times its Lambert term
+    int lights = 1;             ///< of the picture
+    glm::vec3 background{0.0f}; ///< sRGB, which a ground that catches shadow shows
     bool mask = false;
     float maskValue = 0.0f;
     float farthest = std::numeric_limits<float>::infinity(); ///< what is deeper is not drawn
@@ -50,6 +52,10 @@ struct SurfaceShading {
     const CoarseMaskLookup* coarse = nullptr;
     const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
 };
+
+/// Where the view's camera sees a batch from, and where its light's map has it.
+BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
+                        const DepthSlice& slice, const SurfaceShading& shading);
 
 /// Draws visible surfaces from both sides; depth, stencil and blending are the caller's state.
 /// Those of unlit materials have their own colour whatever the light; masks show where it falls on
@@ -86,6 +92,7 @@ class SurfacePass {
         bool plain;          ///< full shading of what needs no material.frag
         bool linear;         ///< writes light itself
         bool softTerminator; ///< dims the light where it grazes facets
+        bool catcher;        ///< shows the background, darker in shadow
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
@@ -103,8 +110,8 @@ class SurfacePass {
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, plain, linear, softTerminator,
-                            textured, colored, lit, falloff, withAmbient, directional, ranged, spot,
-                            mask, sliced, coarse, planes, orthographic, sided);
+                            catcher, textured, colored, lit, falloff, withAmbient, directional,
+                            ranged, spot, mask, sliced, coarse, planes, orthographic, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

@@ -12,10 +12,6 @@
 namespace edgeshade {
 namespace {
 
-bool isOpaque(const Material& material) {
-    return material.alphaMode == AlphaMode::opaque;
-}
-
 bool hasSurfaces(const GpuScene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(),
                        [](const GpuBatch& batch) { return !batch.surfaces.empty(); });
@@ -113,7 +109,7 @@ void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view
         const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
         for (const SurfaceChunk& chunk : batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
-            if (!isOpaque(material) && !masksCast) continue;
+            if (!material.casts(masksCast)) continue;
             // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.
             gl::Program& variant = program({view.kind, material.alphaMode == AlphaMode::mask});
             variant.use();

@@ -22,6 +22,15 @@ DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
     return {depths.low - margin, depths.high + margin};
 }
 
+/// The scene's, with those of its ground.
+Box boundsWithGround(const Scene& scene, Box bounds) {
+    for (const Batch& batch : scene.batches)
+        if (batch.ground)
+            for (const glm::vec3& position : batch.positions)
+                bounds.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+    return bounds;
+}
+
 /// Where a point light needs casters to be cut, see FrameLight::cut.
 std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, const Box& bounds) {
     if (!frustum.orthographic || light.position.w == 0.0 || bounds.empty()) return std::nullopt;
@@ -69,7 +78,8 @@ FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest&
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds) {
     requireFewLights(request.lights.size());
     FrameView view;
-    view.frustum = standingBack(request.frustum, bounds);
+    const Box all = boundsWithGround(scene, bounds);
+    view.frustum = standingBack(request.frustum, all);
     view.width = request.width;
     view.height = request.height;
     for (const Light& light : request.lights)
@@ -77,6 +87,13 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
     view.bounds = bounds;
     DepthRange range;
     for (const Batch& batch : scene.batches) {
+        if (batch.ground) {
+            view.ground = request.ground && isAboveGround(view.frustum, batch);
+            if (!view.ground) {
+                view.nearestDepths.push_back(DepthRange().nearest);
+                continue;
+            }
+        }
         const VisiblePart part = visiblePart(batch, view.frustum);
         const DepthRange& own = part.depth;
         view.nearestDepths.push_back(own.nearest);
@@ -90,9 +107,9 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
     }
     view.farthestDepth = range.farthest;
     if (view.frustum.orthographic) {
-        const DepthRange all = wholeDepth(view.frustum, bounds);
-        view.slices = {DepthSlice{.near = all.nearest}};
-        view.farPlane = all.farthest;
+        const DepthRange depth = wholeDepth(view.frustum, all);
+        view.slices = {DepthSlice{.near = depth.nearest}};
+        view.farPlane = depth.farthest;
         return view;
     }
     const double near =

@@ -29,6 +29,7 @@ struct FrameRequest {
     int height = 1;
     std::vector<Light> lights;
     DepthChoice depth;
+    bool ground = true; ///< the scene's ground is shown, if it has one and the eye is above it
 };
 
 /// One light of a frame.
@@ -62,6 +63,7 @@ struct FrameView {
 
     bool mask = false;       ///< the lit mask of the first light, not a picture
     bool drawBlended = true; ///< BLEND surfaces are drawn
+    bool ground = false;     ///< the ground is
 
     double near() const { return slices.back().near; }
     /// Divides the depth range anew, see divideDepth(). An orthographic picture stays whole.

@@ -37,13 +37,15 @@ Camera framingCamera(const Scene& scene, double fovDegrees, double aspect,
     const glm::dmat3 axes(viewFromWorld(looking));
     const double tangentY = tangentOfHalfFov(fovDegrees) / margin;
     Spread across(tangentY * aspect), upward(tangentY);
-    for (const Batch& batch : scene.batches)
+    for (const Batch& batch : scene.batches) {
+        if (batch.ground) continue;
         for (const glm::vec3& position : batch.positions) {
             const glm::dvec3 world(batch.worldFromBatch * glm::dvec4(position, 1.0));
             const glm::dvec3 seen = axes * (world - box.center());
             across.add(seen.x, seen.z);
             upward.add(seen.y, seen.z);
         }
+    }
     const double least = std::max(1e-6 * box.diagonal(), 1e-9);
     const double height = std::max({across.height(), upward.height(), least});
     const glm::dmat3 worldFromAxes = glm::transpose(axes);

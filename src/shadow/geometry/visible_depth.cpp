@@ -136,4 +136,9 @@ VisiblePart visiblePart(const Batch& batch, const Frustum& given) {
     return part;
 }
 
+bool isAboveGround(const Frustum& frustum, const Batch& ground) {
+    const glm::dvec4 eye = frustum.eye();
+    return eye.y > ground.worldFromBatch[3].y * eye.w;
+}
+
 } // namespace edgeshade

@@ -37,4 +37,7 @@ struct VisiblePart {
 /// triangles are clipped to it.
 VisiblePart visiblePart(const Batch& batch, const Frustum& frustum);
 
+/// Whether the picture's eye, which may be at infinity, is above the ground: else it isn't seen.
+bool isAboveGround(const Frustum& frustum, const Batch& ground);
+
 } // namespace edgeshade

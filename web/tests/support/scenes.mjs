@@ -1,6 +1,6 @@
 // A small scene for tests that need some picture and no particular one, and one with a texture.
 
-import { deflateSync } from 'node:zlib';
+import { pngOf } from './png.mjs';
 
 const floats = (values) => Buffer.from(new Float32Array(values).buffer);
 const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
@@ -94,34 +94,8 @@ export const texels = Uint8Array.from({ length: 4 * 64 }, (_, at) => {
 export const texelsAsWebp = Buffer.from('UklGRkoAAABXRUJQVlA4TD4AAAAvB8ABEJkKRPQ/NlH/gvc/QBYMIpFd4gPqikAg' +
   'kAQx8Ogf/1cMAA1UECFkkMYOuH3nOgEpe2wAxqGweAT6Aw==', 'base64');
 
-/** PNG's checksum. */
-function crc32(bytes) {
-  let sum = -1;
-  for (const byte of bytes) {
-    sum ^= byte;
-    for (let bit = 0; bit < 8; ++bit) sum = (sum >>> 1) ^ (sum & 1 ? 0xEDB88320 : 0);
-  }
-  return ~sum >>> 0;
-}
-
-function pngChunk(type, content) {
-  const body = Buffer.concat([Buffer.from(type, 'latin1'), content]);
-  const [length, sum] = [Buffer.alloc(4), Buffer.alloc(4)];
-  length.writeUInt32BE(content.length);
-  sum.writeUInt32BE(crc32(body));
-  return Buffer.concat([length, body, sum]);
-}
-
 /** The same as PNG. */
-export function texelsAsPng() {
-  const rows = Array.from({ length: 8 }, (_, y) => Buffer.concat([Buffer.of(0), texels.subarray(32 * y, 32 * y + 32)]));
-  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
-    pngChunk('IHDR', Buffer.of(0, 0, 0, 8, 0, 0, 0, 8, 8, 6, 0, 0, 0)),
-    pngChunk('IDAT', deflateSync(Buffer.concat(rows))), pngChunk('IEND', Buffer.alloc(0))]);
-}
-
-/** What `bytes` are in a data URI; which kind of picture, the bytes themselves say. */
-export const dataUri = (bytes) => `data:image/png;base64,${bytes.toString('base64')}`;
+export const texelsAsPng = () => pngOf(texels, 8, 8);
 
 /** The small scene with a picture on its pillar, as .gltf. `image`: glTF's entry; `material`: what
  * else its material has; `animated`: whether the stone moves. */

@@ -1,0 +1,98 @@
+#include "preprocess/scene/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace edgeshade {
+namespace {
+
+constexpr int segments = 96;
+constexpr double inner = 2.0, outer = 6.0; // radii, of the scene's ball
+constexpr double below = 2e-4;             // of the ball's radius: what lies on y = low stays above
+
+constexpr double lowest = 0.1;  // of the height
+constexpr double covered = 0.5; // of the area from above
+
+Material groundMaterial(const Ground& ground) {
+    Material material;
+    material.ground = ground.material;
+    material.baseColorFactor = glm::vec4(ground.color, 1.0f);
+    material.metallic = 0.0f;
+    return material;
+}
+
+void addRing(Batch& batch, double radius, float alpha) {
+    for (int i = 0; i < segments; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / segments;
+        batch.positions.emplace_back(radius * std::cos(angle), 0.0f, -radius * std::sin(angle));
+        batch.colors.emplace_back(1.0f, 1.0f, 1.0f, alpha);
+    }
+}
+
+/// Of corners that run counter-clockwise as seen from above.
+void addTriangle(Batch& batch, int a, int b, int c) {
+    for (const int corner : {a, b, c})
+        batch.indices.push_back(static_cast<std::uint32_t>(corner));
+}
+
+/// Twice the area of the triangle as seen from above, less than 0 where it looks down.
+double areaFromAbove(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    return glm::cross(b - a, c - a).y;
+}
+
+} // namespace
+
+bool addGround(Scene& scene, const Ground& ground) {
+    const Box box = worldBounds(scene);
+    if (box.empty()) return false;
+    const double radius = std::max(0.5 * box.diagonal(), 1e-9);
+    Batch batch;
+    batch.ground = true;
+    batch.origin = box.center();
+    batch.origin.y = box.low.y - below * radius;
+    batch.worldFromBatch[3] = glm::dvec4(batch.origin, 1.0);
+    batch.positions.emplace_back(0.0f);
+    batch.colors.emplace_back(1.0f);
+    addRing(batch, inner * radius, 1.0f);
+    addRing(batch, outer * radius, 0.0f);
+    for (int i = 0; i < segments; ++i) {
+        const int here = 1 + i, next = 1 + (i + 1) % segments;
+        addTriangle(batch, 0, here, next);
+        addTriangle(batch, here, here + segments, next + segments);
+        addTriangle(batch, here, next + segments, next);
+    }
+    batch.normals.assign(batch.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+    batch.texcoords.assign(batch.positions.size(), glm::vec2(0.0f));
+    batch.groups.push_back(
+        {scene.materials.size(), 0, static_cast<std::uint32_t>(batch.indices.size())});
+    scene.materials.push_back(groundMaterial(ground));
+    scene.batches.push_back(std::move(batch));
+    return true;
+}
+
+void setGround(Scene& scene, const Ground& ground) {
+    scene.materials.back() = groundMaterial(ground);
+}
+
+bool hasFloor(const Scene& scene) {
+    const Box box = worldBounds(scene);
+    if (box.empty()) return false;
+    const glm::dvec3 size = box.high - box.low;
+    const double top = box.low.y + lowest * size.y;
+    double area = 0.0; // of floors, twice
+    for (const Batch& batch : scene.batches) {
+        if (batch.ground) continue;
+        const auto corner = [&](std::size_t i) {
+            return glm::dvec3(batch.worldFromBatch *
+                              glm::dvec4(batch.positions[batch.indices[i]], 1.0));
+        };
+        for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
+            const glm::dvec3 a = corner(i), b = corner(i + 1), c = corner(i + 2);
+            if (std::max({a.y, b.y, c.y}) <= top) area += std::max(areaFromAbove(a, b, c), 0.0);
+        }
+    }
+    return area >= covered * 2.0 * size.x * size.z;
+}
+
+} // namespace edgeshade

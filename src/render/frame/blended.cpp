@@ -1,0 +1,106 @@
+// Renderer's see-through surfaces.
+
+#include "src/render/frame/frame.hpp"
+
+#include <algorithm>
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+namespace {
+
+/// How far away a point is, for what is drawn from far to near.
+double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
+    return frustum.orthographic ? depthOf(frustum, point)
+                                : glm::distance(frustum.position(), point);
+}
+
+/// Leaves out one side of all triangles, for as long as it lives.
+class CullScope {
+  public:
+    explicit CullScope(GLenum side) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(side);
+    }
+    ~CullScope() { glDisable(GL_CULL_FACE); }
+    CullScope(const CullScope&) = delete;
+    CullScope& operator=(const CullScope&) = delete;
+};
+
+} // namespace
+
+void Renderer::drawBlended(const SlicePass& pass) {
+    struct Item {
+        double distance;
+        const SurfaceChunk* chunk;
+        const GpuBatch* batch;
+    };
+    std::vector<Item> items;
+    for (const GpuBatch& batch : pass.scene.batches)
+        for (const SurfaceChunk& chunk : batch.surfaces) {
+            const bool blends = pass.scene.materials[chunk.material].alphaMode == AlphaMode::blend;
+            if (!blends || batch.hidden) continue;
+            const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));
+            items.push_back({distanceFrom(pass.view.frustum, center), &chunk, &batch});
+        }
+    if (items.empty()) return;
+    std::stable_sort(items.begin(), items.end(),
+                     [](const Item& a, const Item& b) { return a.distance > b.distance; });
+
+    const StageScope stage(pass.clock, FrameStage::lit);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_BLEND);
+    for (const Item& item : items) {
+        const Material& material = pass.scene.materials[item.chunk->material];
+        if (!sum_.full) {
+            drawAsInFullLight(pass, *item.batch, *item.chunk);
+            continue;
+        }
+        // In what order triangles are drawn says nothing of their depth: first what of them is seen
+        // from behind, if they have that side, then what faces the eye.
+        const bool mirrored = item.batch->mirrored();
+        for (const bool fromBehind : {true, false}) {
+            if (fromBehind && !material.doubleSided) continue;
+            const CullScope leftOut(fromBehind == mirrored ? GL_BACK : GL_FRONT);
+            if (material.unlit)
+                drawAsInFullLight(pass, *item.batch, *item.chunk);
+            else
+                drawSeeThrough(pass, *item.batch, *item.chunk);
+        }
+    }
+}
+
+void Renderer::drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch,
+                                const SurfaceChunk& chunk, SurfaceShading shading) {
+    shading.farthest = static_cast<float>(pass.slice.far);
+    surfaces_.drawChunk(pass.scene, chunk,
+                        surfaceViewOf(pass.scene, batch, pass.view, pass.slice, shading),
+                        pass.view.frustum.position(), shading);
+}
+
+void Renderer::drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch,
+                                 const SurfaceChunk& chunk) {
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    SurfaceShading shading = shadingOf(pass, nullptr);
+    shading.ambient = 1.0f;
+    drawBlendedChunk(pass, batch, chunk, shading);
+}
+
+void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
+                              const SurfaceChunk& chunk) {
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    bool first = true;
+    for (const FrameLight& light : pass.view.lights) {
+        if (!light.drawn) continue;
+        SurfaceShading shading = shadingOf(pass, &light.light);
+        shading.primitives = anyPrimitiveMapOf(pass.scene, light.light);
+        shading.withAmbient = first;
+        drawBlendedChunk(pass, batch, chunk, shading);
+        first = false;
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
+    if (first) drawBlendedChunk(pass, batch, chunk, shadingOf(pass, nullptr));
+}
+
+} // namespace edgeshade
