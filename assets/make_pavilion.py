@@ -471,12 +471,17 @@ MATERIALS = {
     "terracotta": dict(color=(0.470, 0.180, 0.095), rough=0.85),
     "leaf": dict(color=(0.120, 0.225, 0.090), rough=0.7, sheet=True),
     "canvas": dict(color=(0.760, 0.560, 0.300), rough=0.9, sheet=True),
-    "enamel": dict(color=(0.075, 0.210, 0.240), rough=0.4, sheet=True),
-    "brass": dict(color=(0.520, 0.350, 0.130), rough=0.4, metal=0.4,
+    "enamel": dict(color=(0.075, 0.210, 0.240), rough=0.4, sheet=True,
+                   coat=0.08),
+    "brass": dict(color=(0.800, 0.580, 0.280), rough=0.3, metal=1.0,
                   sheet=True),
+    "steel": dict(color=(0.620, 0.630, 0.650), rough=0.25, metal=1.0),
     "umber": dict(color=(0.060, 0.042, 0.032), rough=0.95, sheet=True),
     "ivy": dict(color=(0.900, 0.950, 0.850), rough=0.8, sheet=True,
                 texture="ivy", cutoff=0.5),
+    "glass": dict(color=(0.850, 0.930, 0.960), rough=0.05, alpha=0.15),
+    "lamp_glass": dict(color=(1.000, 0.800, 0.450), rough=0.3, alpha=0.70,
+                       glow=(1.0, 0.52, 0.14), strength=1.6),
 }
 TEXTURES = {"wood": wood_png, "ivy": ivy_png}
 
@@ -764,6 +769,11 @@ def build_lantern(scene):
                                          0.0)], 0.008, 6))
     scene.node("lantern", scene.mesh("lantern", ("brass", brass),
                                      ("iron", iron)), at=LANTERN)
+    # What is see-through casts nothing, so the light at LANTERN shines on.
+    chimney = lathe([[(0.055, -0.16), (0.085, -0.06), (0.085, 0.04),
+                      (0.055, 0.15)]], 20)
+    scene.node("lantern_glass", scene.mesh(
+        "lantern_glass", ("lamp_glass", chimney)), at=LANTERN)
 
 
 def build_canopy(scene):
@@ -812,6 +822,15 @@ def build_table(scene):
         [(0.035, 0.46), (0.035, 0.60), (0.09, 0.66), (0.16, 0.705)]], 18)
     mesh = scene.mesh("table", ("timber", top), ("iron", stem))
     scene.node("table", mesh, at=(LANTERN[0], TERRACE_Y, LANTERN[2]))
+    carafe = lathe([[(0.050, 0.745), (0.062, 0.78), (0.055, 0.86),
+                     (0.026, 0.93), (0.026, 0.98), (0.036, 1.01)]], 20)
+    scene.node("carafe", scene.mesh("carafe", ("glass", carafe)),
+               at=(LANTERN[0] + 0.14, TERRACE_Y, LANTERN[2] + 0.12))
+    tumbler = lathe([[(0.028, 0.745), (0.036, 0.85)]], 18)
+    glasses = scene.mesh("tumbler", ("glass", tumbler))
+    for k, (x, z) in enumerate(((-0.16, 0.20), (0.02, 0.30))):
+        scene.node(f"tumbler_{k + 1}", glasses,
+                   at=(LANTERN[0] + x, TERRACE_Y, LANTERN[2] + z))
 
 
 def chair_mesh(scene):
@@ -905,7 +924,7 @@ def wheel_mesh(scene):
         metal.extend(tube([(0.024 * math.cos(lead), 0.024 * math.sin(lead), z),
                            ((WHEEL - 0.045) * math.cos(a),
                             (WHEEL - 0.045) * math.sin(a), 0.0)], 0.0022, 3))
-    return scene.mesh("wheel", ("umber", tyre), ("iron", metal))
+    return scene.mesh("wheel", ("umber", tyre), ("steel", metal))
 
 
 def mudguard(centre, start, end):
@@ -962,7 +981,7 @@ def build_bicycle(scene):
         umber.extend(block((0.43 + dx, 0.285 + dy, z + 0.05 * side),
                            (0.085, 0.022, 0.085)))
     iron.extend(tube([(0.36, 0.30, 0.03), (0.30, 0.035, 0.19)], 0.008, 6))
-    mesh = scene.mesh("bicycle", ("enamel", frame), ("iron", iron),
+    mesh = scene.mesh("bicycle", ("enamel", frame), ("steel", iron),
                       ("umber", umber))
     lean = quat((1.0, 0.0, 0.0), 9.0)
     bike = scene.node("bicycle", at=(-3.55, 0.002, 3.55), turn=yaw(16.0))
@@ -1284,7 +1303,7 @@ def primitive(buffer, shape, material, textured):
 def gltf_materials(texture_index):
     out = []
     for name, m in MATERIALS.items():
-        pbr = {"baseColorFactor": list(m["color"]) + [1.0],
+        pbr = {"baseColorFactor": list(m["color"]) + [m.get("alpha", 1.0)],
                "metallicFactor": m.get("metal", 0.0),
                "roughnessFactor": m["rough"]}
         if "texture" in m:
@@ -1295,6 +1314,18 @@ def gltf_materials(texture_index):
         if "cutoff" in m:
             material["alphaMode"] = "MASK"
             material["alphaCutoff"] = m["cutoff"]
+        if "alpha" in m:
+            material["alphaMode"] = "BLEND"
+        extensions = {}
+        if "coat" in m:
+            extensions["KHR_materials_clearcoat"] = {
+                "clearcoatFactor": 1.0, "clearcoatRoughnessFactor": m["coat"]}
+        if "glow" in m:
+            material["emissiveFactor"] = list(m["glow"])
+            extensions["KHR_materials_emissive_strength"] = {
+                "emissiveStrength": m["strength"]}
+        if extensions:
+            material["extensions"] = extensions
         out.append(material)
     return out
 
@@ -1329,6 +1360,8 @@ def glb(scene, rotor):
     document = {
         "asset": {"version": "2.0", "generator": "make_pavilion.py",
                   "copyright": "edgeshade contributors, MIT licence"},
+        "extensionsUsed": ["KHR_materials_clearcoat",
+                           "KHR_materials_emissive_strength"],
         "scene": 0,
         "scenes": [{"name": "pavilion", "nodes": scene.roots}],
         "nodes": scene.nodes,

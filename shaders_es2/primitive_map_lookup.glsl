@@ -5,6 +5,7 @@
 //                              six tiles; neither: one of one tile
 //   PRIMITIVE_MAP_SPLITS       how often texels are divided, one in another
 //   PRIMITIVE_MAP_LONGEST      entries of the longest list, or more
+//   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; there is a fourth texture then
 uniform highp sampler2D u_primitiveHeader; // lowp, the default, may round what is looked up
 uniform highp sampler2D u_primitiveEntries;
 uniform highp sampler2D u_primitiveRecords;
@@ -37,6 +38,61 @@ bool primitiveBlocks(highp float record, highp vec3 ray, highp vec3 point) {
            behind > 1.0;
 #endif
 }
+
+#ifdef PRIMITIVE_MAP_CUTOUTS
+uniform mediump sampler2D u_primitiveAlpha; // all cutouts' textures, looked up texel by texel
+uniform highp vec2 u_primitiveAlphaTexel;   // 1 / its size
+
+// The texel that stands for a place in a row, wherever that is; `wrap`: CutoutWrap.
+highp float wrappedTexel(highp float place, highp float size, highp float wrap) {
+    if (wrap > 1.5) return clamp(place, 0.0, size - 1.0);
+    highp float period = wrap > 0.5 ? 2.0 * size : size;
+    highp float rest = place - period * floor(place / period);
+    return clamp(rest < size ? rest : period - 1.0 - rest, 0.0, size - 1.0);
+}
+
+// `how`: (cutoff, wrap along u, along v, linear or not).
+highp float cutoutTexel(highp vec2 place, highp vec4 rectangle, highp vec4 how) {
+    highp vec2 texel = vec2(wrappedTexel(place.x, rectangle.z, how.y),
+                            wrappedTexel(place.y, rectangle.w, how.z));
+    return texture2D(u_primitiveAlpha, (vec2(rectangle.x, rectangle.y) + texel + vec2(0.5)) * u_primitiveAlphaTexel).x;
+}
+
+highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {
+    highp vec2 place = uv * vec2(rectangle.z, rectangle.w);
+    if (how.w < 0.5) return cutoutTexel(floor(place), rectangle, how);
+    place = place - vec2(0.5);
+    highp vec2 first = floor(place);
+    highp vec2 share = place - first;
+    highp float a = cutoutTexel(first, rectangle, how);
+    highp float b = cutoutTexel(first + vec2(1.0, 0.0), rectangle, how);
+    highp float c = cutoutTexel(first + vec2(0.0, 1.0), rectangle, how);
+    highp float d = cutoutTexel(first + vec2(1.0, 1.0), rectangle, how);
+    return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
+}
+
+// Whether the ray, which meets the alpha-tested triangle, meets what its alpha leaves of it.
+bool primitiveIsSolid(highp float record, highp vec3 ray) {
+    highp vec4 u = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 3.0);
+    highp vec4 v = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 4.0);
+    highp vec4 a = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 5.0);
+    highp vec4 rectangle = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * u.w);
+    highp vec4 how = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * u.w + 1.0);
+    highp vec3 at = vec3(u.x * ray.x + u.y * ray.y + u.z * ray.z,
+                         v.x * ray.x + v.y * ray.y + v.z * ray.z,
+                         a.x * ray.x + a.y * ray.y + a.z * ray.z);
+#ifndef PRIMITIVE_MAP_DIRECTIONAL
+    // As far along the ray as the triangle's plane is.
+    highp float along = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record).w * ray.x +
+                        primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 1.0).w * ray.y +
+                        primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 2.0).w * ray.z;
+    at = at / along;
+#endif
+    highp float alpha = at.z;
+    if (rectangle.z > 0.0) alpha = alpha * cutoutAlpha(vec2(at.x, at.y), rectangle, how);
+    return alpha >= how.x;
+}
+#endif
 
 // What findPrimitiveTexel() finds: the point's ray, its depth, and the texel's header.
 highp vec3 primitiveRay;
@@ -107,6 +163,14 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
         highp vec4 entry = primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize,
                                           primitiveHeader.w + float(i));
         if (primitiveDepth <= entry.w) break; // all further ones are deeper
+#ifdef PRIMITIVE_MAP_CUTOUTS
+        if (entry.x < 0.0) {
+            if (primitiveBlocks(-1.0 - entry.x, primitiveRay, point) &&
+                primitiveIsSolid(-1.0 - entry.x, primitiveRay))
+                return false;
+            continue;
+        }
+#endif
         if (primitiveBlocks(entry.x, primitiveRay, point)) return false;
     }
     return true;

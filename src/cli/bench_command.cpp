@@ -54,6 +54,7 @@ void benchScene(const BenchOptions& options) {
     BenchReport report;
     report.casters = loaded.settings;
     report.ground = loaded.ground;
+    report.cutoutsCast = loaded.cutoutsCast;
     report.warnings = loaded.scene.warnings.sentences();
     printWarnings(report.warnings);
 

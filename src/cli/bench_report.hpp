@@ -47,6 +47,7 @@ class BenchReport {
     std::vector<std::string> warnings; ///< of loading
     CasterSettings casters;            ///< of the call
     GroundChoice ground;               ///< beneath the scene
+    bool cutoutsCast = false;          ///< LoadedScene's
 
     /// Adds what was measured at one size; `settings` in the order of the task's.
     void add(const bench::Task& task, const std::vector<BenchSetting>& settings,

@@ -113,6 +113,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         Json json = resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
                                task.views);
         json["settings"]["gl-limits"] = glLimitsName(options.glLimits);
+        json["settings"]["cast-cutouts"] = options.cutoutsCast;
         json["settings"]["ground"] = textOf(options.typedGround());
         return json;
     };

@@ -160,6 +160,11 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
                     "Which of the scene's variants of materials is drawn; info lists them (the "
                     "scene's own materials)")
         ->type_name("NAME");
+    verb.add_flag("--cast-cutouts", options.cutoutsCast,
+                  "MASK surfaces cast the shadow of what their alpha leaves, wherever shadow is "
+                  "looked up: in primitive maps, exactly, and in shadow maps; volumes count none "
+                  "of it")
+        ->excludes("--cast-masked");
     verb.add_option_function<std::string>(
             "--ground",
             [&](const std::string& text) {
@@ -177,6 +182,7 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
 
 LoadedScene SceneOptions::load(Shading shading) const {
     LoadedScene loaded = loadScene(input, casters.wanted(), limits, {}, {variant, shading});
+    loaded.cutoutsCast = cutoutsCast;
     if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
     return loaded;
 }

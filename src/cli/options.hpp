@@ -59,6 +59,7 @@ struct SceneOptions {
     ReadingLimits limits;
     gl::Limits glLimits = gl::Limits::device;
     std::string variant;                ///< of its materials; empty: the file's own
+    bool cutoutsCast = false;           ///< MASK surfaces cast by lookups
     std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }

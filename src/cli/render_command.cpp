@@ -168,7 +168,8 @@ void render(const RenderOptions& options) {
     };
     report["settings"].update({{"samples", capabilities.samples},
                                {"mask", options.mask},
-                               {"ground", textOf(options.typedGround())}});
+                               {"ground", textOf(options.typedGround())},
+                               {"cast-cutouts", options.cutoutsCast}});
     if (options.mask) {
         const auto [visible, lit] = countMask(pixels);
         report["visible_pixels"] = visible;

@@ -84,8 +84,9 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
     for (const std::string& text : options.against)
         all.push_back({text, text});
     CasterVariants variants(options.input, loaded);
-    const std::string groundOption =
-        options.ground ? " --ground '" + textOf(*options.ground) + "'" : "";
+    const std::string sceneOptions =
+        (options.cutoutsCast ? std::string(" --cast-cutouts") : std::string()) +
+        (options.ground ? " --ground '" + textOf(*options.ground) + "'" : "");
     const gl::HeadlessContext context({16, 16, 0, options.glLimits});
     std::vector<Row> rows;
     for (const TradeSetting& setting : all) {
@@ -98,7 +99,7 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
             Renderer(render, context.capabilities());
             row.scene = variants.with(row.settings.casters);
             row.casters = row.settings.casters.on(loaded.settings);
-            row.callsOptions = leftOptions(options.casters, row.settings.casters) + groundOption;
+            row.callsOptions = leftOptions(options.casters, row.settings.casters) + sceneOptions;
             rows.push_back(std::move(row));
         } catch (const Error& error) {
             if (error.status() != ExitStatus::unavailable) throw;

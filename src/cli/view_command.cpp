@@ -57,6 +57,7 @@ void view(const WindowOptions& options) {
     const auto load = [&](const std::filesystem::path& path, const std::string& variant) {
         LoadedScene loaded =
             loadScene(path, options.casters.wanted(), options.limits, {}, {variant});
+        loaded.cutoutsCast = options.cutoutsCast;
         printWarnings(loaded.scene.warnings.sentences());
         return loaded;
     };

@@ -84,10 +84,10 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
     JudgedView judged;
     judged.request = request;
     judged.frame = frameOf(loaded, request);
-    judged.oracle = std::make_unique<Oracle>(Question{&loaded.scene, loaded.settings.castMasked,
-                                                      judged.frame.frustum, judged.frame.near(),
-                                                      request.lights, task.width, task.height},
-                                             alpha);
+    judged.oracle = std::make_unique<Oracle>(
+        Question{&loaded.scene, loaded.settings.castMasked, judged.frame.frustum,
+                 judged.frame.near(), request.lights, task.width, task.height, loaded.cutoutsCast},
+        alpha);
     judged.answers = traceAll(*judged.oracle, {});
     return judged;
 }
@@ -113,12 +113,15 @@ class Jury {
         pictures_.image = studio_.draw(renderer, drawn, frame);
         frame.mask = true;
         pictures_.mask = studio_.draw(renderer, drawn, frame);
+        methods_ = studio_.methods();
         return compareWithOracle(*judged_.oracle, judged_.answers, pictures_,
                                  studio_.subpixelBits());
     }
 
     const std::vector<std::uint8_t>& image() const { return pictures_.image; }
     const Studio& studio() const { return studio_; }
+    /// How the last contender's shadows were made, light by light.
+    const std::vector<LightMethod>& methods() const { return methods_; }
 
   private:
     FrameView frameWith(const LoadedScene& drawn, std::optional<int> depthSlices) {
@@ -159,6 +162,7 @@ class Jury {
     JudgedView judged_;
     std::map<const LoadedScene*, FrameView> frames_; ///< of judged_
     Pictures pictures_;
+    std::vector<LightMethod> methods_;
     /// What the pictures without shadows were drawn with: slices and look.
     std::optional<std::tuple<std::size_t, Shading, float, float>> unshadowed_;
 };
@@ -219,7 +223,7 @@ compareAll(const LoadedScene& loaded, const CompareTask& task,
                 result.worstView = v;
                 result.heatmap = heatmap(jury.image(), comparison.kinds, task.width, task.height);
             }
-            result.lights = jury.studio().methods();
+            result.lights = jury.methods();
             result.counts += comparison.counts;
             result.byView.push_back(comparison.counts);
             ++result.views;

@@ -6,7 +6,8 @@
 
 namespace edgeshade::lab {
 
-std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked) {
+std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked,
+                                      bool cutoutsCast) {
     std::vector<EyeTriangle> triangles;
     triangles.reserve(scene.triangleCount());
     for (std::uint32_t b = 0; b < scene.batches.size(); ++b) {
@@ -24,7 +25,8 @@ std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum
                  i += 3)
                 triangles.push_back({corner(i), corner(i + 1), corner(i + 2), b, i,
                                      static_cast<std::uint32_t>(group.material),
-                                     material.casts(castMasked),
+                                     material.casts(castMasked) ||
+                                         (cutoutsCast && material.alphaMode == AlphaMode::mask),
                                      material.alphaMode != AlphaMode::blend});
         }
     }

@@ -24,8 +24,9 @@ inline glm::dvec3 normalOf(const EyeTriangle& triangle) {
     return glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
 }
 
-/// All triangles of the scene, as seen from the frustum's position; those of its ground if the eye
-/// is above it. `castMasked` as in CasterSettings.
-std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked);
+/// All triangles of the scene, `cutoutsCast` as in Question, as seen from the frustum's position;
+/// those of its ground if the eye is above it. `castMasked` as in CasterSettings.
+std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked,
+                                      bool cutoutsCast);
 
 } // namespace edgeshade::lab

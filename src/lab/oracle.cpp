@@ -189,7 +189,8 @@ PixelRay pixelRay(const Question& question, double x, double y) {
 Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
     : question_(question), position_(question.frustum.position()),
       eye_(fromPosition(question.frustum.eye())), alpha_(alpha),
-      triangles_(eyeTriangles(*question.scene, question.frustum, question.castMasked)),
+      triangles_(eyeTriangles(*question.scene, question.frustum, question.castMasked,
+                              question.cutoutsCast)),
       tree_(std::make_unique<Tree>(triangles_)) {}
 
 Oracle::~Oracle() = default;
@@ -218,6 +219,10 @@ bool Oracle::isCutOut(const EyeTriangle& triangle, double u, double v) const {
     const Material& material = question_.scene->materials[triangle.material];
     return material.alphaMode == AlphaMode::mask &&
            alpha_.at(triangle, u, v) < material.alphaCutoff;
+}
+
+bool Oracle::isHole(const EyeTriangle& triangle, double u, double v) const {
+    return question_.cutoutsCast && isCutOut(triangle, u, v);
 }
 
 bool Oracle::isCutOutByFilter(const EyeTriangle& triangle, double x, double y, double depth) const {
@@ -328,6 +333,10 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
                                   (isDirectional || std::abs(meeting.t - 1.0) > meeting.tError);
         if (!meeting.certain() || (meeting.inside() && !surelyPlaced)) sure = false;
         if (!meeting.inside() || !between) return false;
+        if (isHole(other, meeting.u, meeting.v)) {
+            sure = false; // a cutout's edge is the filter's matter
+            return false;
+        }
         if (isNearlyCoplanar(triangles_[own], other)) {
             sure = false;
             blocked = blocked || !isCoplanar(triangles_[own], other);

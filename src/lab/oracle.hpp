@@ -29,6 +29,7 @@ struct Question {
     std::vector<Light> lights; ///< at most mostLights
     int width = 1;
     int height = 1;
+    bool cutoutsCast = false; ///< MASK surfaces cast what their alpha leaves
 };
 
 /// A line of sight, with world axes and the camera's position as origin.
@@ -100,6 +101,8 @@ class Oracle {
     const Question& question() const { return question_; }
     const std::vector<EyeTriangle>& triangles() const { return triangles_; }
     bool isCutOut(const EyeTriangle& triangle, double u, double v) const;
+    /// Whether light passes the triangle there.
+    bool isHole(const EyeTriangle& triangle, double u, double v) const;
 
     /// Whether a texture filter may decide if the triangle is cut out at a picture point, which is
     /// at `depth` at the farthest.

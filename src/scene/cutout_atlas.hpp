@@ -4,7 +4,6 @@
 #include "src/shadow/primitive_map/cutouts.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace edgeshade {
@@ -16,7 +15,8 @@ struct CutoutAtlas {
     CutoutTextures textures;         ///< one a material of the scene
 };
 
-/// Nothing where it would be larger than `largest` along an edge. Throws InputError.
-std::optional<CutoutAtlas> cutoutAtlasOf(const LoadedScene& loaded, int largest);
+/// At most `largest` texels along an edge: of textures that don't fit together, all are taken at
+/// half their size, and so on. Throws InputError.
+CutoutAtlas cutoutAtlasOf(const LoadedScene& loaded, int largest);
 
 } // namespace edgeshade

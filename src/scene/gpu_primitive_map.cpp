@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <GLES2/gl2.h>
 
 namespace edgeshade {
 namespace {
@@ -35,10 +36,29 @@ std::size_t GpuPrimitiveMap::bytes() const {
     return total;
 }
 
+AlphaTexture uploadAlpha(std::span<const std::uint8_t> alpha, int width, int height) {
+    gl::Name name = 0;
+    glGenTextures(1, &name);
+    AlphaTexture made{gl::Texture(name), {width, height}, alpha.size()};
+    glBindTexture(GL_TEXTURE_2D, name);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, width, height, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
+                 alpha.data());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    gl::requireNoError("uploading cutouts");
+    return made;
+}
+
 GpuPrimitiveMap uploadPrimitiveMap(const PrimitiveMap& map,
                                    const std::vector<std::vector<SidedTriangles>>& triangles,
+                                   std::shared_ptr<const AlphaTexture> cutouts,
                                    const gl::Capabilities& capabilities) {
     GpuPrimitiveMap gpu;
+    if (map.cutouts) gpu.cutouts = std::move(cutouts);
     gpu.kind = kindOf(map.tiles);
     gpu.mapFromWorld = map.tiles.mapFromWorld;
     gpu.size = static_cast<float>(map.size);

@@ -72,8 +72,13 @@ std::size_t GpuScene::shadowBytes() const {
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities) {
     const Scene& scene = loaded.scene;
-    GpuScene gpu{
-        {}, {}, {}, scene.materials, Textures(loaded, capabilities), loaded.settings.castMasked};
+    GpuScene gpu{{},
+                 {},
+                 {},
+                 scene.materials,
+                 Textures(loaded, capabilities),
+                 loaded.settings.castMasked,
+                 loaded.cutoutsCast};
     for (const Batch& batch : scene.batches)
         gpu.batches.push_back({batch.worldFromBatch,
                                batch.isAnimated(),

@@ -29,12 +29,17 @@ struct GpuScene {
     PrimitiveMaps primitiveMaps; ///< of lights at rest
     std::vector<Material> materials;
     Textures textures;
-    bool castMasked = false; ///< MASK and BLEND surfaces cast too
-    bool seeThrough = false; ///< some surfaces are BLEND and take light
-    bool plain = false;      ///< all that its surfaces do is scatter light, see Material::isPlain()
+    bool castMasked = false;  ///< MASK and BLEND surfaces cast too
+    bool cutoutsCast = false; ///< LoadedScene's
+    bool seeThrough = false;  ///< some surfaces are BLEND and take light
+    bool plain = false; ///< all that its surfaces do is scatter light, see Material::isPlain()
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);
 
+    /// Whether surfaces of the material cast what is looked up of shadow: in maps.
+    bool castsInMaps(const Material& material) const {
+        return material.casts(castMasked) || (cutoutsCast && material.alphaMode == AlphaMode::mask);
+    }
     /// How many groups the casters of a light come in, as far as they were uploaded: 1 or more.
     std::size_t groupCount(const FrameLight& light, VolumeLayout layout) const;
     /// A batch's shadow data of one of them.

@@ -24,6 +24,7 @@ struct LoadedScene {
     std::vector<BatchShadow> shadows; ///< with opposite vertices, where the file has them; or empty
     CasterSettings settings;
     Looks looks = {};                  ///< as they were asked for
+    bool cutoutsCast = false;          ///< MASK surfaces cast what alpha leaves of them, by lookups
     std::optional<Ground> ground = {}; ///< that was laid beneath the scene
 };
 

@@ -85,12 +85,16 @@ void PrimitiveMapJob::finish() {
 }
 
 bool PrimitiveMapJob::step() {
-    if (casters_.size() < placed_.size()) {
-        const Placed& of = placed_[casters_.size()];
+    if (solid_.size() < placed_.size()) {
+        const Placed& of = placed_[solid_.size()];
         auto& edges = edges_[of.shadow];
         if (!edges && !of.animated)
             edges = std::make_shared<const CasterEdges>(casterEdgesOf(*of.shadow));
-        casters_.push_back({edges, of.worldFromBatch, !of.animated});
+        solid_.push_back({edges, of.worldFromBatch, !of.animated});
+        if (!settings_.cutouts.empty() && !of.animated)
+            cutouts_.push_back(
+                {std::make_shared<const CasterEdges>(cutoutEdgesOf(*of.batch, *materials_)),
+                 of.worldFromBatch, true});
     } else if (triangles_.size() < placed_.size()) {
         const Placed& of = placed_[triangles_.size()];
         triangles_.emplace_back();
@@ -100,7 +104,9 @@ bool PrimitiveMapJob::step() {
     } else if (joined_) {
         return false;
     } else if (!builder_) {
-        builder_ = std::make_unique<PrimitiveMapBuilder>(light_, casters_, settings_);
+        std::vector<PlacedCasters> casters = solid_;
+        casters.insert(casters.end(), cutouts_.begin(), cutouts_.end());
+        builder_ = std::make_unique<PrimitiveMapBuilder>(light_, casters, settings_);
         nextPart_ = 0;
         joined_ = tooFar_ = builder_->isTooFar();
     } else if (nextPart_ < builder_->partCount()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/scene/cutout_atlas.hpp"
 #include "src/scene/gpu_primitive_map.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/primitive_map/primitive_map_builder.hpp"
@@ -23,7 +24,8 @@ using KeptEdges =
 class PrimitiveMapJob {
   public:
     /// The scene's batches and materials must stay as they are, but for where animated ones are,
-    /// until the job is gone. Those cast by volumes.
+    /// until the job is gone. Those cast by volumes. `settings.cutouts`: empty where MASK surfaces
+    /// cast nothing.
     PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
                     const PrimitiveMapSettings& settings, KeptEdges edges);
     ~PrimitiveMapJob() { cancel(); }
@@ -63,7 +65,7 @@ class PrimitiveMapJob {
     int smallest_; ///< size that is tried
     std::vector<Placed> placed_;
     KeptEdges edges_;
-    std::vector<PlacedCasters> casters_;
+    std::vector<PlacedCasters> solid_, cutouts_;
     std::unique_ptr<PrimitiveMapBuilder> builder_;
     std::size_t nextPart_ = 0;
     bool joined_ = false;

@@ -20,6 +20,8 @@ std::size_t silhouettesOf(const LoadedScene& loaded, const Light& light) {
 
 std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabilities& capabilities) {
     if (!gl::hasFloatTables(capabilities)) return "the GL looks up no floats";
+    if (loaded.cutoutsCast && capabilities.textureUnits < 6)
+        return "the GL has too few textures for cutouts";
     const auto simplified = [](const Batch& batch) { return batch.simplifiedCasters.has_value(); };
     const auto& batches = loaded.scene.batches;
     if (std::any_of(batches.begin(), batches.end(), simplified)) return "casters are simplified";
@@ -39,7 +41,7 @@ bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
     for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
         if (!loaded.scene.batches[i].isAnimated())
             records += loaded.planePairs[i]->pairs.size() + loaded.planePairs[i]->singles.size();
-    return choice == MapChoice::all || records > fewSilhouettes;
+    return choice == MapChoice::all || records > fewSilhouettes || loaded.cutoutsCast;
 }
 
 const PrimitiveMapState* PrimitiveMaps::of(const Light& light) const {
@@ -57,7 +59,7 @@ std::size_t PrimitiveMaps::bytes() const {
     std::size_t total = 0;
     for (const Kept& kept : kept_)
         if (kept.state.map) total += kept.state.map->bytes();
-    return total;
+    return total + (cutouts_ ? cutouts_->bytes : 0);
 }
 
 void PrimitiveMaps::keepOnly(const std::vector<Light>& lights) {
@@ -73,7 +75,7 @@ bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapC
                              const gl::Capabilities& capabilities) {
     if (of(light)) return false;
     std::string why = primitiveMapObstacle(loaded, capabilities);
-    if (why.empty() && choice == MapChoice::thatPay)
+    if (why.empty() && choice == MapChoice::thatPay && !loaded.cutoutsCast)
         if (const std::size_t count = silhouettesOf(loaded, light); count <= fewSilhouettes)
             why = "volumes of " + std::to_string(count) + " silhouette edges cost less";
     if (why.empty()) return true;
@@ -87,7 +89,7 @@ void PrimitiveMaps::take(const PrimitiveMapJob& job, const PrimitiveMapSettings&
     PrimitiveMapState state{nullptr, "at rest", job.milliseconds()};
     if (job.map())
         state.map = std::make_shared<const GpuPrimitiveMap>(
-            uploadPrimitiveMap(*job.map(), job.triangles(), capabilities));
+            uploadPrimitiveMap(*job.map(), job.triangles(), cutouts_, capabilities));
     else if (job.isTooFar())
         state.why = "the light is too far from its casters for a primitive map";
     else
@@ -96,13 +98,27 @@ void PrimitiveMaps::take(const PrimitiveMapJob& job, const PrimitiveMapSettings&
     kept_.push_back({job.light(), std::move(state)});
 }
 
+PrimitiveMapSettings PrimitiveMaps::completed(const LoadedScene& loaded,
+                                              PrimitiveMapSettings settings,
+                                              const gl::Capabilities& capabilities) {
+    if (!loaded.cutoutsCast) return settings;
+    if (!cutouts_) {
+        const CutoutAtlas atlas = cutoutAtlasOf(loaded, capabilities.largestTexture);
+        textures_ = atlas.textures;
+        cutouts_ = std::make_shared<const AlphaTexture>(
+            uploadAlpha(atlas.alpha, atlas.width, atlas.height));
+    }
+    settings.cutouts = textures_;
+    return settings;
+}
+
 void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<Light>& lights,
                          MapChoice choice, const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
     keepOnly(lights);
     for (const Light& light : lights) {
         if (!needsJob(loaded, light, choice, capabilities)) continue;
-        PrimitiveMapJob job(loaded, light, settings, edges_);
+        PrimitiveMapJob job(loaded, light, completed(loaded, settings, capabilities), edges_);
         job.finish();
         take(job, settings, capabilities);
     }
@@ -115,7 +131,8 @@ bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<Light>&
     if (!job_)
         for (const Light& light : lights) {
             if (!needsJob(loaded, light, choice, capabilities)) continue;
-            job_ = std::make_unique<PrimitiveMapJob>(loaded, light, settings, edges_);
+            job_ = std::make_unique<PrimitiveMapJob>(
+                loaded, light, completed(loaded, settings, capabilities), edges_);
             job_->start();
             break;
         }

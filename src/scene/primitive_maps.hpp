@@ -50,12 +50,17 @@ class PrimitiveMaps {
     /// Settles what needs no map; returns whether the light needs one.
     bool needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
                   const gl::Capabilities& capabilities);
+    /// The settings with what MASK surfaces are cut out by, if they cast.
+    PrimitiveMapSettings completed(const LoadedScene& loaded, PrimitiveMapSettings settings,
+                                   const gl::Capabilities& capabilities);
     void take(const PrimitiveMapJob& job, const PrimitiveMapSettings& settings,
               const gl::Capabilities& capabilities);
 
     std::vector<Kept> kept_;
     KeptEdges edges_;
-    std::unique_ptr<PrimitiveMapJob> job_; ///< in the background
+    CutoutTextures textures_;                     ///< once they were asked for
+    std::shared_ptr<const AlphaTexture> cutouts_; ///< the atlas on the GPU
+    std::unique_ptr<PrimitiveMapJob> job_;        ///< in the background
 };
 
 /// Whether any light of the scene may get a map; false is certain.

@@ -123,6 +123,7 @@ Json toJson(const ViewState& state) {
             {"exposure", shortDecimal(state.exposure)},
             {"background", toJson(state.background)},
             {"ground", textOf(state.ground)},
+            {"cast_cutouts", state.castCutouts},
             {"left", toJson(state.left)},
             {"right", toJson(state.right)},
             {"split", state.split},
@@ -159,6 +160,8 @@ ViewState changed(const ViewState& base, const Json& changes) {
             state.background = glm::vec3(value.place<3>(0.0, 1.0));
         else if (key == "ground")
             state.ground = groundFrom(value);
+        else if (key == "cast_cutouts")
+            state.castCutouts = value.boolean();
         else if (key == "left")
             state.left = sideFrom(value, state.left);
         else if (key == "right")

@@ -91,6 +91,7 @@ struct Viewer::Parts {
     void adopt(const ViewState& next);
     void applyPose();
     void applyGround();
+    void applyCutouts();
     void sceneMoved();
     void advanceMaps(double now);
     void draw();
@@ -132,8 +133,10 @@ void Viewer::Parts::adopt(const ViewState& next) {
     }
     const bool posed = next.time != state.time;
     const bool grounded = next.ground != state.ground;
+    const bool cutOut = next.castCutouts != state.castCutouts;
     state = next;
     if (grounded) applyGround();
+    if (cutOut) applyCutouts();
     if (posed) applyPose();
     dirty = true;
 }
@@ -159,6 +162,15 @@ void Viewer::Parts::applyGround() {
     if (!loaded || !loaded->ground || !state.ground) return;
     setGround(loaded->scene, *state.ground);
     if (gpu && gpu->scene) gpu->scene->materials.back() = loaded->scene.materials.back();
+}
+
+/// Has MASK surfaces cast, or not, where shadow is looked up.
+void Viewer::Parts::applyCutouts() {
+    if (!loaded) return;
+    loaded->cutoutsCast = state.castCutouts;
+    if (!gpu || !gpu->scene) return;
+    gpu->scene->cutoutsCast = state.castCutouts;
+    gpu->scene->primitiveMaps.clear();
 }
 
 /// Forgets what was worked out for the batches where they were.
@@ -296,6 +308,7 @@ void Viewer::show(LoadedScene scene) {
     parts.state.time = 0.0;
     parts.state.playing = false;
     parts.state.ground = ground;
+    parts.state.castCutouts = parts.loaded->cutoutsCast;
     if (parts.gpu) {
         parts.gpu->scene = std::move(uploaded);
         parts.addVolumesFor(parts.state, *parts.gpu);

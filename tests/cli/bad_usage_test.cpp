@@ -43,6 +43,7 @@ const BadUsage usages[] = {
     {"UnknownOption", {"pack", "IN", "OUT", "--fast"}, {"--fast"}},
     {"OptionOfAnotherVerb", {"info", "IN", "--mask"}, {"--mask"}},
     {"OptionWithoutValue", {"render", "IN", "OUT", "--size"}, {"--size"}},
+    badRender("CutoutsAndWholeTriangles", {"--cast-cutouts", "--cast-masked"}),
     badRender("GroundOfNoColour", {"--ground", "lava"}),
     badRender("GroundOfAShortColour", {"--ground", "#fff"}),
     {"UnknownEncoding", {"pack", "IN", "OUT", "--encoding", "zip"}, {"--encoding", "zip"}},

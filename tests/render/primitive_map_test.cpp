@@ -220,7 +220,7 @@ TEST(PrimitiveMapEdges, NeighboursLeaveNoCrackInAnyArithmetic) {
             {std::make_shared<const CasterEdges>(casterEdgesOf(*buildPlanePairs(scene, false)[0])),
              glm::dmat4(1.0)}};
         const LightTiles tiles = tilesFor(light, casters).value();
-        const auto occluders = occludersOf(light, tiles, casters);
+        const auto occluders = occludersOf(light, tiles, casters).all;
         if (occluders.size() != 2 || occluders[0].lightFacing != occluders[1].lightFacing) continue;
         // The edge that they share.
         for (std::size_t e = 0; e < 3; ++e)

@@ -21,6 +21,7 @@ ViewState someState() {
     state.exposure = -1.5f;
     state.background = {0.1f, 0.2f, 0.3f};
     state.ground = Ground{GroundMaterial::surface, glm::vec3(1.0f, 0.0f, 1.0f)};
+    state.castCutouts = true;
     state.left = {ShadowMethod::map, 512, MultiplicityMethod::threeEdge};
     state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge, 4};
     state.split = true;
@@ -83,7 +84,7 @@ TEST(LightState, NamesSayWhatAnArrayCanNot) {
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 17u);
+    EXPECT_EQ(json.size(), 18u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }

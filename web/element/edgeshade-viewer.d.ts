@@ -59,6 +59,8 @@ export interface ViewState {
   background: Vector;
   /** A plane beneath the scene: off, catcher (it shows shadow alone) or a colour #rrggbb. */
   ground: string;
+  /** MASK surfaces cast what their alpha leaves, where shadow is looked up. */
+  cast_cutouts: boolean;
   left: SideSettings;
   right: SideSettings;
   split: boolean;
@@ -156,6 +158,8 @@ export interface EdgeshadeViewerEventMap {
  *   exposure    of full shading, in EV, -20..20
  *   ground      beneath the scene, seen from above: off, catcher (shadow alone; the default where the
  *               scene has no floor) or a colour #rrggbb
+ *   cast-cutouts  on: MASK surfaces (leaves) cast what their alpha leaves, where shadow is looked up:
+ *               of lights at rest, and in shadow maps
  *   shadows     auto (the default), volumes, primitive-map, map or none; map-size: of a map, in
  *               texels; multiplicity; mask-scale: 1, 2 or 4, pixels along the edge of those that
  *               volumes are counted once for

@@ -95,6 +95,7 @@ export function connectControls(viewer) {
     exposure: slider('exposure', (v) => `${v > 0 ? '+' : ''}${v.toFixed(1)} EV`, (exposure) => viewer.change({ exposure })),
     ground: groundChoice((ground) => viewer.change({ ground })),
     lights: check('show-lights', (on) => viewer.change({ show_lights: on })),
+    cutouts: check('cast-cutouts', (on) => viewer.change({ cast_cutouts: on })),
     split: check('split', (on) => viewer.change({ split: on })),
     debug: check('debug', (on) => viewer.change({ debug: on ? 'volumes' : 'none' })),
     time: slider('time', (v) => `${v.toFixed(1)} s`, (time) => viewer.change({ time, playing: false })),
@@ -139,6 +140,7 @@ export function connectControls(viewer) {
       sides[side].size(state[side].map_size);
       $(`${side}-map`).hidden = state[side].shadows !== 'map';
     }
+    show.cutouts(state.cast_cutouts);
     show.split(state.split);
     $('right-side').hidden = !state.split;
     document.querySelector('.left-title').textContent = state.split ? 'Left' : 'Method';

@@ -19,6 +19,7 @@ export function hashOf(model, state) {
   put('ambient', short(state.ambient));
   if (state.exposure) put('exposure', short(state.exposure));
   put('ground', state.ground);
+  if (state.cast_cutouts) put('cast-cutouts', 'on');
   put('shadows', state.left.shadows);
   if (state.left.shadows === 'map') put('map-size', state.left.map_size);
   if (state.left.mask_scale > 1) put('mask-scale', state.left.mask_scale);
@@ -93,6 +94,7 @@ export function readHash(hash) {
   take('shading', (text) => { changes.shading = text; });
   take('ambient', (text) => { changes.ambient = one('ambient')(text); });
   take('exposure', (text) => { changes.exposure = one('exposure')(text); });
+  take('cast-cutouts', (text) => { changes.cast_cutouts = text !== 'off'; });
   take('ground', (text) => { changes.ground = text; });
   take('shadows', () => { changes.left = sideOf(words, '', 'shadows'); });
   take('right', () => { changes.right = sideOf(words, 'right-', 'right'); });

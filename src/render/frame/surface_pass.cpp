@@ -52,7 +52,7 @@ void setFullShading(gl::Program& program, const FullShading& full) {
 /// Which units the lookups of light.glsl leave to a material, the environment and its textures.
 constexpr int unitsOfLookups(const SurfaceShading& shading) {
     if (shading.map) return shading.map->kind == ShadowMapKind::pointApart ? 7 : 2;
-    if (shading.primitives) return 4;
+    if (shading.primitives) return shading.primitives->cutouts ? 5 : 4;
     return shading.coarse ? 3 : 1;
 }
 
@@ -87,6 +87,12 @@ void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const Bat
     bind(2, map.entries, "u_primitiveEntries", "u_primitiveEntriesSize");
     bind(3, map.records, "u_primitiveRecords", "u_primitiveRecordsSize");
     program.set("u_primitiveSize", map.size);
+    if (map.cutouts) {
+        glActiveTexture(GL_TEXTURE4);
+        glBindTexture(GL_TEXTURE_2D, map.cutouts->texture.name());
+        program.setSampler("u_primitiveAlpha", 4);
+        program.set("u_primitiveAlphaTexel", 1.0f / map.cutouts->size);
+    }
     program.set("u_lightSide", lightSide);
     program.set("u_mapFromObject", view.mapFromObject);
 }
@@ -243,7 +249,8 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     if (shading.map) variant.map = shading.map->kind;
     if (shading.primitives)
         variant.primitives = {shading.primitives->kind, shading.primitives->splits,
-                              shading.primitives->longestList, shading.tintPrimitives};
+                              shading.primitives->longestList,
+                              shading.primitives->cutouts != nullptr, shading.tintPrimitives};
     variant.textured = scene.textures.has(material.baseColor());
     variant.colored = chunk.colored;
     variant.catcher = material.ground == GroundMaterial::catcher && !shading.mask &&
@@ -297,6 +304,8 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.primitives)
         addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->splits,
                                variant.primitives->longestList, defines);
+    if (variant.primitives && variant.primitives->cutouts)
+        defines.push_back("PRIMITIVE_MAP_CUTOUTS");
     if (variant.sided) defines.push_back("SIDED");
     if (variant.primitives && variant.primitives->tint) defines.push_back("PRIMITIVE_MAP_TINT");
     if (variant.coarse) defines.push_back("COARSE_MASK");
@@ -340,7 +349,8 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
                                   const BatchView& view, const glm::dvec3& eye,
                                   const SurfaceShading& shading) {
     const Material& material = scene.materials[chunk.material];
-    const bool casts = material.casts(scene.castMasked);
+    const bool casts = shading.map || shading.primitives ? scene.castsInMaps(material)
+                                                         : material.casts(scene.castMasked);
     const SidedChunk* sided = casts ? sidedOf(chunk, view, shading) : nullptr;
     Variant variant = variantOf(scene, chunk, shading);
     variant.sided = sided && sided->lightSide == 0.0f;

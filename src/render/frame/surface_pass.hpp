@@ -80,7 +80,7 @@ class SurfacePass {
     struct PrimitiveMapVariant {
         GpuPrimitiveMap::Kind kind;
         int splits, longestList;
-        bool tint;
+        bool cutouts, tint;
 
         auto operator<=>(const PrimitiveMapVariant&) const = default;
     };

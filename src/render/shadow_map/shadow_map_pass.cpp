@@ -58,11 +58,10 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
     const ShadowMapTarget& map = target(kind);
     const Box fitted = bounds.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : bounds;
     const ShadowMapView view = shadowMapView(light, fitted, settings_, map.depthBits());
-    const bool masksCast = scene.castMasked;
     Subject subject = subjectOf(scene, fitted, light);
     vertexRuns_ = 0;
     if (drawn_[kind] != subject) {
-        drawFaces(scene, view, map, masksCast);
+        drawFaces(scene, view, map);
         drawn_[kind] = std::move(subject);
     }
     return {map.kind(),
@@ -75,14 +74,15 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
 
 ShadowMapPass::Subject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds,
                                                 const Light& light) {
-    Subject subject{scene.identity, light.position, light.range, bounds.low, bounds.high, {}};
+    Subject subject{scene.identity,   light.position, light.range, bounds.low, bounds.high, {},
+                    scene.cutoutsCast};
     for (const GpuBatch& batch : scene.batches)
         subject.batches.emplace_back(batch.worldFromBatch, batch.hidden);
     return subject;
 }
 
 void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
-                              const ShadowMapTarget& map, bool masksCast) {
+                              const ShadowMapTarget& map) {
     glViewport(0, 0, settings_.size, settings_.size);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_DEPTH_TEST);
@@ -96,20 +96,19 @@ void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
     for (std::size_t face = 0; face < view.faces.size(); ++face) {
         map.bindFace(face);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        if (view.faces[face].seesScene)
-            drawCasters(scene, view, view.faces[face].clipFromMap, masksCast);
+        if (view.faces[face].seesScene) drawCasters(scene, view, view.faces[face].clipFromMap);
     }
     glEnable(GL_DITHER);
 }
 
 void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view,
-                                const glm::dmat4& clipFromMap, bool masksCast) {
+                                const glm::dmat4& clipFromMap) {
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
         const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
         for (const SurfaceChunk& chunk : batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
-            if (!material.casts(masksCast)) continue;
+            if (!scene.castsInMaps(material)) continue;
             // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.
             gl::Program& variant = program({view.kind, material.alphaMode == AlphaMode::mask});
             variant.use();

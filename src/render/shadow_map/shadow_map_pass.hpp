@@ -45,16 +45,16 @@ class ShadowMapPass {
         double range = 0.0;                               ///< the light's
         glm::dvec3 low{0.0}, high{0.0};                   ///< bounds
         std::vector<std::pair<glm::dmat4, bool>> batches; ///< worldFromBatch, hidden
+        bool cutoutsCast;
 
         bool operator==(const Subject&) const = default;
     };
     static Subject subjectOf(const GpuScene& scene, const Box& bounds, const Light& light);
     const ShadowMapTarget& target(ShadowMapKind kind);
-    void drawFaces(const GpuScene& scene, const ShadowMapView& view, const ShadowMapTarget& map,
-                   bool masksCast);
+    void drawFaces(const GpuScene& scene, const ShadowMapView& view, const ShadowMapTarget& map);
     gl::Program& program(const Variant& variant);
     void drawCasters(const GpuScene& scene, const ShadowMapView& view,
-                     const glm::dmat4& clipFromMap, bool masksCast);
+                     const glm::dmat4& clipFromMap);
     void drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, gl::Program& program);
 
     ShadowMapSettings settings_;

@@ -16,4 +16,27 @@ CasterEdges casterEdgesOf(const PlanePairShadow& shadow) {
     return casters;
 }
 
+CasterEdges cutoutEdgesOf(const Batch& batch, const std::vector<Material>& materials) {
+    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> materialOf; // by triangle
+    for (const SurfaceGroup& group : batch.groups) {
+        if (materials[group.material].alphaMode != AlphaMode::mask) continue;
+        const auto first = batch.indices.begin() + group.firstIndex;
+        indices.insert(indices.end(), first, first + group.indexCount);
+        materialOf.resize(indices.size() / 3, static_cast<std::uint32_t>(group.material));
+    }
+    CasterEdges casters{weld(batch.positions, indices), {}, {}};
+    casters.edges = buildEdges(casters.mesh);
+    for (const std::uint32_t source : casters.mesh.source) {
+        CutoutTriangle& triangle = casters.cutouts.emplace_back();
+        triangle.material = materialOf[source];
+        const float factor = materials[triangle.material].baseColorFactor.a;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t vertex = indices[3 * source + i];
+            triangle.corners[i] = {batch.texcoords[vertex], factor * batch.colors[vertex].a};
+        }
+    }
+    return casters;
+}
+
 } // namespace edgeshade

@@ -2,6 +2,7 @@
 
 #include "preprocess/mesh/edges.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
+#include "src/shadow/primitive_map/cutouts.hpp"
 
 #include <memory>
 
@@ -11,10 +12,14 @@ namespace edgeshade {
 struct CasterEdges {
     WeldedMesh mesh; ///< as wound, in the order of PlanePairShadow::caps
     EdgeList edges;
+    std::vector<CutoutTriangle> cutouts{}; ///< one a triangle, or none: all of them are solid
 };
 
 /// Of what a batch's caps are. Throws nothing but for memory.
 CasterEdges casterEdgesOf(const PlanePairShadow& shadow);
+
+/// Of a batch's MASK triangles, which cast what their alpha leaves of them.
+CasterEdges cutoutEdgesOf(const Batch& batch, const std::vector<Material>& materials);
 
 /// Casters where they are.
 struct PlacedCasters {

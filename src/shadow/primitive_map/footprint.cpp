@@ -74,7 +74,7 @@ std::optional<glm::dvec3> planeOf(const std::array<glm::dvec3, 3>& corners, bool
 }
 
 void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCasters& placed,
-                  std::vector<Occluder>& occluders) {
+                  Occluders& occluders) {
     const WeldedMesh& mesh = placed.casters->mesh;
     const glm::dvec4 local = glm::inverse(placed.worldFromBatch) * light.position;
     const glm::dmat4 mapFromBatch = tiles.mapFromWorld * placed.worldFromBatch;
@@ -113,7 +113,11 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
         }
         occluder.contours = contours[t];
         occluder.lightFacing = sides[t] > 0;
-        occluders.push_back(occluder);
+        if (!placed.casters->cutouts.empty()) {
+            occluder.cutout = static_cast<std::uint32_t>(occluders.cutouts.size());
+            occluders.cutouts.push_back(cutoutPlanesOf(placed.casters->cutouts[t], rays));
+        }
+        occluders.all.push_back(occluder);
     }
 }
 
@@ -134,9 +138,9 @@ int lightSideOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& ligh
     return side > 0.0 ? 1 : side < 0.0 ? -1 : 0;
 }
 
-std::vector<Occluder> occludersOf(const Light& light, const LightTiles& tiles,
-                                  const std::vector<PlacedCasters>& casters) {
-    std::vector<Occluder> occluders;
+Occluders occludersOf(const Light& light, const LightTiles& tiles,
+                      const std::vector<PlacedCasters>& casters) {
+    Occluders occluders;
     for (const PlacedCasters& placed : casters)
         if (placed.cast) addOccluders(light, tiles, placed, occluders);
     return occluders;

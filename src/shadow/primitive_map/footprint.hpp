@@ -23,11 +23,21 @@ struct Occluder {
     std::array<glm::dvec3, 3> corners; ///< in map space, as wound; edge i runs from i to i + 1
     std::uint8_t contours = 0;         ///< bit i: casters don't go on alike across edge i
     bool lightFacing = true;
+    static constexpr std::uint32_t solid = ~std::uint32_t{0};
+    std::uint32_t cutout = solid; ///< where its alpha is, in Occluders::cutouts
+
+    bool isSolid() const { return cutout == solid; }
+};
+
+/// Casting triangles.
+struct Occluders {
+    std::vector<Occluder> all;
+    std::vector<CutoutPlanes> cutouts; ///< of those that are alpha-tested
 };
 
 /// The casting triangles of all batches: those that the light is not in the plane of.
-std::vector<Occluder> occludersOf(const Light& light, const LightTiles& tiles,
-                                  const std::vector<PlacedCasters>& casters);
+Occluders occludersOf(const Light& light, const LightTiles& tiles,
+                      const std::vector<PlacedCasters>& casters);
 
 /// Which side of a triangle a homogeneous light is on, all in one object's space: 1 where it sees
 /// it counter-clockwise. Exactly 0 is "in its plane".

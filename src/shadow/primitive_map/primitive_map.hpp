@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/shadow/primitive_map/cutouts.hpp"
 #include "src/shadow/primitive_map/light_tiles.hpp"
 
 #include <cstddef>
@@ -14,6 +15,7 @@ struct PrimitiveMapSettings {
     std::size_t splitAbove = 8; ///< texels whose points have more to test are divided in 4 x 4
     int mostSplits = 3;         ///< one in another
     bool othersReceive = false; ///< some surfaces are no casters
+    CutoutTextures cutouts;     ///< where alpha-tested ones cast; else none of them may be there
 };
 
 /// Lists of the triangles that may shade what a light sees, by its rays (docs/method.md, C34); what
@@ -27,11 +29,15 @@ struct PrimitiveMap {
     /// 0: where a list begins in `entries`; < 0: negated, where a block begins.
     std::vector<glm::vec2> header;
     /// Lists, one after the other from 1 on: (for light-facing casters, further ones for others),
-    /// then as many (record, nearest depth), from near to far.
+    /// then as many (record, nearest depth), from near to far; -1 - record of an alpha-tested one.
     std::vector<glm::vec2> entries;
     /// Three texels a triangle: in xyz an edge each (Occluder::edges), in the fourth components the
-    /// plane, moved away from the light by what rounding may place points behind it.
+    /// plane, moved away from the light by what rounding may place points behind it. Of an
+    /// alpha-tested one three more: CutoutPlanes' u, v, alpha, and with u the record that says what
+    /// it is cut out by: (place, size) in the atlas, (cutoff, wrap along u, along v, linear or
+    /// not).
     std::vector<glm::vec4> records;
+    bool cutouts = false; ///< some are alpha-tested
     std::size_t longestList = 0;
 
     std::size_t bytes() const {

@@ -48,6 +48,58 @@ void addRecord(const Occluder& occluder, bool directional, std::vector<glm::vec4
         records.emplace_back(glm::vec3(occluder.edges[i]), plane[static_cast<glm::length_t>(i)]);
 }
 
+/// Records of a map, each triangle's and each texture's once, where they are first asked for.
+class Records {
+  public:
+    Records(const Occluders& occluders, const CutoutTextures& textures, PrimitiveMap& map)
+        : occluders_(occluders), textures_(textures), map_(map),
+          recordOf_(occluders.all.size(), none), textureOf_(textures.size(), none) {}
+
+    /// What an entry names it by.
+    float nameOf(std::uint32_t occluder) {
+        const Occluder& of = occluders_.all[occluder];
+        std::uint32_t& record = recordOf_[occluder];
+        if (record == none) {
+            const std::uint32_t texture = of.isSolid() ? none : textureRecord(of);
+            record = next();
+            addRecord(of, map_.tiles.directional, map_.records);
+            if (texture != none) addCutout(occluders_.cutouts[of.cutout], texture);
+        }
+        const auto name = static_cast<float>(record);
+        return of.isSolid() ? name : -1.0f - name;
+    }
+
+  private:
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    std::uint32_t next() const { return static_cast<std::uint32_t>(map_.records.size() / 3); }
+
+    std::uint32_t textureRecord(const Occluder& occluder) {
+        const std::uint32_t material = occluders_.cutouts[occluder.cutout].material;
+        std::uint32_t& record = textureOf_[material];
+        if (record != none) return record;
+        record = next();
+        map_.cutouts = true;
+        const CutoutTexture& texture = textures_[material];
+        map_.records.emplace_back(texture.place, texture.size);
+        map_.records.emplace_back(texture.cutoff, static_cast<int>(texture.wrapS),
+                                  static_cast<int>(texture.wrapT), texture.linear ? 1.0f : 0.0f);
+        map_.records.emplace_back(0.0f);
+        return record;
+    }
+
+    void addCutout(const CutoutPlanes& planes, std::uint32_t texture) {
+        map_.records.emplace_back(glm::vec3(planes.u), static_cast<float>(texture));
+        map_.records.emplace_back(glm::vec3(planes.v), 0.0f);
+        map_.records.emplace_back(glm::vec3(planes.alpha), 0.0f);
+    }
+
+    const Occluders& occluders_;
+    const CutoutTextures& textures_;
+    PrimitiveMap& map_;
+    std::vector<std::uint32_t> recordOf_, textureOf_;
+};
+
 } // namespace
 
 /// Descends from a part's square to texels and on to their parts.
@@ -132,8 +184,9 @@ PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
     }
     prints_.resize(tiles_.tiles.size());
     for (std::size_t tile = 0; tile < prints_.size(); ++tile) {
-        for (std::size_t i = 0; i < occluders_.size(); ++i) {
-            auto print = footprintOf(occluders_[i], static_cast<std::uint32_t>(i), tiles_, tile);
+        for (std::size_t i = 0; i < occluders_.all.size(); ++i) {
+            auto print =
+                footprintOf(occluders_.all[i], static_cast<std::uint32_t>(i), tiles_, tile);
             if (print) prints_[tile].prints.push_back(*print);
         }
         divideIntoParts(tile);
@@ -144,12 +197,12 @@ void PrimitiveMapBuilder::charge(std::size_t listed, std::size_t looks) {
     listed_ += listed;
     looks_ += looks;
     if (listed_ * sizeof(glm::vec2) > settings_.mostBytes ||
-        looks_ > mostLooks + looksEach * occluders_.size())
+        looks_ > mostLooks + looksEach * occluders_.all.size())
         tooLarge_ = true;
 }
 
 TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {
-    return {occluders_, prints_[tile].prints, tiles_.directional};
+    return {occluders_.all, prints_[tile].prints, tiles_.directional};
 }
 
 /// In texels of the tile.
@@ -200,7 +253,7 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
     map.entries.emplace_back(0.0f); // so that 0 names no list
     const auto size = static_cast<std::size_t>(settings_.size);
     map.header.resize(tiles_.tiles.size() * size * size, glm::vec2(neverDark, 0.0f));
-    std::vector<std::uint32_t> recordOf(occluders_.size(), 0); // and 1
+    Records records(occluders_, settings_.cutouts, map);
     for (const Part& part : parts_) {
         const std::vector<Footprint>& prints = prints_[part.tile].prints;
         std::vector<float> listAt(part.lists.size());
@@ -211,13 +264,8 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
             map.entries.emplace_back(list.forCasters, list.count - list.forCasters);
             for (std::size_t i = list.first; i < list.first + list.count; ++i) {
                 const ListedOccluder& listed = part.listed[i];
-                std::uint32_t& record = recordOf[prints[listed.print].occluder];
-                if (record == 0) {
-                    addRecord(occluders_[prints[listed.print].occluder], tiles_.directional,
-                              map.records);
-                    record = static_cast<std::uint32_t>(map.records.size() / 3);
-                }
-                map.entries.emplace_back(record - 1, roundedDown(listed.nearest));
+                map.entries.emplace_back(records.nameOf(prints[listed.print].occluder),
+                                         roundedDown(listed.nearest));
             }
         }
         const std::size_t firstBlock = map.header.size();

@@ -60,7 +60,7 @@ class PrimitiveMapBuilder {
 
     PrimitiveMapSettings settings_;
     LightTiles tiles_;
-    std::vector<Occluder> occluders_;
+    Occluders occluders_;
     std::vector<Tile> prints_; ///< by tile
     std::vector<Part> parts_;
     std::atomic<std::size_t> listed_ = 0; ///< entries and texels of blocks, by all parts

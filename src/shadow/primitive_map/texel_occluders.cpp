@@ -91,6 +91,22 @@ class GroupFinder {
     glm::dvec3 sample_;
 };
 
+/// Lists what may have holes: no ray is known to be blocked by it.
+void addCutouts(std::span<const Touching> cutouts, TexelOccluders& result) {
+    const std::size_t solid = result.listed.size();
+    for (const Touching& cutout : cutouts) {
+        if (cutout.depths.low > result.darkBehind) continue;
+        result.listed.push_back({cutout.print, cutout.depths.low});
+        result.touching.push_back(cutout.print);
+    }
+    if (result.listed.size() == solid) return;
+    std::sort(result.listed.begin(), result.listed.end(),
+              [](const ListedOccluder& a, const ListedOccluder& b) {
+                  return a.nearest != b.nearest ? a.nearest < b.nearest : a.print < b.print;
+              });
+    result.forCasters = result.listed.size();
+}
+
 } // namespace
 
 void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> candidates,
@@ -98,13 +114,15 @@ void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> ca
     result.darkBehind = std::numeric_limits<double>::infinity();
     result.listed.clear();
     result.touching.clear();
-    static thread_local std::vector<Touching> touching;
+    static thread_local std::vector<Touching> touching, cutouts;
     touching.clear();
+    cutouts.clear();
     for (const std::uint32_t candidate : candidates) {
         const Footprint& print = tile.prints[candidate];
         if (!print.mayTouch(square)) continue;
         const Interval depths = print.depthsIn(square, tile.directional);
-        touching.push_back({candidate, {depths.low - mapRounding, depths.high + mapRounding}});
+        (tile.occluders[print.occluder].isSolid() ? touching : cutouts)
+            .push_back({candidate, {depths.low - mapRounding, depths.high + mapRounding}});
     }
     std::sort(touching.begin(), touching.end(), [](const Touching& a, const Touching& b) {
         return a.depths.low != b.depths.low ? a.depths.low < b.depths.low : a.print < b.print;
@@ -134,6 +152,7 @@ void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> ca
     if (touching.empty()) result.forCasters = 0;
     for (std::size_t i = 0; i < next; ++i)
         result.touching.push_back(touching[i].print);
+    addCutouts(cutouts, result);
 }
 
 } // namespace edgeshade

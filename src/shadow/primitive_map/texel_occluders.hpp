@@ -25,7 +25,8 @@ struct TexelOccluders {
     /// Every ray of the texel is blocked behind this depth; infinite: nothing says so.
     double darkBehind = std::numeric_limits<double>::infinity();
     /// Together with these all that blocks its rays, from near to far: for points on light-facing
-    /// casters the first `forCasters`, for others all.
+    /// casters the first `forCasters`, for others all. What is alpha-tested is there wherever it
+    /// isn't wholly behind darkBehind, and then for all alike.
     std::vector<ListedOccluder> listed;
     std::size_t forCasters = 0;
     /// All that touches the texel and isn't wholly behind darkBehind: candidates of its parts.
