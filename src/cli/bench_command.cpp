@@ -47,7 +47,8 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const LoadedScene loaded = options.load(shadingFor(settings, &BenchSetting::settings));
+    const LoadedScene loaded = options.load(shadingFor(settings, &BenchSetting::settings),
+                                            options.settings.render.shadows);
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);

@@ -91,7 +91,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     std::vector<DrawSettings> settings = {options.settings};
     for (const std::string& text : options.against)
         settings.push_back(settingsFrom(options.settings, text));
-    const LoadedScene loaded = options.load(shadingFor(settings));
+    const LoadedScene loaded = options.load(shadingFor(settings), options.settings.render.shadows);
     printWarnings(loaded.scene.warnings.sentences());
 
     lab::CompareTask task;

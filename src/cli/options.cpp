@@ -180,9 +180,12 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
     addLimitOptions(verb, options.limits);
 }
 
-LoadedScene SceneOptions::load(Shading shading) const {
+LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows) const {
     LoadedScene loaded = loadScene(input, casters.wanted(), limits, {}, {variant, shading});
     loaded.cutoutsCast = cutoutsCast;
+    if (cutoutsCast && shadows == ShadowMethod::volumes)
+        loaded.scene.warnings.add("--cast-cutouts: volumes count no cutouts; --shadows "
+                                  "primitive-map has them, exactly, auto, and map.");
     if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
     return loaded;
 }

@@ -63,8 +63,8 @@ struct SceneOptions {
     std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
-    /// With the ground that was typed.
-    LoadedScene load(Shading shading) const;
+    /// With the ground that was typed; warns where `shadows` leave out what was asked to cast.
+    LoadedScene load(Shading shading, ShadowMethod shadows) const;
 };
 
 /// "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.

@@ -111,7 +111,8 @@ void tintVolumes(GpuScene& scene, const FrameView& view, const Renderer& rendere
 
 void render(const RenderOptions& options) {
     Stopwatch watch;
-    const LoadedScene loaded = options.load(options.settings.render.shading);
+    const LoadedScene loaded =
+        options.load(options.settings.render.shading, options.settings.render.shadows);
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);

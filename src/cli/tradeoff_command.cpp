@@ -228,7 +228,7 @@ std::string limitsOf(const TradeoffOptions& options) {
 
 void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
-    const LoadedScene loaded = options.load(Shading::full);
+    const LoadedScene loaded = options.load(Shading::full, ShadowMethod::automatic);
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     std::vector<Row> rows = possibleRows(options, loaded, warnings);
     const bool demanding = options.budgetMs || options.maxWrongPercent;

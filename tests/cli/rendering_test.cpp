@@ -170,6 +170,17 @@ TEST(Rendering, AGroundReceivesTheShadowOfWhatIsAboveIt) {
     EXPECT_EQ(darkPixels({"--ground", "#204060"}), darkPixels({"--ground", "catcher"}));
 }
 
+TEST(Rendering, CutoutsThatVolumesDoNotCountAreWarnedOf) {
+    const TempFolder folder;
+    const auto told = [&](const std::string& method) {
+        return runEdgeshade({"render", pavilion, folder / "picture.png", "--size", "64x36",
+                             "--cast-cutouts", "--shadows", method})
+            .err;
+    };
+    EXPECT_NE(told("volumes").find("--cast-cutouts"), std::string::npos);
+    EXPECT_EQ(told("primitive-map"), "");
+}
+
 TEST(Rendering, BaseShadingIsAsItWas) {
     // sRGB(0.5) * (0.35 + 0.65 * max(0, N.L)) under a sun from above, metal or not.
     const TempFolder folder;

@@ -294,7 +294,7 @@ class Animated : public ViewerTest {
   protected:
     void show(const std::string& path, const std::vector<float>& values) {
         viewer.show(movingScene(path, values));
-        viewer.change({{"show_lights", false}});
+        viewer.change({{"show_lights", false}, {"ground", "off"}});
     }
     Pixels plain(const Scene& scene) const {
         const ViewState& state = viewer.state();

@@ -42,6 +42,26 @@ test('by itself the viewer counts while a light moves and looks up once it rests
   await shared.check(page);
 });
 
+test('leaves cast what the native program has them cast, where that is asked for', async () => {
+  const page = await shared.open('/tests/plain.html');
+  // The ivy between the sun and the terrace.
+  const seen = { camera: { from: [0.8, 1.9, 1.6], to: [-1.6, 0.45, -1], fov: 45 }, lights: [[-0.2, 0.5, -1, 0]] };
+  await change(page, { ...seen, left: { shadows: 'primitive-map' } });
+  await lookedUp(page);
+  const without = await picture(page);
+  await change(page, { cast_cutouts: true });
+  assert.notEqual((await lightsOf(page))[0].method, 'primitive-map', 'a map of other casters');
+  await lookedUp(page);
+  const shown = await picture(page);
+  const native = rendered(await stateOf(page), ['--shadows', 'primitive-map', '--cast-cutouts']);
+  const { pixels, different, astray } = await compare(page, shown, native);
+  assert.ok(different <= 0.005 * pixels, `${different} of ${pixels} pixels differ`);
+  assert.ok(astray <= 150, `${astray} pixels differ away from outlines`);
+  assert.ok((await compare(page, shown, without)).different > 1000, 'leaves make a difference');
+  await change(page, { cast_cutouts: false });
+  await shared.check(page);
+});
+
 test('50 lights in a row leave memory flat', async () => {
   const page = await shared.open(smallPage);
   await change(page, { left: { shadows: 'primitive-map' } });

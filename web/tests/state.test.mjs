@@ -22,6 +22,7 @@ const view = {
   chosen_light: 1,
   ambient: 0.25,
   ground: '#8090a0',
+  cast_cutouts: true,
   left: { shadows: 'volumes', mask_scale: 2 },
   right: { shadows: 'map', map_size: 512 },
   split: true,
