@@ -215,12 +215,18 @@ void Viewer::Parts::advanceMaps(double now) {
     mapsPending = false;
     rest.see(state.lights, now);
     if (!loaded || !gpu || !gpu->scene) return;
-    const SideSettings* side = looksUp(state.left)                   ? &state.left
-                               : state.split && looksUp(state.right) ? &state.right
-                                                                     : nullptr;
+    // What is see-through looks itself up where volumes are counted, too.
+    const bool seeThrough = gpu->scene->seeThrough && state.shading == Shading::full;
+    const auto takesMaps = [&](const SideSettings& of) {
+        return looksUp(of) || (seeThrough && mayCount(of));
+    };
+    const SideSettings* side = takesMaps(state.left)                   ? &state.left
+                               : state.split && takesMaps(state.right) ? &state.right
+                                                                       : nullptr;
     if (!side) return;
-    const MapChoice choice =
-        side->shadows == ShadowMethod::automatic ? MapChoice::thatPay : MapChoice::all;
+    const MapChoice choice = side->shadows == ShadowMethod::automatic && !seeThrough
+                                 ? MapChoice::thatPay
+                                 : MapChoice::all;
     if (!mayHaveMaps(*loaded, choice, gpu->capabilities)) return;
     std::vector<FrameLight> lights;
     for (const Light& light : state.lights) {
@@ -228,7 +234,8 @@ void Viewer::Parts::advanceMaps(double now) {
         lights.back().atRest = rest.rests(light, now);
     }
     RenderSettings wanted = settings.render;
-    wanted.shadows = side->shadows;
+    wanted.shadows =
+        choice == MapChoice::all ? ShadowMethod::primitiveMap : ShadowMethod::automatic;
     if (prepareSceneMeanwhile(*gpu->scene, *loaded, lights, wanted, gpu->capabilities, buildingMs))
         dirty = true;
     for (const Light& light : state.lights)

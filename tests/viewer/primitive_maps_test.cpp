@@ -62,6 +62,27 @@ std::size_t differing(const Pixels& a, const Pixels& b) {
     return count;
 }
 
+TEST_F(ViewerMaps, PanesAreInShadowOnceTheLightRestsWhereVolumesAreCounted) {
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
+    test::SceneBuilder builder;
+    builder.floor(6.0f).box({-2, 3, -2}, {2, 3.2f, 2});
+    Material pane;
+    pane.alphaMode = AlphaMode::blend;
+    pane.doubleSided = true;
+    pane.metallic = 0.0f;
+    pane.baseColorFactor.a = 0.8f;
+    builder.material(pane).quad({-1, 1, 1}, {1, 1, 1}, {1, 1, -1}, {-1, 1, -1});
+    viewer.show(loadedOf(builder.scene()));
+    viewer.change(Json::parse(R"({"show_lights": false, "lights": [[0.1, 1, 0.1, 0]],
+        "left": {"shadows": "volumes"},
+        "camera": {"from": [0, 2.2, 6], "to": [0, 1, 0], "fov": 40}})"));
+    viewer.frame(now);
+    const Pixels moving = context.readPixels();
+    settle();
+    EXPECT_EQ(method(), "volumes");
+    EXPECT_GT(differing(moving, context.readPixels()), 50u);
+}
+
 TEST_F(ViewerMaps, ALightIsCountedWhileItMovesAndLookedUpOnceItRests) {
     if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
     viewer.frame(now);
