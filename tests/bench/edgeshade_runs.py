@@ -16,8 +16,9 @@ PROGRAM = os.environ.get("EDGESHADE", str(ROOT / "build" / "release" / "edgeshad
 
 
 def report(*words):
-    """The JSON report of one call, in base shading where scenes are drawn: all tables are of it."""
-    if words[0] in ("bench", "compare") and "--synthetic" not in words:
+    """The JSON report of one call, in base shading where scenes are drawn and no other is asked
+    for: nearly all tables are of it."""
+    if words[0] in ("bench", "compare") and not {"--synthetic", "--shading"} & set(words):
         words += ("--shading", "base")
     done = subprocess.run([PROGRAM, *map(str, words), "--report", "-"], check=True,
                           stdout=subprocess.PIPE)

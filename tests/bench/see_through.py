@@ -20,7 +20,7 @@ BLENDED = {"car": SCENES / "car.draco.glb", "city": SCENES / "city.draco.glb",
            "oak tree": SCENES / "oaktree.glb"}
 LEAVES = {"banana tree": SCENES / "looks" / "bananatree.glb", "pavilion": PAVILION}
 VIEWS, SIZE, FRAMES = 8, "960x540", 8
-COUNTS = ("visible_pixels", "wrong_mask_pixels", "wrong_mask_beyond_1px", "beyond_1px_not_tied")
+COUNTS = ("visible_pixels", "wrong_mask_pixels", "wrong_mask_beyond_1px", "wrong_image_beyond_1px_not_tied")
 
 
 def changed(path, folder, change):
@@ -89,7 +89,7 @@ def measured():
 
 def wrong(of):
     share = lambda key: figure(percent(of[key], of["visible_pixels"]))  # noqa: E731
-    return f"{share('wrong_mask_pixels')} | {share('wrong_mask_beyond_1px')} | {of['beyond_1px_not_tied']}"
+    return f"{share('wrong_mask_pixels')} | {share('wrong_mask_beyond_1px')} | {of['wrong_image_beyond_1px_not_tied']}"
 
 
 def head(*cells):
