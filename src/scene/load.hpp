@@ -26,6 +26,7 @@ struct LoadedScene {
     Looks looks = {};                  ///< as they were asked for
     bool cutoutsCast = false;          ///< MASK surfaces cast what alpha leaves of them, by lookups
     std::optional<Ground> ground = {}; ///< that was laid beneath the scene
+    bool showsGround = true;           ///< it is seen now, if there is one
 };
 
 /// What loading does, in this order.

@@ -19,8 +19,10 @@ namespace {
 }
 
 /// Whether some surfaces are in no primitive map.
-bool othersReceive(const Scene& scene) {
+bool othersReceive(const LoadedScene& loaded) {
+    const Scene& scene = loaded.scene;
     return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
+        if (batch.ground) return loaded.showsGround;
         return batch.isAnimated() ||
                std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
                    return !scene.materials[g.material].casts(false);
@@ -34,7 +36,7 @@ PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
                                  const PrimitiveMapSettings& settings, KeptEdges edges)
     : light_(light), settings_(settings), materials_(&loaded.scene.materials),
       smallest_(std::max(4, settings.size / 8)), edges_(std::move(edges)) {
-    settings_.othersReceive = othersReceive(loaded.scene);
+    settings_.othersReceive = othersReceive(loaded);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
         placed_.push_back({&batch, loaded.planePairs[i], batch.worldFromBatch, batch.isAnimated()});

@@ -159,9 +159,15 @@ void Viewer::Parts::applyPose() {
 
 /// Makes the ground, which is there in any case, the one that the state shows.
 void Viewer::Parts::applyGround() {
-    if (!loaded || !loaded->ground || !state.ground) return;
-    setGround(loaded->scene, *state.ground);
-    if (gpu && gpu->scene) gpu->scene->materials.back() = loaded->scene.materials.back();
+    if (!loaded || !loaded->ground) return;
+    const bool shown = state.ground.has_value();
+    if (shown) {
+        setGround(loaded->scene, *state.ground);
+        if (gpu && gpu->scene) gpu->scene->materials.back() = loaded->scene.materials.back();
+    }
+    if (shown == loaded->showsGround) return;
+    loaded->showsGround = shown;
+    if (gpu && gpu->scene) gpu->scene->primitiveMaps.clear(); // who looks itself up is another
 }
 
 /// Has MASK surfaces cast, or not, where shadow is looked up.

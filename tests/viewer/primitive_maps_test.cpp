@@ -83,6 +83,20 @@ TEST_F(ViewerMaps, PanesAreInShadowOnceTheLightRestsWhereVolumesAreCounted) {
     EXPECT_GT(differing(moving, context.readPixels()), 50u);
 }
 
+TEST_F(ViewerMaps, AGroundThatIsNotSeenTakesNoRoomInThem) {
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
+    settle();
+    const std::size_t without = viewer.stats().primitiveMapBytes;
+    viewer.change({{"ground", "catcher"}});
+    EXPECT_EQ(method(), "volumes") << "a map for other receivers";
+    settle();
+    EXPECT_EQ(method(), "primitive-map");
+    EXPECT_GT(viewer.stats().primitiveMapBytes, without + without / 20);
+    viewer.change({{"ground", "off"}});
+    settle();
+    EXPECT_EQ(viewer.stats().primitiveMapBytes, without);
+}
+
 TEST_F(ViewerMaps, ALightIsCountedWhileItMovesAndLookedUpOnceItRests) {
     if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
     viewer.frame(now);

@@ -1,9 +1,9 @@
 // Pictures of materials by edgeshade beside three.js's: writes the table of docs/measured/materials.md
 // and a sheet of both to docs/pictures. Needs build/release/edgeshade and `npm ci`.
 //
-//   node compare/measure-materials.mjs [--only NAME] [--keep FOLDER]
+//   node compare/measure-materials.mjs [--only NAME,NAME] [--keep FOLDER]
 //
-// --only draws those whose name holds that; --keep leaves all pictures in a folder, and writes
+// --only draws those whose name holds one of these; --keep leaves all pictures in a folder, and writes
 // nothing else.
 
 import { execFileSync } from 'node:child_process';
@@ -16,6 +16,8 @@ import { repository, serve } from '../tests/support/server.mjs';
 import { materialScenes, meanOf, panorama } from './material-scenes.mjs';
 
 const { values: options } = parseArgs({ options: { only: { type: 'string', default: '' }, keep: { type: 'string' } } });
+
+const wanted = options.only.split(',');
 
 const view = { width: 600, height: 150, camera: { from: [0, 0.8, 10], to: [0, 0, 0], fov: 16.2 },
   sun: [0.5, 0.8, 1], lux: 2.5, background: [0.86, 0.89, 0.92] };
@@ -54,7 +56,7 @@ try {
   tab.on('console', (message) => console.error(message.text()));
   await tab.goto(`${server.address}/compare/materials.html`);
   await tab.waitForFunction(() => window.materials);
-  for (const { name, gltf } of materialScenes().filter((of) => of.name.includes(options.only))) {
+  for (const { name, gltf } of materialScenes().filter((of) => wanted.some((name) => of.name.includes(name)))) {
     const row = { name };
     for (const surroundings of [false, true]) {
       const file = `${name.replaceAll(/\W+/g, '-')}-${surroundings ? 'on' : 'off'}`;

@@ -1,9 +1,12 @@
 // The comparison with three.js's cube shadow map: the page works, where three.js is installed.
 
 import assert from 'node:assert/strict';
-import { existsSync } from 'node:fs';
+import { execFile } from 'node:child_process';
+import { existsSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { promisify } from 'node:util';
 import { useBrowser } from './support/browser.mjs';
 import { repository } from './support/server.mjs';
 
@@ -36,4 +39,21 @@ test('both pictures show the scene, alike but for the shadows\' edges, and are t
   assert.equal(figures.map_size, 512);
   assert.match(await page.textContent('#results'), /light moves/);
   await shared.check(page);
+});
+
+test('see-through materials, clear coats and coordinates look as three.js has them', { skip }, async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
+  try {
+    const script = join(repository, 'web/compare/measure-materials.mjs');
+    const told = await promisify(execFile)('node', [script, '--keep', folder,
+      '--only', 'see-through,clear coat,second coordinates'], { timeout: 300000 });
+    const rows = [...told.stdout.matchAll(/^\| ([^|]+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|$/gm)];
+    assert.equal(rows.length, 3, told.stdout);
+    for (const [, name, , off, , on] of rows) {
+      assert.ok(Number(off) < 1.5, `${name}: ${off} without an environment`);
+      assert.ok(Number(on) < 3.5, `${name}: ${on} with one`);
+    }
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });

@@ -16,6 +16,9 @@ constexpr int partSide = 64;
 /// Into how many pieces squares are divided along each axis, if they may.
 constexpr int pieces = 4;
 
+/// Pieces are kept whose lists are so much of the whole's, on the average.
+constexpr double worthDividing = 0.75;
+
 /// Looks at a footprint in a square (some 20 ns each) up to which a map is built, and those more
 /// that each footprint may take.
 constexpr std::size_t mostLooks = std::size_t{1} << 30, looksEach = 1000;
@@ -139,7 +142,9 @@ class PrimitiveMapBuilder::PartBuilder {
         texel.darkBehind = found.darkBehind;
         const PrimitiveMapSettings& settings = builder_.settings_;
         if (found.listed.empty() || builder_.tooLarge_) return texel;
-        if (found.forCasters <= settings.splitAbove || splits == settings.mostSplits) {
+        const bool isLong = found.forCasters > settings.splitAbove && splits < settings.mostSplits;
+        const Pieces divided = isLong ? piecesOf(at, side, found) : Pieces();
+        if (!isLong || !areShorter(divided, found)) {
             texel.kind = Texel::Kind::list;
             texel.index = part_.lists.size();
             builder_.charge(found.listed.size() + 1, 0);
@@ -150,19 +155,39 @@ class PrimitiveMapBuilder::PartBuilder {
         part_.splits = std::max(part_.splits, splits + 1);
         texel.kind = Texel::Kind::block;
         texel.index = part_.blocks.size();
-        part_.blocks.resize(part_.blocks.size() + pieces * pieces);
-        builder_.charge(pieces * pieces, pieces * pieces * found.touching.size());
+        part_.blocks.resize(part_.blocks.size() + divided.size());
+        builder_.charge(divided.size(), 0);
         const double step = side / pieces;
-        TexelOccluders inPiece;
-        for (int j = 0; j < pieces; ++j)
-            for (int i = 0; i < pieces; ++i) {
-                const glm::dvec2 from = at + step * glm::dvec2(i, j);
-                findOccluders(tile_, found.touching, builder_.squareOf(from.x, from.y, step),
-                              settings.othersReceive, inPiece);
-                const Texel piece = settle(from, step, inPiece, splits + 1);
-                part_.blocks[texel.index + static_cast<std::size_t>(j * pieces + i)] = piece;
-            }
+        for (std::size_t i = 0; i < divided.size(); ++i) {
+            const Texel piece = settle(at + step * glm::dvec2(i % pieces, i / pieces), step,
+                                       divided[i], splits + 1);
+            part_.blocks[texel.index + i] = piece;
+        }
         return texel;
+    }
+
+    using Pieces = std::vector<TexelOccluders>; ///< row by row
+
+    Pieces piecesOf(const glm::dvec2& at, double side, const TexelOccluders& found) {
+        Pieces divided(pieces * pieces);
+        builder_.charge(0, divided.size() * found.touching.size());
+        const double step = side / pieces;
+        for (std::size_t i = 0; i < divided.size(); ++i) {
+            const glm::dvec2 from = at + step * glm::dvec2(i % pieces, i / pieces);
+            findOccluders(tile_, found.touching, builder_.squareOf(from.x, from.y, step),
+                          builder_.settings_.othersReceive, divided[i]);
+        }
+        return divided;
+    }
+
+    /// Whether dividing is worth its room: where many triangles lie behind each other, as leaves
+    /// do, pieces ask as many of them as the whole.
+    static bool areShorter(const Pieces& divided, const TexelOccluders& whole) {
+        std::size_t sum = 0;
+        for (const TexelOccluders& piece : divided)
+            sum += piece.forCasters;
+        return static_cast<double>(sum) <=
+               worthDividing * static_cast<double>(divided.size() * whole.forCasters);
     }
 
     PrimitiveMapBuilder& builder_;
