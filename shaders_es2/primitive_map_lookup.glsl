@@ -21,21 +21,25 @@ highp vec4 primitiveTexel(highp sampler2D table, highp vec3 size, highp float in
     return texture2D(table, vec2((column + 0.5) * size.y, (row + 0.5) * size.z));
 }
 
+// How far along the ray the last triangle's plane is: a depth of a directional light, else its
+// inverse, as a share of the point's.
+highp float primitiveBehind;
+
 // Whether the triangle lies between the light and the point; `ray` is (x, y, 1) of a directional
 // light, else the point.
 bool primitiveBlocks(highp float record, highp vec3 ray, highp vec3 point) {
     highp vec4 a = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record);
     highp vec4 b = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 1.0);
     highp vec4 c = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 2.0);
-    highp float behind = a.w * ray.x + b.w * ray.y + c.w * ray.z;
+    primitiveBehind = a.w * ray.x + b.w * ray.y + c.w * ray.z;
     // Both neighbours compute the same products, but for their sign.
     return a.x * ray.x + a.y * ray.y + a.z * ray.z >= 0.0 &&
            b.x * ray.x + b.y * ray.y + b.z * ray.z >= 0.0 &&
            c.x * ray.x + c.y * ray.y + c.z * ray.z >= 0.0 &&
 #ifdef PRIMITIVE_MAP_DIRECTIONAL
-           point.z > behind;
+           point.z > primitiveBehind;
 #else
-           behind > 1.0;
+           primitiveBehind > 1.0;
 #endif
 }
 
@@ -71,7 +75,8 @@ highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {
     return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
 }
 
-// Whether the ray, which meets the alpha-tested triangle, meets what its alpha leaves of it.
+// Whether the ray, which primitiveBlocks() said meets the alpha-tested triangle, meets what its alpha
+// leaves of it.
 bool primitiveIsSolid(highp float record, highp vec3 ray) {
     highp vec4 u = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 3.0);
     highp vec4 v = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 4.0);
@@ -82,11 +87,7 @@ bool primitiveIsSolid(highp float record, highp vec3 ray) {
                          v.x * ray.x + v.y * ray.y + v.z * ray.z,
                          a.x * ray.x + a.y * ray.y + a.z * ray.z);
 #ifndef PRIMITIVE_MAP_DIRECTIONAL
-    // As far along the ray as the triangle's plane is.
-    highp float along = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record).w * ray.x +
-                        primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 1.0).w * ray.y +
-                        primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 2.0).w * ray.z;
-    at = at / along;
+    at = at / primitiveBehind; // where the ray meets the triangle's plane
 #endif
     highp float alpha = at.z;
     if (rectangle.z > 0.0) alpha = alpha * cutoutAlpha(vec2(at.x, at.y), rectangle, how);

@@ -4,9 +4,10 @@
 // same with light itself added up, of which the display shows a power; SOFT_TERMINATOR, see
 // terminator.glsl; MASK, the lit mask instead of colours; TEXTURED; COLORED, with colours at
 // vertices; CATCHER, with COLORED, a ground that shows the background and, the more the larger its
-// vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts; BLENDED, see-through ones; LINEAR, the light that
-// is mapped to such colours later; SLICED, nothing deeper than u_farthest. Of LIT those of
-// light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive map's texels hold.
+// vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts; BLENDED,
+// see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing deeper
+// than u_farthest. Of LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive
+// map's texels hold.
 #if defined(COARSE_MASK) || defined(SOFT_TERMINATOR)
 #extension GL_OES_standard_derivatives : enable
 #endif

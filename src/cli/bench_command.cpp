@@ -54,8 +54,7 @@ void benchScene(const BenchOptions& options) {
         setting.scene = variants.with(setting.settings.casters);
     BenchReport report;
     report.casters = loaded.settings;
-    report.ground = loaded.ground;
-    report.cutoutsCast = loaded.cutoutsCast;
+    report.casting = options.castingJson();
     report.warnings = loaded.scene.warnings.sentences();
     printWarnings(report.warnings);
 

@@ -44,10 +44,9 @@ class Countdown {
 /// What `bench` says of what it measured: the contract's keys, and a table.
 class BenchReport {
   public:
-    std::vector<std::string> warnings; ///< of loading
-    CasterSettings casters;            ///< of the call
-    GroundChoice ground;               ///< beneath the scene
-    bool cutoutsCast = false;          ///< LoadedScene's
+    std::vector<std::string> warnings;                                 ///< of loading
+    CasterSettings casters;                                            ///< of the call
+    nlohmann::ordered_json casting = nlohmann::ordered_json::object(); ///< castingJson()
 
     /// Adds what was measured at one size; `settings` in the order of the task's.
     void add(const bench::Task& task, const std::vector<BenchSetting>& settings,

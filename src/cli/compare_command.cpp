@@ -113,8 +113,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         Json json = resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
                                task.views);
         json["settings"]["gl-limits"] = glLimitsName(options.glLimits);
-        json["settings"]["cast-cutouts"] = options.cutoutsCast;
-        json["settings"]["ground"] = textOf(options.typedGround());
+        json["settings"].update(options.castingJson());
         return json;
     };
     Json json = jsonOf(0);

@@ -190,6 +190,10 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows) const {
     return loaded;
 }
 
+nlohmann::ordered_json SceneOptions::castingJson() const {
+    return {{"ground", textOf(typedGround())}, {"cast-cutouts", cutoutsCast}};
+}
+
 std::string glLimitsName(gl::Limits limits) {
     for (const auto& [name, value] : limitNames)
         if (value == limits) return name;

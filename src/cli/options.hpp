@@ -7,6 +7,7 @@
 #include "src/scene/load.hpp"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,6 +64,8 @@ struct SceneOptions {
     std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
+    /// {"ground", "cast-cutouts"}: what reports say besides of the settings.
+    nlohmann::ordered_json castingJson() const;
     /// With the ground that was typed; warns where `shadows` leave out what was asked to cast.
     LoadedScene load(Shading shading, ShadowMethod shadows) const;
 };

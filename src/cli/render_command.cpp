@@ -167,10 +167,8 @@ void render(const RenderOptions& options) {
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };
-    report["settings"].update({{"samples", capabilities.samples},
-                               {"mask", options.mask},
-                               {"ground", textOf(options.typedGround())},
-                               {"cast-cutouts", options.cutoutsCast}});
+    report["settings"].update({{"samples", capabilities.samples}, {"mask", options.mask}});
+    report["settings"].update(options.castingJson());
     if (options.mask) {
         const auto [visible, lit] = countMask(pixels);
         report["visible_pixels"] = visible;

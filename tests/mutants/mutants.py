@@ -123,7 +123,7 @@ MUTANTS = (
      "cutouts_test", "Cutouts.AreExact*"),
     ("alpha along a point light's ray is not divided by how far it goes",
      "shaders_es2/primitive_map_lookup.glsl",
-     "at = at / along;", "at = at * 1.0;",
+     "at = at / primitiveBehind;", "at = at * 1.0;",
      "cutouts_test", "Cutouts.AreExact*"),
     ("mirrored cutouts repeat",
      "shaders_es2/primitive_map_lookup.glsl",

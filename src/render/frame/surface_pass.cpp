@@ -252,11 +252,9 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
                               shading.primitives->longestList,
                               shading.primitives->cutouts != nullptr, shading.tintPrimitives};
     variant.textured = scene.textures.has(material.baseColor());
-    variant.colored = chunk.colored;
     variant.catcher = material.ground == GroundMaterial::catcher && !shading.mask &&
                       !shading.planes && !shading.tintPrimitives;
-    variant.colored =
-        variant.colored && (variant.catcher || material.ground == GroundMaterial::none);
+    variant.colored = chunk.colored && (variant.catcher || material.ground == GroundMaterial::none);
     variant.lit = shading.light.has_value();
     variant.withAmbient = variant.lit && shading.withAmbient;
     variant.directional = variant.lit && shading.light->position.w == 0.0;

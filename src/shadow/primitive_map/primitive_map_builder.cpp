@@ -157,24 +157,25 @@ class PrimitiveMapBuilder::PartBuilder {
         texel.index = part_.blocks.size();
         part_.blocks.resize(part_.blocks.size() + divided.size());
         builder_.charge(divided.size(), 0);
-        const double step = side / pieces;
         for (std::size_t i = 0; i < divided.size(); ++i) {
-            const Texel piece = settle(at + step * glm::dvec2(i % pieces, i / pieces), step,
-                                       divided[i], splits + 1);
-            part_.blocks[texel.index + i] = piece;
+            const Texel piece = settle(placeOf(i, at, side), side / pieces, divided[i], splits + 1);
+            part_.blocks[texel.index + i] = piece; // which settling may have moved
         }
         return texel;
     }
 
     using Pieces = std::vector<TexelOccluders>; ///< row by row
 
+    static glm::dvec2 placeOf(std::size_t piece, const glm::dvec2& at, double side) {
+        return at + side / pieces * glm::dvec2(piece % pieces, piece / pieces);
+    }
+
     Pieces piecesOf(const glm::dvec2& at, double side, const TexelOccluders& found) {
         Pieces divided(pieces * pieces);
         builder_.charge(0, divided.size() * found.touching.size());
-        const double step = side / pieces;
         for (std::size_t i = 0; i < divided.size(); ++i) {
-            const glm::dvec2 from = at + step * glm::dvec2(i % pieces, i / pieces);
-            findOccluders(tile_, found.touching, builder_.squareOf(from.x, from.y, step),
+            const glm::dvec2 from = placeOf(i, at, side);
+            findOccluders(tile_, found.touching, builder_.squareOf(from.x, from.y, side / pieces),
                           builder_.settings_.othersReceive, divided[i]);
         }
         return divided;
