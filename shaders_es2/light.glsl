@@ -3,7 +3,7 @@
 // MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl), by a mask of lower resolution
 // (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl), or as the
 // stencil says. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
-// everywhere, see light_window.glsl.
+// everywhere, see light_window.glsl. DERIVATIVES: the GL has some, which COARSE_MASK needs.
 #ifdef DIRECTIONAL
 uniform vec3 u_towardsLight; // of length 1
 #else
@@ -32,10 +32,29 @@ uniform float u_lightSide;
 #define LIGHT_SIDE u_lightSide
 #endif
 varying vec3 v_mapPosition;
+highp vec3 mapPoint; // what is looked up
+
+// Finds it: v_mapPosition, as far towards the light as interpolating may have put it off. Rasterisers
+// reckon from the picture's corner, so that the rounding of a surface seen from its edge, which
+// changes much from pixel to pixel, may put a point behind it (docs/method.md, C35). Comes first in
+// main(): derivatives need their neighbours.
+void findMapPoint() {
+    mapPoint = v_mapPosition;
+#ifdef DERIVATIVES
+    highp vec3 terms = abs(dFdx(mapPoint)) * gl_FragCoord.x + abs(dFdy(mapPoint)) * gl_FragCoord.y;
+    highp float error = (terms.x + terms.y + terms.z) * (8.0 / 16777216.0);
+#ifdef PRIMITIVE_MAP_DIRECTIONAL
+    mapPoint.z -= error;
+#else
+    highp vec3 size = abs(mapPoint);
+    mapPoint *= 1.0 - min(error / max(max(size.x, size.y), size.z), 0.5);
+#endif
+#endif
+}
 
 bool litByPrimitives() {
     if (facing() * LIGHT_SIDE < 0.0) return false;
-    return primitiveMapLights(v_mapPosition, LIGHT_SIDE > 0.0);
+    return primitiveMapLights(mapPoint, LIGHT_SIDE > 0.0);
 }
 #endif
 

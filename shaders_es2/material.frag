@@ -8,7 +8,7 @@
 // CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
 // takes. FALLOFF, of LIT: candela, by the square of the distance. SOFT_TERMINATOR, of LIT: see
 // terminator.glsl. SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
-#if defined(COARSE_MASK) || defined(DERIVED_TANGENTS) || defined(SOFT_TERMINATOR)
+#ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
@@ -300,6 +300,9 @@ void main() {
     float lit = 1.0;
 #ifdef COARSE_MASK
     lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need their neighbours
+#endif
+#ifdef PRIMITIVE_MAP
+    findMapPoint();
 #endif
 #ifdef SLICED
     if (v_depth > u_farthest) discard;

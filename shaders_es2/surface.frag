@@ -8,7 +8,7 @@
 // see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing deeper
 // than u_farthest. Of LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive
 // map's texels hold.
-#if defined(COARSE_MASK) || defined(SOFT_TERMINATOR)
+#ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
@@ -100,6 +100,9 @@ void main() {
     float lit = 1.0;
 #ifdef COARSE_MASK
     lit = litByCoarseMask(u_casts > 0.5); // first: derivatives need their neighbours
+#endif
+#ifdef PRIMITIVE_MAP
+    findMapPoint();
 #endif
 #ifdef SLICED
     if (v_depth > u_farthest) discard;

@@ -5,6 +5,7 @@
 #include "preprocess/reading/variants.hpp"
 #include "src/image/webp.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/viewer/view_state.hpp"
 #include "web/scene_transfer.hpp"
 #include "web/sentence.hpp"
 
@@ -113,17 +114,8 @@ std::string SceneReader::variants() const {
 
 std::string SceneReader::cameras() const {
     auto all = nlohmann::ordered_json::array();
-    const std::vector<SceneCamera>& cameras = loaded_.scene.cameras;
-    const Box bounds = worldBounds(loaded_.scene);
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        if (cameras[i].orthographic) continue; // the viewer's is in perspective
-        const Camera camera = uprightCamera(cameras[i], bounds);
-        all.push_back({{"name", titleOf(cameras, i)},
-                       {"camera",
-                        {{"from", {camera.from.x, camera.from.y, camera.from.z}},
-                         {"to", {camera.to.x, camera.to.y, camera.to.z}},
-                         {"fov", camera.fovDegrees}}}});
-    }
+    for (const FileCamera& camera : fileCameras(loaded_.scene))
+        all.push_back({{"name", camera.title}, {"camera", viewer::toJson(camera.camera)}});
     return all.dump();
 }
 

@@ -120,14 +120,14 @@ void transfer(Archive& archive, Maybe<Batch> auto& batch) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<SceneCamera> auto& camera) {
-    archive(camera.name, camera.nodeName, camera.worldFromCamera, camera.orthographic,
+    archive(camera.name, camera.nodeName, camera.place, camera.worldFromCamera, camera.orthographic,
             camera.height);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<SceneLight> auto& light) {
-    archive(light.kind, light.name, light.nodeName, light.position, light.direction, light.color,
-            light.intensity, light.range, light.innerCone, light.outerCone);
+    archive(light.kind, light.name, light.nodeName, light.place, light.position, light.direction,
+            light.color, light.intensity, light.range, light.innerCone, light.outerCone);
 }
 
 template <class Archive>

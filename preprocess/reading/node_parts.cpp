@@ -1,10 +1,6 @@
 #include "preprocess/reading/node_parts.hpp"
 
-#include "preprocess/scene/extremes.hpp"
 #include "preprocess/scene/node_transform.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 namespace edgeshade {
 
@@ -22,11 +18,9 @@ double numberIn(const JsonField& number, double least, double most) {
 }
 
 glm::dvec3 placeOf(const JsonField& reference, const glm::dmat4& worldFromNode) {
-    const glm::dvec3 place(worldFromNode[3]);
-    const double farthest = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
-    if (!(farthest <= farthestPlace))
-        reference.fail(" is placed farther than 1e12 from the origin");
-    return place;
+    const auto place = originOf(worldFromNode);
+    if (!place) reference.fail(" is placed farther than 1e12 from the origin");
+    return *place;
 }
 
 glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode) {

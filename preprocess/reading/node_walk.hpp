@@ -14,6 +14,8 @@ struct PlacedNode {
     int animatedNode = -1;       ///< nearest animated node on the way to the root; -1: static
     glm::dmat4 animatedFromNode; ///< relative to the animated node; to the world if there is none
     bool visible = true;         ///< KHR_node_visibility hides neither it nor one above it
+
+    NodePlace place() const { return {animatedNode, animatedFromNode}; }
 };
 
 /// What walking the default scene finds.

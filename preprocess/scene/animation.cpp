@@ -91,6 +91,46 @@ bool isDrawable(const glm::dmat4& worldFromBatch) {
            fitsFloats(glm::inverse(worldFromBatch));
 }
 
+/// worldFromNode of the animated nodes; -1, the world, is at 0.
+using Places = std::map<int, glm::dmat4>;
+
+Places placesAt(const Animation& animation, const Scene& scene, double seconds) {
+    // Those above come first, so that each finds the one it hangs on.
+    Places worldFromAnimated = {{-1, glm::dmat4(1.0)}};
+    for (const AnimatedNode& animatedNode : scene.animatedNodes) {
+        const auto motion = animation.motions.find(animatedNode.node);
+        const glm::dmat4 parentFromAnimated = motion == animation.motions.end()
+                                                  ? animatedNode.parentFromAnimated
+                                                  : motion->second.at(seconds).matrix();
+        worldFromAnimated[animatedNode.node] = worldFromAnimated.at(animatedNode.above) *
+                                               animatedNode.aboveFromParent * parentFromAnimated;
+    }
+    return worldFromAnimated;
+}
+
+/// Null of what is static, which is where it is at rest to the last bit.
+std::optional<glm::dmat4> worldFromNode(const NodePlace& place, const Places& worldFromAnimated) {
+    if (place.animatedNode < 0) return std::nullopt;
+    return worldFromAnimated.at(place.animatedNode) * place.animatedFromNode;
+}
+
+void move(SceneCamera& camera, const glm::dmat4& worldFromNode) {
+    const auto origin = originOf(worldFromNode);
+    const auto turn = turnOf(worldFromNode);
+    if (!origin || !turn) return;
+    camera.worldFromCamera = glm::dmat4(*turn);
+    camera.worldFromCamera[3] = glm::dvec4(*origin, 1.0);
+}
+
+void move(SceneLight& light, const glm::dmat4& worldFromNode) {
+    const auto origin = originOf(worldFromNode);
+    const auto turn = turnOf(worldFromNode);
+    const bool needsTurn = light.kind != SceneLight::Kind::point;
+    if (!origin || (needsTurn && !turn)) return;
+    light.position = *origin;
+    if (needsTurn) light.direction = -(*turn)[2];
+}
+
 } // namespace
 
 NodeTransform NodeMotion::at(double seconds) const {
@@ -101,26 +141,28 @@ NodeTransform NodeMotion::at(double seconds) const {
     return transform;
 }
 
-std::vector<std::optional<glm::dmat4>> poseAt(const Animation& animation, const Scene& scene,
-                                              double seconds) {
-    // Those above come first, so that each finds the one it hangs on.
-    std::map<int, glm::dmat4> worldFromAnimated = {{-1, glm::dmat4(1.0)}};
-    for (const AnimatedNode& animatedNode : scene.animatedNodes) {
-        const auto motion = animation.motions.find(animatedNode.node);
-        const glm::dmat4 parentFromAnimated = motion == animation.motions.end()
-                                                  ? animatedNode.parentFromAnimated
-                                                  : motion->second.at(seconds).matrix();
-        worldFromAnimated[animatedNode.node] = worldFromAnimated.at(animatedNode.above) *
-                                               animatedNode.aboveFromParent * parentFromAnimated;
-    }
-    std::vector<std::optional<glm::dmat4>> pose;
+Pose poseAt(const Animation& animation, const Scene& scene, double seconds) {
+    const Places places = placesAt(animation, scene, seconds);
+    Pose pose{{}, scene.cameras, scene.lights};
     for (const Batch& batch : scene.batches) {
-        pose.emplace_back(batch.worldFromBatch);
+        pose.worldFromBatch.emplace_back(batch.worldFromBatch);
         if (!batch.isAnimated()) continue;
-        pose.back() = glm::translate(worldFromAnimated.at(batch.node), batch.origin);
-        if (!isDrawable(*pose.back())) pose.back().reset();
+        auto& worldFromBatch = pose.worldFromBatch.back();
+        worldFromBatch = glm::translate(places.at(batch.node), batch.origin);
+        if (!isDrawable(*worldFromBatch)) worldFromBatch.reset();
     }
+    for (SceneCamera& camera : pose.cameras)
+        if (const auto world = worldFromNode(camera.place, places)) move(camera, *world);
+    for (SceneLight& light : pose.lights)
+        if (const auto world = worldFromNode(light.place, places)) move(light, *world);
     return pose;
+}
+
+void place(Scene& scene, const Pose& pose) {
+    scene.cameras = pose.cameras;
+    scene.lights = pose.lights;
+    for (std::size_t b = 0; b < scene.batches.size(); ++b)
+        if (const auto& world = pose.worldFromBatch[b]) scene.batches[b].worldFromBatch = *world;
 }
 
 } // namespace edgeshade

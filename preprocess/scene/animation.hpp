@@ -10,6 +10,9 @@
 
 namespace edgeshade {
 
+/// Seconds that a time may be.
+inline constexpr double longestTime = 1e9;
+
 /// How values between two keyframes come about (glTF 2.0, appendix C).
 enum class Interpolation { step, linear, cubicSpline };
 
@@ -40,13 +43,22 @@ struct Animation {
     std::map<int, NodeMotion> motions; ///< by glTF node
 };
 
-/// worldFromBatch of each of the scene's batches at a time, which is clamped to the keyframes. The
-/// static batch and what another animation moves are at rest. `scene` and `animation` come from
-/// the same document.
-///
-/// Null where there is nothing to draw and no shadow: the matrix or its inverse does not fit into
-/// floats, so the batch is scaled to nothing or out of all range.
-std::vector<std::optional<glm::dmat4>> poseAt(const Animation& animation, const Scene& scene,
-                                              double seconds);
+/// Where a scene's parts are at one time of an animation.
+struct Pose {
+    /// Of each batch. Null where there is nothing to draw and no shadow: the matrix or its inverse
+    /// does not fit into floats, so the batch is scaled to nothing or out of all range.
+    std::vector<std::optional<glm::dmat4>> worldFromBatch;
+    /// The scene's, moved. Where a node gives one no place, or no turn that it needs, it is where
+    /// it is in the scene.
+    std::vector<SceneCamera> cameras;
+    std::vector<SceneLight> lights;
+};
+
+/// The pose at a time, which is clamped to the keyframes. What is static and what another animation
+/// moves is at rest. `scene` and `animation` come from the same document.
+Pose poseAt(const Animation& animation, const Scene& scene, double seconds);
+
+/// Puts the scene's parts there; batches without a place stay where they are.
+void place(Scene& scene, const Pose& pose);
 
 } // namespace edgeshade

@@ -16,8 +16,19 @@ struct NodeTransform {
     glm::dmat4 matrix() const;
 };
 
-/// The turn in a transform of finite numbers, without its scale, mirroring and shear: -z stays
-/// where it points, and y as near to that as it can. Null where it has none, scaled to nothing.
+/// Where a node hangs that places something: on the nearest animated node on the way to the root,
+/// itself included, or on the world.
+struct NodePlace {
+    int animatedNode = -1;            ///< -1: none, it is static
+    glm::dmat4 animatedFromNode{1.0}; ///< worldFromNode if it is static
+};
+
+/// Where the transform puts the origin; null if that is farther away than farthestPlace, or NaN.
+std::optional<glm::dvec3> originOf(const glm::dmat4& transform);
+
+/// The turn in a transform, without its scale, mirroring and shear: -z stays
+/// where it points, and y as near to that as it can. Null where it has none, scaled to nothing, or
+/// where a number is not finite.
 std::optional<glm::dmat3> turnOf(const glm::dmat4& transform);
 
 } // namespace edgeshade

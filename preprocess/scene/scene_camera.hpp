@@ -1,5 +1,7 @@
 #pragma once
 
+#include "preprocess/scene/node_transform.hpp"
+
 #include <glm/glm.hpp>
 #include <string>
 
@@ -10,6 +12,7 @@ namespace edgeshade {
 struct SceneCamera {
     std::string name;     ///< its own; empty: none. Neither need be the only one of that name
     std::string nodeName; ///< the node's, likewise
+    NodePlace place;      ///< of the node
     glm::dmat4 worldFromCamera{1.0}; ///< rigid: x right, y up, looking along -z
     bool orthographic = false;
     /// The vertical field of view in radians, above 0 and below pi; of an orthographic camera the

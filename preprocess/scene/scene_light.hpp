@@ -1,5 +1,7 @@
 #pragma once
 
+#include "preprocess/scene/node_transform.hpp"
+
 #include <glm/glm.hpp>
 #include <limits>
 #include <string>
@@ -13,6 +15,7 @@ struct SceneLight {
     Kind kind = Kind::point;
     std::string name;     ///< its own; empty: none
     std::string nodeName; ///< the node's, likewise
+    NodePlace place;      ///< of the node
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, 0.0,
                          -1.0}; ///< where it shines, of length 1; of a point light nothing

@@ -54,7 +54,7 @@ void benchScene(const BenchOptions& options) {
         setting.scene = variants.with(setting.settings.casters);
     BenchReport report;
     report.casters = loaded.settings;
-    report.casting = options.castingJson();
+    report.scene = options.sceneJson();
     report.warnings = loaded.scene.warnings.sentences();
     printWarnings(report.warnings);
 

@@ -39,13 +39,13 @@ std::string fixed(double value, int digits) {
 }
 
 Json resultJson(const bench::Task& task, const BenchSetting& setting, const bench::Result& result,
-                const bench::Report& measured, const CasterSettings& casters, const Json& casting) {
+                const bench::Report& measured, const CasterSettings& casters, const Json& scene) {
     DrawSettings settings = setting.settings;
     settings.render = result.settings;
     Json settingsOf = settingsJson(settings);
     settingsOf.update(casterJson(setting.settings.casters.on(casters)));
     settingsOf["samples"] = measured.device.samples;
-    settingsOf.update(casting);
+    settingsOf.update(scene);
     const bench::Spread spread = bench::spreadOf(result.frameMs);
     const StageMs& stages = result.stageMs;
     return {{"name", result.name},
@@ -146,7 +146,7 @@ void BenchReport::add(const bench::Task& task, const std::vector<BenchSetting>& 
         const bench::Result& result = measured.results[i];
         const bench::Ratios ratios = bench::ratiosOf(own.frameMs, result.frameMs);
         rows_.push_back({sizeName(task), result, ratios, i == 0});
-        results_.push_back(resultJson(task, settings[i], result, measured, casters, casting));
+        results_.push_back(resultJson(task, settings[i], result, measured, casters, scene));
         if (i > 0)
             ratios_.push_back({{"name", result.name},
                                {"size", {task.width, task.height}},

@@ -44,9 +44,9 @@ class Countdown {
 /// What `bench` says of what it measured: the contract's keys, and a table.
 class BenchReport {
   public:
-    std::vector<std::string> warnings;                                 ///< of loading
-    CasterSettings casters;                                            ///< of the call
-    nlohmann::ordered_json casting = nlohmann::ordered_json::object(); ///< castingJson()
+    std::vector<std::string> warnings;                               ///< of loading
+    CasterSettings casters;                                          ///< of the call
+    nlohmann::ordered_json scene = nlohmann::ordered_json::object(); ///< sceneJson()
 
     /// Adds what was measured at one size; `settings` in the order of the task's.
     void add(const bench::Task& task, const std::vector<BenchSetting>& settings,

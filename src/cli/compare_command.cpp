@@ -113,7 +113,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         Json json = resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
                                task.views);
         json["settings"]["gl-limits"] = glLimitsName(options.glLimits);
-        json["settings"].update(options.castingJson());
+        json["settings"].update(options.sceneJson());
         return json;
     };
     Json json = jsonOf(0);

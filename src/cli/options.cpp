@@ -1,8 +1,10 @@
 #include "src/cli/options.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/scene/animation.hpp"
 #include "src/cli/limit_options.hpp"
 #include "src/cli/number_text.hpp"
+#include "src/scene/pose.hpp"
 #include "src/shadow/geometry/framing.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/shadow/geometry/scene_lights.hpp"
@@ -66,7 +68,7 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
     verb.add_option("--camera", options.camera,
                     "One of the file's cameras: its name, its node's, or its index among those "
                     "that the scene's nodes place, from 0; info lists them. It sees its own height "
-                    "at the picture's aspect, at rest")
+                    "at the picture's aspect")
         ->type_name("NAME|INDEX");
     for (const char* other :
          {"--camera-from", "--camera-to", "--camera-matrix", "--ortho", "--fov"})
@@ -160,6 +162,15 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
                     "Which of the scene's variants of materials is drawn; info lists them (the "
                     "scene's own materials)")
         ->type_name("NAME");
+    addTextOption(verb, "--time", "S",
+                  "Nodes, cameras and lights are where the file's animation has them after so many "
+                  "seconds (at rest; of view, 0)",
+                  [&](const std::string& text) {
+                      options.time = numberFrom(text, "--time");
+                      if (*options.time < 0.0 || *options.time > longestTime)
+                          throw CLI::ValidationError("--time",
+                                                     "'" + text + "' is not between 0 and 1e9");
+                  });
     verb.add_flag("--cast-cutouts", options.cutoutsCast,
                   "MASK surfaces cast the shadow of what their alpha leaves, wherever shadow is "
                   "looked up: in primitive maps, exactly, and in shadow maps; volumes count none "
@@ -186,12 +197,18 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows) const {
     if (cutoutsCast && shadows == ShadowMethod::volumes)
         loaded.scene.warnings.add("--cast-cutouts: volumes count no cutouts; --shadows "
                                   "primitive-map has them, exactly, auto, and map.");
+    if (time && !poseScene(loaded, *time))
+        loaded.scene.warnings.add("--time: the scene has no animation that moves nodes, so it is "
+                                  "at rest.");
     if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
     return loaded;
 }
 
-nlohmann::ordered_json SceneOptions::castingJson() const {
-    return {{"ground", textOf(typedGround())}, {"cast-cutouts", cutoutsCast}};
+nlohmann::ordered_json SceneOptions::sceneJson() const {
+    nlohmann::ordered_json json = {{"ground", textOf(typedGround())},
+                                   {"cast-cutouts", cutoutsCast}};
+    if (time) json["time"] = *time;
+    return json;
 }
 
 std::string glLimitsName(gl::Limits limits) {

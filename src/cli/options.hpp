@@ -61,12 +61,15 @@ struct SceneOptions {
     gl::Limits glLimits = gl::Limits::device;
     std::string variant;                ///< of its materials; empty: the file's own
     bool cutoutsCast = false;           ///< MASK surfaces cast by lookups
+    std::optional<double> time;         ///< of the animation, seconds; nothing: at rest
     std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
-    /// {"ground", "cast-cutouts"}: what reports say besides of the settings.
-    nlohmann::ordered_json castingJson() const;
-    /// With the ground that was typed; warns where `shadows` leave out what was asked to cast.
+    /// {"ground", "cast-cutouts", "time"}, the last one if it was typed: what reports say besides
+    /// of the settings.
+    nlohmann::ordered_json sceneJson() const;
+    /// At the time and with the ground that were typed; warns where there is no animation, and
+    /// where `shadows` leave out what was asked to cast.
     LoadedScene load(Shading shading, ShadowMethod shadows) const;
 };
 

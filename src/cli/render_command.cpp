@@ -168,7 +168,7 @@ void render(const RenderOptions& options) {
         {"warnings", warnings},
     };
     report["settings"].update({{"samples", capabilities.samples}, {"mask", options.mask}});
-    report["settings"].update(options.castingJson());
+    report["settings"].update(options.sceneJson());
     if (options.mask) {
         const auto [visible, lit] = countMask(pixels);
         report["visible_pixels"] = visible;

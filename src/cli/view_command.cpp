@@ -1,6 +1,7 @@
 #include "src/cli/commands.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/reading/animation_reading.hpp"
 
 #ifdef EDGESHADE_HAS_WINDOW
 #include "src/cli/draw_settings.hpp"
@@ -24,6 +25,13 @@ struct WindowOptions : SceneOptions {
     int samples = 0;
 };
 
+/// Has cameras and lights where the state will have them at the time that was typed.
+void goToTime(LoadedScene& loaded, double seconds) {
+    Warnings again; // showing it reads the animation, too
+    if (const auto animation = readAnimation(*loaded.document, again))
+        place(loaded.scene, poseAt(*animation, loaded.scene, seconds));
+}
+
 /// Camera, lights and the left side as typed.
 Json stateFrom(const WindowOptions& options, const Scene& scene) {
     const FrameRequest request = requestFor(options.view, scene);
@@ -46,6 +54,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
     for (const char* key : {"camera", "lights", "shading", "ambient", "exposure", "left"})
         typed[key] = all[key];
     if (options.ground) typed["ground"] = textOf(*options.ground);
+    if (options.time) typed["time"] = *options.time;
     return typed;
 }
 
@@ -65,6 +74,7 @@ void view(const WindowOptions& options) {
     Json state;
     if (!options.input.empty()) {
         loaded = load(options.input, options.variant);
+        if (options.time) goToTime(*loaded, *options.time);
         state = stateFrom(options, loaded->scene);
     }
 

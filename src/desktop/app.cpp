@@ -82,6 +82,7 @@ void App::show(const std::filesystem::path& path, LoadedScene loaded) {
     path_ = path;
     variants_ = std::move(variants);
     variant_ = index;
+    nextCamera_ = 0;
 }
 
 void App::showNextVariant() {
@@ -91,6 +92,16 @@ void App::showNextVariant() {
     show(path_, load_(path_, next));
     viewer_.change(state);
     say(next.empty() ? "The scene's own materials" : "Variant " + next);
+}
+
+void App::showNextCamera() {
+    const std::vector<FileCamera> cameras = viewer_.cameras();
+    if (cameras.empty()) return say("The scene has no cameras in perspective");
+    const std::size_t index = nextCamera_ % cameras.size();
+    viewer_.change({{"camera", viewer::toJson(cameras[index].camera)}});
+    nextCamera_ = index + 1;
+    say("Camera " + std::to_string(index + 1) + " of " + std::to_string(cameras.size()) + ": " +
+        cameras[index].title);
 }
 
 void App::run() {
@@ -192,6 +203,8 @@ void App::onCharacter(unsigned character) {
             say("Saved as " + path.string());
         } else if (character == 'k') {
             showNextVariant();
+        } else if (character == 'c') {
+            showNextCamera();
         } else if (const auto command = commandForCharacter(character)) {
             viewer_.run(*command);
         }

@@ -51,6 +51,7 @@ class App {
     void onMove(double x, double y);
     void onDrop(const std::filesystem::path& path);
     void showNextVariant();
+    void showNextCamera();
     viewer::Pointer pointer() const; ///< where the cursor is, with what pressed_ says
     std::string figures() const;
 
@@ -62,7 +63,8 @@ class App {
     /// Its variants of materials behind an empty name, which is its own materials; which is shown.
     std::vector<std::string> variants_ = {""};
     std::size_t variant_ = 0;
-    int width_ = 1; ///< of the picture, pixels
+    std::size_t nextCamera_ = 0; ///< of the file's
+    int width_ = 1;              ///< of the picture, pixels
     int height_ = 1;
     float scale_ = 1.0f; ///< of the display's contents
     /// In window units, as of the event that is looked at: asked for, GLFW says where it is by now,

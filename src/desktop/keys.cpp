@@ -91,6 +91,7 @@ std::string helpText() {
            "G\tground beneath the scene\n"
            "Space / [ ]\tplay / slower, faster\n"
            "K\tnext variant of materials\n"
+           "C\tnext of the file's cameras\n"
            "I\tfigures\n"
            "P, F12\tsave the picture\n"
            "H, ? / Esc\tthis help / end\n"

@@ -24,6 +24,7 @@ struct LoadedScene {
     std::vector<BatchShadow> shadows; ///< with opposite vertices, where the file has them; or empty
     CasterSettings settings;
     Looks looks = {};                  ///< as they were asked for
+    std::optional<double> time = {};   ///< of its animation, seconds; nothing: at rest
     bool cutoutsCast = false;          ///< MASK surfaces cast what alpha leaves of them, by lookups
     std::optional<Ground> ground = {}; ///< that was laid beneath the scene
     bool showsGround = true;           ///< it is seen now, if there is one

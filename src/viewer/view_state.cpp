@@ -108,14 +108,15 @@ Json toJson(const glm::vec3& color) {
 
 } // namespace
 
+Json toJson(const Camera& camera) {
+    return {{"from", toJson(camera.from)}, {"to", toJson(camera.to)}, {"fov", camera.fovDegrees}};
+}
+
 Json toJson(const ViewState& state) {
     Json lights = Json::array();
     for (const Light& light : state.lights)
         lights.push_back(toJson(light));
-    return {{"camera",
-             {{"from", toJson(state.camera.from)},
-              {"to", toJson(state.camera.to)},
-              {"fov", state.camera.fovDegrees}}},
+    return {{"camera", toJson(state.camera)},
             {"lights", lights},
             {"chosen_light", state.chosenLight},
             {"shading", wordOf(shadingWords, state.shading)},

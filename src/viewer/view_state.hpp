@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/scene/animation.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/scene/ground_text.hpp"
 
@@ -23,10 +24,9 @@ enum class DebugView {
 
 inline constexpr float mostExposure = 20.0f; // EV, up or down
 
-// Ranges of the animation's speed and time.
+// Range of the animation's speed.
 inline constexpr double slowest = 0.1;
 inline constexpr double fastest = 10.0;
-inline constexpr double longestTime = 1e9;
 
 /// Everything that a viewer shows and a user can change: what the address bar keeps.
 struct ViewState {
@@ -59,6 +59,9 @@ struct ViewState {
 ///  "none|volumes", "show_lights": true, "playing": false, "speed": 1, "time": 0}
 /// What a light is, light_state.hpp says.
 nlohmann::ordered_json toJson(const ViewState& state);
+
+/// The state's "camera".
+nlohmann::ordered_json toJson(const Camera& camera);
 
 /// `base` with the keys that `changes` has. Throws Error(usage) that names the key and the value if
 /// one is unknown, not finite or out of range; nothing is changed then.

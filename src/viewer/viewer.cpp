@@ -2,11 +2,13 @@
 
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
+#include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/shadow/geometry/scene_lights.hpp"
 #include "src/viewer/commands.hpp"
 #include "src/viewer/frame_clock.hpp"
 #include "src/viewer/handle_drawing.hpp"
 #include "src/viewer/interaction.hpp"
+#include "src/viewer/light_following.hpp"
 #include "src/viewer/light_rest.hpp"
 #include "src/viewer/overlay_pass.hpp"
 #include "src/viewer/pick.hpp"
@@ -141,18 +143,23 @@ void Viewer::Parts::adopt(const ViewState& next) {
     dirty = true;
 }
 
-/// Places the batches as the animation has them at the state's time.
+/// Places batches, cameras and lights as the animation has them at the state's time.
 void Viewer::Parts::applyPose() {
     if (!loaded) return;
-    std::vector<Batch>& batches = loaded->scene.batches;
-    std::vector<std::optional<glm::dmat4>> pose;
-    if (animation) pose = poseAt(*animation, loaded->scene, state.time);
-    for (std::size_t i = 0; i < batches.size(); ++i) {
-        const bool hidden = animation && !pose[i];
-        if (animation && pose[i]) batches[i].worldFromBatch = *pose[i];
-        if (!gpu || !gpu->scene) continue;
-        gpu->scene->batches[i].worldFromBatch = batches[i].worldFromBatch;
-        gpu->scene->batches[i].hidden = hidden;
+    std::optional<Pose> pose;
+    if (animation) {
+        pose = poseAt(*animation, loaded->scene, state.time);
+        place(loaded->scene, *pose);
+        std::vector<Light> lights = lightsOf(loaded->scene);
+        followLights(state.lights, stage.lights, lights);
+        stage.lights = std::move(lights);
+    }
+    if (gpu && gpu->scene) {
+        const std::vector<Batch>& batches = loaded->scene.batches;
+        for (std::size_t i = 0; i < batches.size(); ++i) {
+            gpu->scene->batches[i].worldFromBatch = batches[i].worldFromBatch;
+            gpu->scene->batches[i].hidden = pose && !pose->worldFromBatch[i];
+        }
     }
     sceneMoved();
 }
@@ -375,6 +382,10 @@ void Viewer::wheel(double x, double y, double notches) {
 
 void Viewer::run(Command command) {
     parts_->adopt(after(command, parts_->state, parts_->stage));
+}
+
+std::vector<FileCamera> Viewer::cameras() const {
+    return parts_->loaded ? fileCameras(parts_->loaded->scene) : std::vector<FileCamera>();
 }
 
 double Viewer::animationSeconds() const {

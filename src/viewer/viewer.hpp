@@ -2,6 +2,7 @@
 
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/timing/stage_timer.hpp"
+#include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/viewer/input.hpp"
 #include "src/viewer/view_state.hpp"
 
@@ -68,6 +69,9 @@ class Viewer {
     /// `notches` > 0: towards what is under (x, y).
     void wheel(double x, double y, double notches);
     void run(Command command);
+
+    /// The file's cameras in perspective, where they are now.
+    std::vector<FileCamera> cameras() const;
 
     /// Length of the animation in seconds; 0: nothing moves.
     double animationSeconds() const;

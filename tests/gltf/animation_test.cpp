@@ -50,7 +50,7 @@ class MovingScene {
     /// worldFromBatch of what `node` moves.
     std::optional<glm::dmat4> pose(int node, double seconds) {
         const Scene flat = scene();
-        const auto all = poseAt(animation().value(), flat, seconds);
+        const auto all = poseAt(animation().value(), flat, seconds).worldFromBatch;
         EXPECT_EQ(all.size(), flat.batches.size());
         for (std::size_t b = 0; b < flat.batches.size(); ++b)
             if (flat.batches[b].node == node) return all[b];
@@ -275,12 +275,12 @@ TEST(Animation, AtRestEverythingIsWhereItWas) {
     scene.move<float>(top, "translation", {0, 1}, {-7, 0, 2, 9, 9, 9});
     const Scene flat = scene.scene();
     ASSERT_EQ(flat.batches.size(), 3u);
-    const auto pose = poseAt(scene.animation().value(), flat, 0.0);
+    const auto pose = poseAt(scene.animation().value(), flat, 0.0).worldFromBatch;
     for (std::size_t b = 0; b < 3; ++b)
         expectMatrix(pose[b], flat.batches[b].worldFromBatch, 1e-5);
     EXPECT_EQ(flat.batches[0].node, -1);
     for (const double seconds : {0.0, 0.3, 1.0, 50.0})
-        EXPECT_EQ(poseAt(scene.animation().value(), flat, seconds)[0],
+        EXPECT_EQ(poseAt(scene.animation().value(), flat, seconds).worldFromBatch[0],
                   flat.batches[0].worldFromBatch);
 }
 
@@ -355,9 +355,70 @@ TEST(Animation, ANodeOutsideOfTheSceneMovesNothing) {
     const int outside = scene.addBox(Json::object(), false);
     scene.move<float>(outside, "translation", {0, 1}, {0, 0, 0, 5, 0, 0});
     const Scene flat = scene.scene();
-    const auto pose = poseAt(scene.animation().value(), flat, 1.0);
+    const auto pose = poseAt(scene.animation().value(), flat, 1.0).worldFromBatch;
     ASSERT_EQ(pose.size(), 1u);
     EXPECT_EQ(pose[0], flat.batches[0].worldFromBatch);
+}
+
+TEST(Animation, LightsAndCamerasGoWithTheirNodes) {
+    MovingScene scene;
+    const std::string lights = "KHR_lights_punctual";
+    scene.gltf.useExtension(lights);
+    scene.gltf.json["extensions"][lights]["lights"] = {{{"type", "spot"}, {"spot", Json::object()}},
+                                                       {{"type", "directional"}}};
+    scene.gltf.json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
+    const auto lit = [&](int light) { return Json({{lights, {{"light", light}}}}); };
+    const int lamp = scene.gltf.addNode(
+        {{"translation", {0, 3, 0}}, {"camera", 0}, {"extensions", lit(0)}}, false);
+    const int arm = scene.addBox({{"children", {lamp}}});
+    const int sun = scene.gltf.addNode({{"extensions", lit(1)}});
+    scene.gltf.addNode({{"translation", {0.1, 0.2, 0.3}}, {"extensions", lit(0)}}); // static
+    scene.move<float>(arm, "rotation", {0, 1}, {0, 0, 0, 1, 0, root, 0, root});     // about y
+    scene.move<float>(arm, "translation", {0, 1}, {0, 0, 0, 5, 0, 0});
+    scene.move<float>(sun, "rotation", {0, 1}, {0, 0, 0, 1, -root, 0, 0, root}); // about -x
+
+    Scene flat = scene.scene();
+    ASSERT_EQ(flat.lights.size(), 3u);
+    const Pose pose = poseAt(scene.animation().value(), flat, 1.0);
+    const auto near = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::distance(a, b) < 1e-6;
+    };
+    EXPECT_EQ(flat.lights[0].position, glm::dvec3(0, 3, 0));
+    EXPECT_TRUE(near(pose.lights[0].position, {5, 3, 0}));
+    EXPECT_TRUE(near(pose.lights[0].direction, {-1, 0, 0}));
+    EXPECT_TRUE(near(pose.lights[1].direction, {0, -1, 0}));
+    EXPECT_EQ(pose.lights[2].position, flat.lights[2].position);
+    ASSERT_EQ(pose.cameras.size(), 1u);
+    expectMatrix(pose.cameras[0].worldFromCamera, moved(5, 3, 0) * turned(90, {0, 1, 0}));
+
+    place(flat, pose);
+    EXPECT_EQ(flat.lights[0].position, pose.lights[0].position);
+    EXPECT_EQ(flat.cameras[0].worldFromCamera, pose.cameras[0].worldFromCamera);
+    expectMatrix(flat.batches[0].worldFromBatch, moved(5, 0, 0) * turned(90, {0, 1, 0}));
+}
+
+TEST(Animation, LightsWithoutATurnOrAPlaceStayWhereTheyWere) {
+    MovingScene scene;
+    const std::string lights = "KHR_lights_punctual";
+    scene.gltf.useExtension(lights);
+    scene.gltf.json["extensions"][lights]["lights"] = {
+        {{"type", "point"}}, {{"type", "spot"}, {"spot", Json::object()}}};
+    std::vector<int> nodes;
+    for (int light = 0; light < 2; ++light)
+        nodes.push_back(scene.gltf.addNode(
+            {{"translation", {1, 2, 3}}, {"extensions", {{lights, {{"light", light}}}}}}));
+    for (const int node : nodes) {
+        scene.move<float>(node, "scale", {0, 1}, {1, 1, 1, 0, 0, 0});
+        scene.move<float>(node, "translation", {0, 1, 2}, {1, 2, 3, 4, 5, 6, 3e38f, 0, 0});
+    }
+    const Scene flat = scene.scene();
+    const Animation animation = scene.animation().value();
+    const Pose none = poseAt(animation, flat, 1.0), far = poseAt(animation, flat, 2.0);
+    EXPECT_EQ(none.lights[0].position, glm::dvec3(4, 5, 6)) << "a point light needs no turn";
+    EXPECT_EQ(none.lights[1].position, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(none.lights[1].direction, glm::dvec3(0, 0, -1));
+    EXPECT_EQ(far.lights[0].position, glm::dvec3(1, 2, 3));
 }
 
 TEST(Animation, ANodeScaledToNothingAtRestStaysThere) {

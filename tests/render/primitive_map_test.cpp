@@ -202,6 +202,24 @@ TEST_P(PrimitiveMaps, OfPlacedAndMirroredCasters) {
 
 INSTANTIATE_TEST_SUITE_P(Lights, PrimitiveMaps, testing::Range<std::size_t>(0, 7));
 
+class TenMillionPoints : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(TenMillionPoints, AreWhatRaysSay) {
+    const Light& light = lights()[GetParam()];
+    constexpr std::size_t points = 100'000, least = 10'000'000;
+    std::size_t asked = 0;
+    for (unsigned seed = 100; asked < least / lights().size() + 1; ++seed) {
+        const bool anywhere = seed % 2 == 0;
+        const int size = seed % 3 == 0 ? 8 : 128;
+        const Scene scene = clutter(seed, 20 + static_cast<int>(seed % 5) * 10);
+        const Tally tally = askAround(scene, light, size, anywhere, points, seed);
+        ASSERT_EQ(tally.wrong, 0u) << "seed " << seed;
+        asked += tally.lit + tally.dark;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Long, TenMillionPoints, testing::Range<std::size_t>(0, 7));
+
 /// dot(edge, ray) as a shader's compiler may arrange it.
 std::array<float, 3> arrangements(const glm::vec3& edge, const glm::vec3& ray) {
     return {edge.x * ray.x + edge.y * ray.y + edge.z * ray.z,

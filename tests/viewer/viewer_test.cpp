@@ -290,6 +290,34 @@ LoadedScene movingScene(const std::string& path, const std::vector<float>& value
     return loaded;
 }
 
+/// A slab and a box on it, and above them two lamps, the second 1 to the right, and a camera, which
+/// move from x = -1 to x = 1 within a second.
+LoadedScene movingLamps() {
+    const std::string lights = "KHR_lights_punctual";
+    test::GltfBuilder gltf;
+    gltf.addShapeNode(test::box(glm::vec3(3.0f, 0.2f, 3.0f)));
+    gltf.addShapeNode(test::box(glm::vec3(0.8f)), {{"translation", {0, 0.5, 0}}});
+    gltf.useExtension(lights);
+    gltf.json["extensions"][lights]["lights"] = {{{"type", "point"}, {"intensity", 30}}};
+    gltf.json["cameras"] = {{{"type", "perspective"},
+                             {"name", "eye"},
+                             {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
+    const nlohmann::ordered_json lamp = {{lights, {{"light", 0}}}};
+    const int second = gltf.addNode({{"translation", {1, 0, 0}}, {"extensions", lamp}}, false);
+    const int arm = gltf.addNode(
+        {{"translation", {-1, 2, 0}}, {"children", {second}}, {"camera", 0}, {"extensions", lamp}});
+    const int times = gltf.addArray<float>({0.0f, 1.0f}, 1, {{"min", {0.0}}, {"max", {1.0}}});
+    const int values = gltf.addArray<float>({-1, 2, 0, 1, 2, 0}, 3);
+    gltf.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", arm}, {"path", "translation"}}}}}},
+         {"samplers", {{{"input", times}, {"output", values}}}}}};
+    LoadedScene loaded;
+    loaded.document = std::make_shared<const GltfDocument>(parseGltf(gltf.glb(), "lamps.glb"));
+    loaded.scene = flattenScene(*loaded.document, 0.0);
+    loaded.planePairs = buildPlanePairs(loaded.scene, false);
+    return loaded;
+}
+
 class Animated : public ViewerTest {
   protected:
     void show(const std::string& path, const std::vector<float>& values) {
@@ -312,9 +340,7 @@ TEST_F(Animated, ABatchIsWhereItsNodeIsAndSoIsItsShadow) {
     const Pixels half = picture();
     LoadedScene there = movingScene("translation", {1, 1, 0, 1, 1, 0});
     Warnings none;
-    const auto pose = poseAt(readAnimation(*there.document, none).value(), there.scene, 0.0);
-    for (std::size_t b = 0; b < pose.size(); ++b)
-        there.scene.batches[b].worldFromBatch = pose[b].value();
+    place(there.scene, poseAt(readAnimation(*there.document, none).value(), there.scene, 0.0));
     EXPECT_EQ(differing(half, plain(there.scene)), 0u);
     viewer.change({{"time", 0.0}});
     EXPECT_GT(differing(half, picture()), 100u);
@@ -327,6 +353,62 @@ TEST_F(Animated, WhatIsScaledToNothingIsNotDrawnAndHasNoShadow) {
     LoadedScene slab = movingScene("scale", {1, 1, 1, 0, 0, 0});
     std::erase_if(slab.scene.batches, [](const Batch& batch) { return batch.isAnimated(); });
     EXPECT_EQ(differing(gone, plain(slab.scene)), 0u);
+}
+
+TEST_F(Animated, LightsOfTheFileGoWithTheirNodesUntilSomebodyMovesThem) {
+    const auto placeOf = [&](std::size_t light) {
+        return glm::dvec3(viewer.state().lights.at(light).position);
+    };
+    viewer.show(movingLamps());
+    ASSERT_EQ(viewer.state().lights.size(), 2u);
+    viewer.change({{"time", 0.5}});
+    EXPECT_EQ(placeOf(0), glm::dvec3(0, 2, 0));
+    EXPECT_EQ(placeOf(1), glm::dvec3(1, 2, 0));
+    const auto kept = toJson(viewer.state());
+
+    // One is moved: it stays there, the other goes on.
+    auto lights = kept["lights"];
+    lights[0]["position"] = {7.0, 7.0, 7.0};
+    viewer.change({{"lights", lights}});
+    viewer.change({{"time", 1.0}});
+    EXPECT_EQ(placeOf(0), glm::dvec3(7, 7, 7));
+    EXPECT_EQ(placeOf(1), glm::dvec3(2, 2, 0));
+    viewer.run(Command::reset);
+    EXPECT_EQ(viewer.state().time, 0.0);
+    EXPECT_EQ(placeOf(0), glm::dvec3(-1, 2, 0)) << "the file's again";
+
+    // What an address kept, its digits cut, goes on with the animation.
+    viewer.show(movingLamps());
+    lights = kept["lights"];
+    lights[1]["position"] = {1.0000004, 2.0, 0.0};
+    viewer.change({{"lights", lights}, {"time", 0.5}});
+    EXPECT_EQ(placeOf(1), glm::dvec3(1, 2, 0));
+    viewer.change({{"time", 0.0}});
+    EXPECT_EQ(placeOf(0), glm::dvec3(-1, 2, 0));
+    EXPECT_EQ(placeOf(1), glm::dvec3(0, 2, 0));
+}
+
+TEST_F(Animated, AMovingLightOfTheFileMovesItsShadow) {
+    viewer.show(movingLamps());
+    viewer.change({{"show_lights", false}, {"ground", "off"}});
+    const Pixels start = picture();
+    viewer.change({{"playing", true}});
+    viewer.frame(1.0);
+    viewer.frame(1.4);
+    viewer.change({{"playing", false}});
+    EXPECT_NEAR(viewer.state().lights[0].position.x, -0.2, 1e-9);
+    const Pixels now = picture();
+    EXPECT_GT(differing(start, now), 100u);
+    EXPECT_EQ(differing(now, plain(movingLamps().scene)), 0u) << "lit from where it is now";
+}
+
+TEST_F(Animated, CamerasOfTheFileAreWhereTheirNodesAre) {
+    viewer.show(movingLamps());
+    ASSERT_EQ(viewer.cameras().size(), 1u);
+    EXPECT_EQ(viewer.cameras()[0].title, "eye");
+    EXPECT_EQ(viewer.cameras()[0].camera.from, glm::dvec3(-1, 2, 0));
+    viewer.change({{"time", 1.0}});
+    EXPECT_EQ(viewer.cameras()[0].camera.from, glm::dvec3(1, 2, 0));
 }
 
 TEST_F(Animated, PlaysAtItsSpeedAndRests) {

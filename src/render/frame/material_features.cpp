@@ -74,16 +74,13 @@ void addDefines(const MaterialFeatures& features, std::vector<std::string>& defi
     if (features.takes(0)) defines.push_back("TEXCOORDS");
     if (features.takes(1)) defines.push_back("TEXCOORDS_1");
     if (features.takes(2) || features.takes(3)) defines.push_back("TEXCOORDS_2");
-    bool derived = false;
     for (const Map& map : maps) {
         if (!features.has(map.slot)) continue;
         const int channel = features.channels[static_cast<std::size_t>(map.slot)];
         defines.push_back(map.define);
         defines.push_back(std::string(map.define) + "_UV " + coordinates[channel]);
-        derived = derived || (isNormal(map.slot) && !features.tangents);
     }
     if (features.tangents) defines.push_back("TANGENTS");
-    if (derived) defines.push_back("DERIVED_TANGENTS");
 }
 
 void setMaterial(gl::Program& program, const MaterialFeatures& features, const Material& material,

@@ -287,6 +287,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.textured) defines.push_back("TEXTURED");
     if (variant.colored) defines.push_back("COLORED");
     if (variant.lit) defines.push_back("LIT");
+    if (derivatives_) defines.push_back("DERIVATIVES");
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
     if (variant.directional) defines.push_back("DIRECTIONAL");
     if (variant.ranged) defines.push_back("RANGED");

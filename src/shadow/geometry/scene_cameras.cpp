@@ -49,4 +49,13 @@ Camera uprightCamera(const SceneCamera& camera, const Box& bounds) {
     return {from, from + distance * forward, glm::degrees(camera.height)};
 }
 
+std::vector<FileCamera> fileCameras(const Scene& scene) {
+    const Box bounds = worldBounds(scene);
+    std::vector<FileCamera> shown;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        if (!scene.cameras[i].orthographic)
+            shown.push_back({titleOf(scene.cameras, i), uprightCamera(scene.cameras[i], bounds)});
+    return shown;
+}
+
 } // namespace edgeshade

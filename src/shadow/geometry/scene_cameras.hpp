@@ -23,4 +23,13 @@ Frustum frustumOf(const SceneCamera& camera, double aspect);
 /// nearest to the middle of its picture: to orbit from there.
 Camera uprightCamera(const SceneCamera& camera, const Box& bounds);
 
+/// A camera that a viewer can show, and go on from.
+struct FileCamera {
+    std::string title; ///< see titleOf()
+    Camera camera;     ///< see uprightCamera()
+};
+
+/// The scene's cameras that are in perspective.
+std::vector<FileCamera> fileCameras(const Scene& scene);
+
 } // namespace edgeshade
