@@ -32,6 +32,14 @@ void goToTime(LoadedScene& loaded, double seconds) {
         place(loaded.scene, poseAt(*animation, loaded.scene, seconds));
 }
 
+/// Upright, so that one can go on from there: a roll is left out.
+Camera cameraOfMatrix(const ViewOptions& options, const Scene& scene) {
+    SceneCamera camera;
+    camera.worldFromCamera = glm::inverse(*options.cameraMatrix);
+    camera.height = glm::radians(options.fovDegrees);
+    return uprightCamera(camera, worldBounds(scene));
+}
+
 /// Camera, lights and the left side as typed.
 Json stateFrom(const WindowOptions& options, const Scene& scene) {
     const FrameRequest request = requestFor(options.view, scene);
@@ -42,8 +50,11 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
         throw Error(ExitStatus::usage, "--camera " + *options.view.camera +
                                            " is orthographic, but the window's camera is in "
                                            "perspective; render, compare and bench show it.");
-    state.camera =
-        ofFile ? uprightCamera(*ofFile, worldBounds(scene)) : cameraFor(options.view, scene);
+    if (ofFile)
+        state.camera = uprightCamera(*ofFile, worldBounds(scene));
+    else
+        state.camera = options.view.cameraMatrix ? cameraOfMatrix(options.view, scene)
+                                                 : cameraFor(options.view, scene);
     state.lights = request.lights;
     state.left = {render.shadows, render.map.size, render.multiplicity, render.maskScale};
     state.shading = render.shading;
@@ -59,10 +70,9 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
 }
 
 void view(const WindowOptions& options) {
-    if (options.view.cameraMatrix || options.view.orthoHeight)
-        throw Error(ExitStatus::usage,
-                    "The window's camera is in perspective and looks from --camera-from to "
-                    "--camera-to: --camera-matrix and --ortho are for render, compare and bench.");
+    if (options.view.orthoHeight)
+        throw Error(ExitStatus::usage, "The window's camera is in perspective: --ortho is for "
+                                       "render, compare and bench.");
     const auto load = [&](const std::filesystem::path& path, const std::string& variant) {
         LoadedScene loaded =
             loadScene(path, options.casters.wanted(), options.limits, {}, {variant});

@@ -40,6 +40,10 @@ view=(--size 400x300 --camera-from 7,5,9 --camera-to 0,1,0 --sun -0.6,0.6,-0.3)
 "$program" render "$scene" plain.png "${view[@]}" >/dev/null
 "$program" view "$scene" --screenshot window.png "${view[@]}"
 at_most 1 plain.png window.png || fail "the window shows another picture than render"
+from_matrix=(--size 400x300 --camera-matrix 1,0,0,0,0,1,0,0,0,0,1,0,-0.5,-1,-12,1 --sun -0.6,0.6,-0.3)
+"$program" render "$scene" plain-matrix.png "${from_matrix[@]}" >/dev/null
+"$program" view "$scene" --screenshot matrix.png "${from_matrix[@]}"
+at_most 1 plain-matrix.png matrix.png || fail "the window shows another picture by a matrix"
 
 # Keys and mouse change it. Every P saves the next edgeshade-N.png.
 "$program" view "$scene" "${view[@]}" 2>window.log &
@@ -98,9 +102,12 @@ wait "$window_program" || status=$?
 window_program=
 [[ $status == 0 ]] || fail "the window ended with status $status: $(cat window.log)"
 
-# K goes from the file's own materials through its variants and back.
+# K goes from the file's own materials through its variants and back, C from camera to camera.
 cat >variants.gltf <<END
-{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+ "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0.5, 0, 3]},
+           {"camera": 0, "translation": [-0.5, 0, 5], "name": "far"}],
+ "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}, "name": "near"}],
  "extensionsUsed": ["KHR_materials_variants"],
  "extensions": {"KHR_materials_variants": {"variants": [{"name": "red"}]}},
  "materials": [{"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1]}},
@@ -112,6 +119,9 @@ cat >variants.gltf <<END
  "bufferViews": [{"buffer": 0, "byteLength": 36}],
  "buffers": [{"byteLength": 36, "uri": "data:;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAAAAAAAAgD8AAAAA"}]}
 END
+for camera in 0 1; do
+    "$program" view variants.gltf --size 400x300 --camera $camera --screenshot camera-$camera.png
+done
 "$program" view variants.gltf --size 400x300 2>window.log &
 window_program=$!
 window=$(timeout 60 xdotool search --sync --onlyvisible --name 'variants.gltf - edgeshade$' | head -1)
@@ -124,6 +134,11 @@ at_most 20 edgeshade-$own.png edgeshade-$shots.png && fail "K did nothing"
 xdotool key k
 shoot
 at_most 0 edgeshade-$own.png edgeshade-$shots.png || fail "K does not lead back"
+for camera in 0 1 0; do
+    xdotool key c
+    shoot
+    at_most 0 camera-$camera.png edgeshade-$shots.png || fail "C does not show camera $camera"
+done
 xdotool key Escape
 wait "$window_program" || fail "the window ended badly: $(cat window.log)"
 window_program=
