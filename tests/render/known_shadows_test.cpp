@@ -137,5 +137,34 @@ TEST(KnownShadows, NothingAtAllIsTransparent) {
     EXPECT_EQ(mask, std::vector<std::uint8_t>(mask.size(), 0));
 }
 
+// More sheets in a row than a stencil counts, so that casters come in groups, and the eye in a
+// closed box, where all that is seen is in shadow: a mask still shows it, and so does a picture,
+// with the pane before it.
+TEST(KnownShadows, TheInsideOfABoxStaysInSightWhereCastersComeInGroups) {
+    SceneBuilder builder;
+    builder.box({-5, -5, -5}, {5, 5, 5});
+    for (int i = 0; i < 300; ++i) {
+        const float z = -20.0f - 0.1f * static_cast<float>(i);
+        builder.quad({20, -3, z}, {26, -3, z}, {26, 3, z}, {20, 3, z});
+    }
+    Material pane;
+    pane.alphaMode = AlphaMode::blend;
+    pane.baseColorFactor = {1, 0, 0, 0.5f};
+    builder.material(pane).quad({-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1});
+    test::TestView view{{{0, 0, 3}, {0, 0, 0}, 45.0}, {sun({0.01, 0.02, -1})}, size, size, true};
+    const auto mask = test::drawScene(builder.scene(), view, {});
+    int seen = 0, lit = 0;
+    for (std::size_t i = 0; i < mask.size(); i += 4) {
+        seen += mask[i + 3] == 255;
+        lit += mask[i + 3] == 255 && mask[i] != 0;
+    }
+    EXPECT_EQ(seen, size * size);
+    EXPECT_EQ(lit, 0);
+    view.mask = false;
+    const auto picture = test::drawScene(builder.scene(), view, {});
+    const std::uint8_t* middle = &picture[4 * (size / 2 * size + size / 2)];
+    EXPECT_GT(middle[0], middle[1]) << "the pane is red";
+}
+
 } // namespace
 } // namespace edgeshade

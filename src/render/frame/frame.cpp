@@ -299,7 +299,10 @@ void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) 
             count(pass, lightIndex, 0);
         else
             countAndMark(pass, lightIndex);
-        if (isFullyShadowed(plan)) return;
+        if (isFullyShadowed(plan)) {
+            glDisable(GL_STENCIL_TEST);
+            return;
+        }
     }
 
     const StageScope stage(pass.clock, FrameStage::lit);
