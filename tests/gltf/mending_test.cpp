@@ -52,7 +52,8 @@ TEST(Mending, AStrideOfZeroIsNone) {
         view["byteStride"] = 0;
     expectSameTriangles(worldTriangles(sceneOf(gltf)), expected);
     EXPECT_TRUE(warningsOf(gltf).empty());
-    for (const Json& view : GlbParts(packed(gltf.glb(), Encoding::none)).json["bufferViews"])
+    const GlbParts written(packed(gltf.glb(), Encoding::none));
+    for (const Json& view : written.json.at("bufferViews"))
         EXPECT_FALSE(view.contains("byteStride"));
 }
 

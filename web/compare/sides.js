@@ -1,5 +1,6 @@
 // The two ways of drawing, each behind the same two calls: frame(changes, started) draws one frame
-// after these changes of the view and resolves when it is finished; picture() gives the pixels.
+// after these changes of the view, calls started() as it begins, or later with when that was, and
+// resolves when it is finished; picture() gives the pixels.
 
 import { finish } from './timing.js';
 
@@ -11,8 +12,8 @@ export function viewerSide(viewer) {
     canvas,
     context,
     frame: (changes, started) => new Promise((resolve) => {
-      requestAnimationFrame(started); // runs before the element's own
       viewer.addEventListener('frame', () => {
+        started(document.timeline.currentTime); // when the browser's frame began that it drew in
         finish(context);
         resolve();
       }, { once: true });

@@ -15,14 +15,14 @@ export function median(values) {
 
 /**
  * Milliseconds of `frames` frames after `warmUp` more. `drawOne(i, started)` draws frame i, calls
- * started() when it begins to, and its promise resolves when the picture is finished.
+ * started() when it begins to, or later with when it did, and its promise resolves when the picture is finished.
  */
 export async function timeFrames({ frames, warmUp }, drawOne) {
   const times = [];
   for (let i = 0; i < warmUp + frames; ++i) {
     let since = 0;
     await frameStart();
-    await drawOne(i, () => { since = performance.now(); });
+    await drawOne(i, (at = performance.now()) => { since = at; });
     if (i >= warmUp) times.push(performance.now() - since);
   }
   return times;
