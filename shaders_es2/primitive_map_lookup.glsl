@@ -163,16 +163,17 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
         if (float(i) > count) break;
         highp vec4 entry = primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize,
                                           primitiveHeader.w + float(i));
-        if (primitiveDepth <= entry.w) break; // all further ones are deeper
 #ifdef PRIMITIVE_MAP_CUTOUTS
-        if (entry.x < 0.0) {
-            if (primitiveBlocks(-1.0 - entry.x, primitiveRay, point) &&
-                primitiveIsSolid(-1.0 - entry.x, primitiveRay))
-                return false;
-            continue;
-        }
-#endif
+        highp float record = entry.x < 0.0 ? -1.0 - entry.x : entry.x;
+        if (primitiveBlocks(record, primitiveRay, point) &&
+            (entry.x >= 0.0 || primitiveIsSolid(record, primitiveRay)))
+            return false;
+#else
         if (primitiveBlocks(entry.x, primitiveRay, point)) return false;
+#endif
+        // Here rather than before the next one is asked: where pixels are shaded in step, as in
+        // software, a turn of the loop costs what it costs whoever leaves it early.
+        if (float(i) >= count || primitiveDepth <= entry.w) break; // all further ones are deeper
     }
     return true;
 }

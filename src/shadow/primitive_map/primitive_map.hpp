@@ -29,7 +29,8 @@ struct PrimitiveMap {
     /// 0: where a list begins in `entries`; < 0: negated, where a block begins.
     std::vector<glm::vec2> header;
     /// Lists, one after the other from 1 on: (for light-facing casters, further ones for others),
-    /// then as many (record, nearest depth), from near to far; -1 - record of an alpha-tested one.
+    /// then as many (record, nearest depth of the next one), from near to far; -1 - record of an
+    /// alpha-tested one.
     std::vector<glm::vec2> entries;
     /// Three texels a triangle: in xyz an edge each (Occluder::edges), in the fourth components the
     /// plane, moved away from the light by what rounding may place points behind it. Of an

@@ -288,10 +288,12 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
             listAt[l] = static_cast<float>(map.entries.size());
             map.longestList = std::max(map.longestList, list.count);
             map.entries.emplace_back(list.forCasters, list.count - list.forCasters);
-            for (std::size_t i = list.first; i < list.first + list.count; ++i) {
-                const ListedOccluder& listed = part.listed[i];
-                map.entries.emplace_back(records.nameOf(prints[listed.print].occluder),
-                                         roundedDown(listed.nearest));
+            const std::size_t end = list.first + list.count;
+            for (std::size_t i = list.first; i < end; ++i) {
+                const float next =
+                    i + 1 < end ? roundedDown(part.listed[i + 1].nearest) : neverDark;
+                map.entries.emplace_back(records.nameOf(prints[part.listed[i].print].occluder),
+                                         next);
             }
         }
         const std::size_t firstBlock = map.header.size();
