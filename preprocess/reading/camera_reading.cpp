@@ -52,7 +52,7 @@ std::vector<SceneCamera> readCameras(const GltfDocument& document, const NodeWal
             if (!placed || !lens) return;
             SceneCamera camera = *lens;
             camera.nodeName = nameOf(node);
-            camera.place = placed->place();
+            camera.place = placed->place;
             camera.worldFromCamera = rigidPlaceOf(reference, walk.worldFromNode[placed->node]);
             cameras.push_back(camera);
         });

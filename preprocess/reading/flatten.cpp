@@ -130,15 +130,15 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
             if (primitive->indices.empty()) continue;
             const bool skinned = isSkinned(*primitive);
             Piece piece = {primitive, materialOf(document, *primitive, scene.materials),
-                           visit.animatedFromNode, skinned ? skin : nullptr, visit.node};
+                           visit.place.animatedFromNode, skinned ? skin : nullptr, visit.node};
             // A skin's joints place it in the world; its own node's transforms do not count.
             if (skinned) {
                 pieces[-1].push_back(std::move(piece));
                 continue;
             }
             for (const glm::dmat4& nodeFromInstance : instances) {
-                piece.batchFromMesh = visit.animatedFromNode * nodeFromInstance;
-                pieces[visit.animatedNode].push_back(piece);
+                piece.batchFromMesh = visit.place.animatedFromNode * nodeFromInstance;
+                pieces[visit.place.animatedNode].push_back(piece);
             }
         }
     }

@@ -93,7 +93,7 @@ std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk&
             if (!placed || !placed->visible || !lamp) return;
             SceneLight light = *lamp;
             light.nodeName = nameOf(node);
-            light.place = placed->place();
+            light.place = placed->place;
             place(light, reference, walk.worldFromNode[placed->node]);
             lights.push_back(light);
         });

@@ -142,7 +142,7 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
             }
         }
         const bool visible = visit.visible && isVisible(document, visit.node);
-        walk.nodes.push_back({visit.node, animatedNode, animatedFromNode, visible});
+        walk.nodes.push_back({visit.node, {animatedNode, animatedFromNode}, visible});
         openAll(node.children, animatedNode, visible, visit.depth + 1, animatedFromNode,
                 worldFromNode);
     }

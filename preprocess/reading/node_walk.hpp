@@ -11,11 +11,8 @@ namespace edgeshade {
 /// A node of the scene, as met when walking it from its roots.
 struct PlacedNode {
     int node = -1;
-    int animatedNode = -1;       ///< nearest animated node on the way to the root; -1: static
-    glm::dmat4 animatedFromNode; ///< relative to the animated node; to the world if there is none
-    bool visible = true;         ///< KHR_node_visibility hides neither it nor one above it
-
-    NodePlace place() const { return {animatedNode, animatedFromNode}; }
+    NodePlace place;
+    bool visible = true; ///< KHR_node_visibility hides neither it nor one above it
 };
 
 /// What walking the default scene finds.

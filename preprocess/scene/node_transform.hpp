@@ -26,9 +26,9 @@ struct NodePlace {
 /// Where the transform puts the origin; null if that is farther away than farthestPlace, or NaN.
 std::optional<glm::dvec3> originOf(const glm::dmat4& transform);
 
-/// The turn in a transform, without its scale, mirroring and shear: -z stays
-/// where it points, and y as near to that as it can. Null where it has none, scaled to nothing, or
-/// where a number is not finite.
+/// The turn in a transform, without its scale, mirroring and shear: -z stays where it points, and y
+/// as near to that as it can. Null where it has none, scaled to nothing, or where a number is not
+/// finite.
 std::optional<glm::dmat3> turnOf(const glm::dmat4& transform);
 
 } // namespace edgeshade

@@ -7,8 +7,8 @@
 
 namespace edgeshade {
 
-/// A camera of the file that a node places, at rest. How wide it sees, the picture says; where its
-/// depth range begins and ends is not taken from the file.
+/// A camera of the file that a node places, at rest or as posed. How wide it sees, the picture
+/// says; where its depth range begins and ends is not taken from the file.
 struct SceneCamera {
     std::string name;     ///< its own; empty: none. Neither need be the only one of that name
     std::string nodeName; ///< the node's, likewise

@@ -8,7 +8,7 @@
 
 namespace edgeshade {
 
-/// A light of the file (KHR_lights_punctual) that a node places, at rest.
+/// A light of the file (KHR_lights_punctual) that a node places, at rest or as posed.
 struct SceneLight {
     enum class Kind { directional, point, spot };
 

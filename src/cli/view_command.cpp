@@ -1,13 +1,13 @@
 #include "src/cli/commands.hpp"
 
 #include "preprocess/base/error.hpp"
-#include "preprocess/reading/animation_reading.hpp"
 
 #ifdef EDGESHADE_HAS_WINDOW
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/desktop/app.hpp"
+#include "src/scene/pose.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 
 #include <memory>
@@ -24,13 +24,6 @@ struct WindowOptions : SceneOptions {
     DrawSettings settings;
     int samples = 0;
 };
-
-/// Has cameras and lights where the state will have them at the time that was typed.
-void goToTime(LoadedScene& loaded, double seconds) {
-    Warnings again; // showing it reads the animation, too
-    if (const auto animation = readAnimation(*loaded.document, again))
-        place(loaded.scene, poseAt(*animation, loaded.scene, seconds));
-}
 
 /// Upright, so that one can go on from there: a roll is left out.
 Camera cameraOfMatrix(const ViewOptions& options, const Scene& scene) {
@@ -84,7 +77,8 @@ void view(const WindowOptions& options) {
     Json state;
     if (!options.input.empty()) {
         loaded = load(options.input, options.variant);
-        if (options.time) goToTime(*loaded, *options.time);
+        // Cameras and lights are taken from where they will be.
+        if (options.time) placeAt(*loaded, *options.time);
         state = stateFrom(options, loaded->scene);
     }
 

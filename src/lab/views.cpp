@@ -1,63 +1,8 @@
 #include "src/lab/views.hpp"
 
-#include <cmath>
-#include <random>
+#include "src/lab/draw.hpp"
 
 namespace edgeshade::lab {
-namespace {
-
-/// Numbers that are the same on every platform: the library's distributions are not.
-class Draw {
-  public:
-    double unit() { return static_cast<double>(random_()) / 4294967296.0; }
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    std::size_t below(std::size_t end) {
-        return std::min(end - 1, static_cast<std::size_t>(unit() * static_cast<double>(end)));
-    }
-    /// A direction with a height (y) in the given range.
-    glm::dvec3 direction(double lowest, double highest) {
-        const double y = between(lowest, highest);
-        const double angle = between(0.0, 6.283185307179586);
-        const double r = std::sqrt(std::max(0.0, 1.0 - y * y));
-        return {r * std::cos(angle), y, r * std::sin(angle)};
-    }
-
-  private:
-    std::mt19937 random_{20150};
-};
-
-/// A point on a surface and its normal, on a random triangle with an area.
-struct SurfacePoint {
-    glm::dvec3 point{0.0};
-    glm::dvec3 normal{0.0, 1.0, 0.0};
-};
-
-SurfacePoint surfacePoint(const Scene& scene, Draw& draw) {
-    for (int attempt = 0; attempt < 64; ++attempt) {
-        const std::size_t triangles = scene.triangleCount();
-        if (triangles == 0) break;
-        std::size_t index = draw.below(triangles);
-        for (const Batch& batch : scene.batches) {
-            if (index >= batch.indices.size() / 3) {
-                index -= batch.indices.size() / 3;
-                continue;
-            }
-            glm::dvec3 corner[3];
-            for (std::size_t c = 0; c < 3; ++c)
-                corner[c] =
-                    glm::dvec3(batch.worldFromBatch *
-                               glm::dvec4(batch.positions[batch.indices[3 * index + c]], 1.0));
-            const glm::dvec3 cross = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-            const double length = glm::length(cross);
-            if (length > 0.0) return {(corner[0] + corner[1] + corner[2]) / 3.0, cross / length};
-            break;
-        }
-    }
-    return {};
-}
-
-} // namespace
-
 std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovDegrees,
                               double aspect, std::optional<double> height) {
     const Box box = worldBounds(scene);

@@ -18,15 +18,21 @@ void removeTriangles(LoadedScene& loaded, std::size_t batch) {
 
 } // namespace
 
-bool poseScene(LoadedScene& loaded, double seconds) {
-    if (!loaded.document) return false;
+std::optional<Pose> placeAt(LoadedScene& loaded, double seconds) {
+    if (!loaded.document) return std::nullopt;
     const auto animation = readAnimation(*loaded.document, loaded.scene.warnings);
-    if (!animation) return false;
-    loaded.time = seconds;
-    const Pose pose = poseAt(*animation, loaded.scene, seconds);
+    if (!animation) return std::nullopt;
+    Pose pose = poseAt(*animation, loaded.scene, seconds);
     place(loaded.scene, pose);
-    for (std::size_t b = 0; b < pose.worldFromBatch.size(); ++b)
-        if (!pose.worldFromBatch[b]) removeTriangles(loaded, b);
+    return pose;
+}
+
+bool poseScene(LoadedScene& loaded, double seconds) {
+    const auto pose = placeAt(loaded, seconds);
+    if (!pose) return false;
+    loaded.time = seconds;
+    for (std::size_t b = 0; b < pose->worldFromBatch.size(); ++b)
+        if (!pose->worldFromBatch[b]) removeTriangles(loaded, b);
     return true;
 }
 

@@ -93,7 +93,12 @@ TEST_F(Time, PlacesNodesLightsAndCameras) {
     EXPECT_EQ(picture({"--time", "4"}), picture({"--time", "1e9"})) << "it ends";
 
     ASSERT_EQ(run("render", {"--time", "2", "--camera", "0"}).status, 0);
-    EXPECT_NEAR(report()["camera"]["matrix"][12].get<double>(), 0.0, 5.0);
+    const Json viewFromWorld = report()["camera"]["matrix"];
+    for (std::size_t row = 0; row < 3; ++row) // the lamp's place, (0.3, 3, 0), is the eye
+        EXPECT_NEAR(0.3 * viewFromWorld[row].get<double>() +
+                        3.0 * viewFromWorld[4 + row].get<double>() +
+                        viewFromWorld[12 + row].get<double>(),
+                    0.0, 1e-6);
     const Bytes fromLamp = readFile(folder_ / "out.png");
     ASSERT_EQ(run("render", {"--time", "1", "--camera", "0"}).status, 0);
     EXPECT_NE(readFile(folder_ / "out.png"), fromLamp);

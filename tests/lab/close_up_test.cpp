@@ -1,11 +1,11 @@
 // Close-ups of what models there are: what is looked up and what is counted, held against rays,
 // from a hundredth and a thousandth of the scene's size away, where it is and far from the origin.
 #include "src/lab/compare.hpp"
+#include "src/lab/draw.hpp"
 
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
-#include <random>
 
 namespace edgeshade {
 namespace {
@@ -13,39 +13,15 @@ namespace {
 constexpr int width = 480, height = 270;
 constexpr int places = 3; // of each scene
 
-struct SurfacePoint {
-    glm::dvec3 point{0.0}, normal{0.0, 1.0, 0.0};
-};
-
-/// A point on a triangle with an area.
-SurfacePoint surfacePoint(const Scene& scene, std::mt19937& random) {
-    for (;;) {
-        const Batch& batch = scene.batches[random() % scene.batches.size()];
-        if (batch.indices.empty()) continue;
-        const std::size_t triangle = random() % (batch.indices.size() / 3);
-        glm::dvec3 corner[3];
-        for (std::size_t c = 0; c < 3; ++c)
-            corner[c] = glm::dvec3(
-                batch.worldFromBatch *
-                glm::dvec4(glm::dvec3(batch.positions[batch.indices[3 * triangle + c]]), 1.0));
-        const glm::dvec3 cross = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-        if (glm::length(cross) > 0.0)
-            return {(corner[0] + corner[1] + corner[2]) / 3.0, glm::normalize(cross)};
-    }
-}
-
 std::vector<lab::LabView> closeUps(const Scene& scene) {
     const Box box = worldBounds(scene);
     const double size = box.diagonal();
-    std::mt19937 random(20);
-    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
-    const auto direction = [&] {
-        return glm::normalize(glm::dvec3(unit() - 0.5, unit() - 0.5, unit() - 0.5));
-    };
+    lab::Draw draw;
+    const auto direction = [&] { return draw.direction(-1.0, 1.0); };
     std::vector<lab::LabView> views;
     for (int place = 0; place < places; ++place)
         for (const double share : {0.01, 0.001}) {
-            const SurfacePoint at = surfacePoint(scene, random);
+            const lab::SurfacePoint at = lab::surfacePoint(scene, draw);
             const double away = share * size;
             const glm::dvec3 from = at.point + away * glm::normalize(at.normal + 0.7 * direction());
             const Camera camera{from, at.point + 0.3 * away * direction(), 60.0};

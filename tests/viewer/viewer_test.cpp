@@ -274,6 +274,14 @@ TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     viewer.forgetGpu();
 }
 
+LoadedScene loaded(const test::GltfBuilder& gltf) {
+    LoadedScene made;
+    made.document = std::make_shared<const GltfDocument>(parseGltf(gltf.glb(), "moving.glb"));
+    made.scene = flattenScene(*made.document, 0.0);
+    made.planePairs = buildPlanePairs(made.scene, false);
+    return made;
+}
+
 /// A slab, and a box above it whose `path` goes from one value to another within a second.
 LoadedScene movingScene(const std::string& path, const std::vector<float>& values) {
     test::GltfBuilder gltf;
@@ -283,11 +291,7 @@ LoadedScene movingScene(const std::string& path, const std::vector<float>& value
     gltf.json["animations"] = {
         {{"channels", {{{"sampler", 0}, {"target", {{"node", animatedNode}, {"path", path}}}}}},
          {"samplers", {{{"input", times}, {"output", gltf.addArray(values, 3)}}}}}};
-    LoadedScene loaded;
-    loaded.document = std::make_shared<const GltfDocument>(parseGltf(gltf.glb(), "moving.glb"));
-    loaded.scene = flattenScene(*loaded.document, 0.0);
-    loaded.planePairs = buildPlanePairs(loaded.scene, false);
-    return loaded;
+    return loaded(gltf);
 }
 
 /// A slab and a box on it, and above them two lamps, the second 1 to the right, and a camera, which
@@ -311,11 +315,7 @@ LoadedScene movingLamps() {
     gltf.json["animations"] = {
         {{"channels", {{{"sampler", 0}, {"target", {{"node", arm}, {"path", "translation"}}}}}},
          {"samplers", {{{"input", times}, {"output", values}}}}}};
-    LoadedScene loaded;
-    loaded.document = std::make_shared<const GltfDocument>(parseGltf(gltf.glb(), "lamps.glb"));
-    loaded.scene = flattenScene(*loaded.document, 0.0);
-    loaded.planePairs = buildPlanePairs(loaded.scene, false);
-    return loaded;
+    return loaded(gltf);
 }
 
 class Animated : public ViewerTest {

@@ -68,8 +68,7 @@ export async function measure({ viewer, sides, scene, shadow, model, triangles, 
     viewer.change({ lights: state.lights });
     results.edgeshade.at_rest = await settle(viewer, patience);
     results.edgeshade.camera_moves = await run(sides.edgeshade, moveEye(state));
-    viewer.change({ camera: state.camera });
-    viewer.change({ left: { shadows: 'volumes' } });
+    viewer.change({ camera: state.camera, left: { shadows: 'volumes' } });
     results.edgeshade.camera_moves_counted = await run(sides.edgeshade, moveEye(state));
     viewer.change({ camera: state.camera, left: state.left });
     results.cube_map.light_moves = await run(sides.cubeMap, moveLight(state));

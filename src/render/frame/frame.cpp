@@ -299,12 +299,13 @@ void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) 
             count(pass, lightIndex, 0);
         else
             countAndMark(pass, lightIndex);
-        if (isFullyShadowed(plan)) {
-            glDisable(GL_STENCIL_TEST);
-            return;
-        }
     }
+    if (!isFullyShadowed(plan)) addLight(pass, light, plan, map ? &*map : nullptr);
+    glDisable(GL_STENCIL_TEST);
+}
 
+void Renderer::addLight(const SlicePass& pass, const Light& light, const LightPlan& plan,
+                        const ShadowMapLookup* map) {
     const StageScope stage(pass.clock, FrameStage::lit);
     const bool counted = plan.isCounted() && !coarse_ && !plan.inGroups();
     if (!counted) clearStencil();
@@ -313,8 +314,7 @@ void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) 
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    drawLit(pass, light, map ? &*map : nullptr);
-    glDisable(GL_STENCIL_TEST);
+    drawLit(pass, light, map);
 }
 
 /// `marked`: what a group has shaded has alpha 0 and takes no light.

@@ -129,6 +129,9 @@ class Renderer {
     void drawDepthAndAmbient(const SlicePass& pass);
     void drawCoarseSurfaces(const SlicePass& pass);
     void drawShadowedLight(const SlicePass& pass, std::size_t light);
+    /// Adds it where the stencil, or what countAndMark() left, has no shadow.
+    void addLight(const SlicePass& pass, const Light& light, const LightPlan& plan,
+                  const ShadowMapLookup* map);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
     void drawShadow(const SlicePass& pass);
     /// What ambient light leaves, where the stencil isn't 0.
