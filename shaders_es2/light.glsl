@@ -31,23 +31,33 @@ varying float v_lightSide;
 uniform float u_lightSide;
 #define LIGHT_SIDE u_lightSide
 #endif
+uniform float u_mapHand; // 1, or -1 where map space mirrors the world
 varying vec3 v_mapPosition;
 highp vec3 mapPoint; // what is looked up
 
 // Finds it: v_mapPosition, as far towards the light as interpolating may have put it off. Rasterisers
 // reckon from the picture's corner, so that the rounding of a surface seen from its edge, which
-// changes much from pixel to pixel, may put a point behind it (docs/method.md, C35). Comes first in
-// main(): derivatives need their neighbours.
+// changes much from pixel to pixel, may put a point behind it. A caster whose plane the light all but
+// lies in is thinner to it than rounding: its points are moved off it, to where they are seen from,
+// which is the light's side wherever the map is asked (docs/method.md, C35). Comes first in main():
+// derivatives need their neighbours.
 void findMapPoint() {
     mapPoint = v_mapPosition;
 #ifdef DERIVATIVES
-    highp vec3 terms = abs(dFdx(mapPoint)) * gl_FragCoord.x + abs(dFdy(mapPoint)) * gl_FragCoord.y;
+    highp vec3 along = dFdx(mapPoint), up = dFdy(mapPoint);
+    highp vec3 terms = abs(along) * gl_FragCoord.x + abs(up) * gl_FragCoord.y;
     highp float error = (terms.x + terms.y + terms.z) * (8.0 / 16777216.0);
+    highp vec3 normal = cross(along, up) * u_mapHand; // towards the eye
+    highp float size = LIGHT_SIDE == 0.0 ? 0.0 : length(normal);
+    highp float aside = 16.0 / 16777216.0 / max(size, 1e-37);
 #ifdef PRIMITIVE_MAP_DIRECTIONAL
+    if (abs(normal.z) < 0.01 * size) mapPoint.xy += aside * normal.xy;
     mapPoint.z -= error;
 #else
-    highp vec3 size = abs(mapPoint);
-    mapPoint *= 1.0 - min(error / max(max(size.x, size.y), size.z), 0.5);
+    highp vec3 place = abs(mapPoint);
+    highp float depth = max(max(place.x, place.y), place.z);
+    if (abs(dot(normal, mapPoint)) < 0.01 * depth * size) mapPoint += aside * depth * normal;
+    mapPoint *= 1.0 - min(error / depth, 0.5);
 #endif
 #endif
 }

@@ -3,7 +3,6 @@
 // map space, and define
 //   PRIMITIVE_MAP_DIRECTIONAL  for a directional light, or PRIMITIVE_MAP_TILES for a point light of
 //                              six tiles; neither: one of one tile
-//   PRIMITIVE_MAP_SPLITS       how often texels are divided, one in another
 //   PRIMITIVE_MAP_LONGEST      entries of the longest list, or more
 //   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; there is a fourth texture then
 uniform highp sampler2D u_primitiveHeader; // lowp, the default, may round what is looked up
@@ -131,49 +130,62 @@ bool findPrimitiveTexel(highp vec3 point) {
     highp float halfSize = 0.5 * u_primitiveSize;
     at = at * halfSize + vec2(halfSize);
     highp vec2 cell = clamp(floor(at), vec2(0.0), vec2(u_primitiveSize - 1.0));
-    primitiveHeader = primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize,
-                                     (tile * u_primitiveSize + cell.y) * u_primitiveSize + cell.x);
-#if PRIMITIVE_MAP_SPLITS > 0
-    for (int split = 0; split < PRIMITIVE_MAP_SPLITS; ++split) {
+    highp float texel = (tile * u_primitiveSize + cell.y) * u_primitiveSize + cell.x;
+    // Far more turns than texels are divided: a loop that compilers unroll would look up all of
+    // them where pixels are shaded in step, as in software.
+    for (int level = 0; level < 64; ++level) {
+        primitiveHeader = primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize, texel);
         if (primitiveHeader.w >= 0.0) break;
         at = (at - cell) * vec2(4.0);
         cell = clamp(floor(at), vec2(0.0), vec2(3.0));
-        primitiveHeader = primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize,
-                                         cell.y * 4.0 + cell.x - primitiveHeader.w);
+        texel = cell.y * 4.0 + cell.x - primitiveHeader.w;
     }
-#endif
     return true;
 }
 
-// How many triangles a point may have to be asked about; `casts`: it is on a triangle that casts
-// and is seen and lit from one side. After findPrimitiveTexel() was true.
-highp float primitiveCount(bool casts) {
-    if (primitiveHeader.w == 0.0) return 0.0;
-    highp vec4 counts =
-        primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize, primitiveHeader.w);
-    return casts ? counts.x : counts.x + counts.w;
+// Whether no triangle of the texel need be asked about a point. `casts`: it is on a triangle that
+// casts and is seen and lit from one side. After findPrimitiveTexel() was true.
+bool primitiveListIsEmpty(bool casts) {
+    highp float list = primitiveHeader.w;
+    return list == 0.0 || (casts && list > floor(list));
 }
 
-// Whether the light reaches the point. `casts`: see primitiveCount().
+#ifdef PRIMITIVE_MAP_TINT
+// How many triangles the texel lists for such points.
+float primitiveListLength(bool casts) {
+    if (primitiveListIsEmpty(casts)) return 0.0;
+    for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
+        highp vec4 entry = primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize,
+                                          floor(primitiveHeader.w) + float(i));
+        if (entry.w >= 1e30 || (casts && entry.x > floor(entry.x))) return float(i + 1);
+    }
+    return float(PRIMITIVE_MAP_LONGEST);
+}
+#endif
+
+// Whether the light reaches the point. `casts`: see primitiveListIsEmpty().
 bool primitiveMapLights(highp vec3 point, bool casts) {
     if (!findPrimitiveTexel(point)) return true;
     if (primitiveDepth > primitiveHeader.x) return false;
-    highp float count = primitiveCount(casts);
-    for (int i = 1; i <= PRIMITIVE_MAP_LONGEST; ++i) {
-        if (float(i) > count) break;
-        highp vec4 entry = primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize,
-                                          primitiveHeader.w + float(i));
+    if (primitiveListIsEmpty(casts)) return true;
+    highp float list = floor(primitiveHeader.w);
+    for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
+        highp vec4 entry =
+            primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize, list + float(i));
+        highp float record = floor(entry.x);
 #ifdef PRIMITIVE_MAP_CUTOUTS
-        highp float record = entry.x < 0.0 ? -1.0 - entry.x : entry.x;
+        bool hasAlpha = entry.x < 0.0;
+        if (hasAlpha) record = -1.0 - record;
         if (primitiveBlocks(record, primitiveRay, point) &&
-            (entry.x >= 0.0 || primitiveIsSolid(record, primitiveRay)))
+            (!hasAlpha || primitiveIsSolid(record, primitiveRay)))
             return false;
 #else
-        if (primitiveBlocks(entry.x, primitiveRay, point)) return false;
+        if (primitiveBlocks(record, primitiveRay, point)) return false;
 #endif
         // Here rather than before the next one is asked: where pixels are shaded in step, as in
         // software, a turn of the loop costs what it costs whoever leaves it early.
-        if (float(i) >= count || primitiveDepth <= entry.w) break; // all further ones are deeper
+        if (primitiveDepth <= entry.w) break; // all further ones are deeper
+        if (casts && entry.x > floor(entry.x)) break; // or are asked by others alone
     }
     return true;
 }

@@ -63,14 +63,13 @@ varying float v_depth;
 #endif
 
 #ifdef PRIMITIVE_MAP_TINT
-// Blue where a texel's depth alone says dark, from green to red the more triangles are asked, none
-// where none is.
+// Blue where a texel's depth alone says dark, from green to red the more triangles are before the
+// point to be asked, none where none is.
 vec4 primitiveTint() {
     if (!findPrimitiveTexel(v_mapPosition)) return vec4(0.0);
     if (primitiveDepth > primitiveHeader.x) return vec4(0.1, 0.2, 0.9, 0.6);
-    float asked = primitiveCount(LIGHT_SIDE > 0.0);
-    float many = min(asked / 8.0, 1.0);
-    return vec4(many, 1.0 - many, 0.0, asked > 0.0 ? 0.6 : 0.0);
+    float many = min(primitiveListLength(LIGHT_SIDE > 0.0) / 8.0, 1.0);
+    return vec4(many, 1.0 - many, 0.0, many > 0.0 ? 0.6 : 0.0);
 }
 #endif
 

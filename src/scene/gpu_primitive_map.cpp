@@ -62,7 +62,6 @@ GpuPrimitiveMap uploadPrimitiveMap(const PrimitiveMap& map,
     gpu.kind = kindOf(map.tiles);
     gpu.mapFromWorld = map.tiles.mapFromWorld;
     gpu.size = static_cast<float>(map.size);
-    gpu.splits = map.splits;
     gpu.longestList = static_cast<int>(std::bit_ceil(std::max(map.longestList, shortestBound)));
     gpu.header = gl::FloatTable(std::span(map.header), capabilities);
     gpu.entries = gl::FloatTable(std::span(map.entries), capabilities);

@@ -30,7 +30,6 @@ struct GpuPrimitiveMap {
     Kind kind = Kind::directional;
     glm::dmat4 mapFromWorld{1.0};
     float size = 0.0f;   ///< texels along a tile's edge
-    int splits = 0;      ///< PrimitiveMap::splits
     int longestList = 0; ///< or more: a power of 2, so that there are few programs
     gl::FloatTable header, entries, records;
     std::shared_ptr<const AlphaTexture> cutouts; ///< null: none of them is alpha-tested

@@ -1,5 +1,5 @@
-// Surfaces that are seen from their edge, a pixel wide and as deep as the scene: rounding of what a
-// rasteriser interpolates must not put them into their own shadow.
+// Surfaces that are seen from their edge, by the eye, a pixel wide and as deep as the scene, or by
+// the light: rounding of what a rasteriser interpolates must not put them into shadow.
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -10,11 +10,11 @@ namespace {
 
 constexpr int width = 960, height = 540;
 
-/// Of a box whose left side the light shines on, from an eye so far to the left of that side's
-/// plane, in the picture's right half: how many pixels of it are dark.
-int darkPixels(double beside, const Light& light) {
+/// Of a box whose left side the light shines on, as all others that are seen: how many pixels are
+/// dark.
+int darkPixels(const Camera& camera, const Light& light) {
     test::TestView view;
-    view.camera = {{-beside, 0.03, 5.0}, {-1.3, 0.0, 0.0}, 45.0};
+    view.camera = camera;
     view.lights = {light};
     view.width = width;
     view.height = height;
@@ -23,27 +23,44 @@ int darkPixels(double beside, const Light& light) {
     settings.shadows = ShadowMethod::primitiveMap;
     const auto mask = test::drawScene(
         test::SceneBuilder().box({0, -0.5f, -1}, {1, 0.5f, 1}).scene(), view, settings);
-    // The front is lit, too: nothing that is seen is dark, but for single pixels of an outline that
-    // show what is behind it.
     int dark = 0;
     for (std::size_t i = 0; i < mask.size(); i += 4)
         dark += mask[i + 3] != 0 && mask[i] == 0;
     return dark;
 }
 
-TEST(SurfacesFromTheirEdge, AreNotInTheirOwnShadow) {
-    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "needs float textures";
-    if (!test::hasDerivatives()) GTEST_SKIP() << "needs derivatives";
+class SurfacesFromTheirEdge : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "needs float textures";
+        if (!test::hasDerivatives()) GTEST_SKIP() << "needs derivatives";
+    }
+};
+
+/// To the left of the left side's plane, which is in the picture's right half. Single pixels of an
+/// outline may show what is behind it.
+TEST_F(SurfacesFromTheirEdge, AreNotInTheirOwnShadow) {
     int pictures = 0, spotted = 0;
     for (double beside = 0.001; beside < 0.1; beside += 0.0046)
         for (const Light& light :
              {test::sun({-1, 0.3, 0.5}), test::pointLight({-3, 1, 2}), test::sun({-0.3, 0.1, 1})}) {
-            const int dark = darkPixels(beside, light);
+            const Camera camera{{-beside, 0.03, 5.0}, {-1.3, 0.0, 0.0}, 45.0};
+            const int dark = darkPixels(camera, light);
             EXPECT_LE(dark, 1) << beside << " beside it";
             spotted += dark;
             ++pictures;
         }
     EXPECT_LT(spotted, pictures / 10);
+}
+
+TEST_F(SurfacesFromTheirEdge, AreLitWhereTheLightAllButLiesInThem) {
+    const Camera camera{{-4.0, 2.6, 0.1}, {0.3, 0.0, 0.0}, 45.0}; // sees the left side and the top
+    for (const double aside : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4}) {
+        EXPECT_LE(darkPixels(camera, test::sun({-aside, 0.8, 0.61})), 1) << aside;
+        EXPECT_LE(darkPixels(camera, test::pointLight({-aside, 2.3, 4.1})), 1) << aside;
+        // Of six tiles.
+        EXPECT_LE(darkPixels(camera, test::pointLight({-aside, 0.61, 0.27})), 1) << aside;
+    }
 }
 
 } // namespace

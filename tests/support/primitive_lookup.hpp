@@ -51,7 +51,6 @@ inline vec4 texture2D(sampler2D table, const vec2& at) {
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #define uniform
 #define highp
-#define PRIMITIVE_MAP_SPLITS 3
 #define PRIMITIVE_MAP_LONGEST 1000000
 struct OneTile {
 #include "shaders_es2/primitive_map_lookup.glsl"
@@ -67,7 +66,6 @@ struct Directional {
 };
 #undef PRIMITIVE_MAP_DIRECTIONAL
 #undef PRIMITIVE_MAP_LONGEST
-#undef PRIMITIVE_MAP_SPLITS
 #undef highp
 #undef uniform
 #pragma GCC diagnostic pop

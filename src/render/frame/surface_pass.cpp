@@ -87,6 +87,7 @@ void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const Bat
     bind(2, map.entries, "u_primitiveEntries", "u_primitiveEntriesSize");
     bind(3, map.records, "u_primitiveRecords", "u_primitiveRecordsSize");
     program.set("u_primitiveSize", map.size);
+    program.set("u_mapHand", glm::determinant(glm::dmat3(map.mapFromWorld)) < 0.0 ? -1.0f : 1.0f);
     if (map.cutouts) {
         glActiveTexture(GL_TEXTURE4);
         glBindTexture(GL_TEXTURE_2D, map.cutouts->texture.name());
@@ -97,12 +98,11 @@ void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const Bat
     program.set("u_mapFromObject", view.mapFromObject);
 }
 
-void addPrimitiveMapDefines(GpuPrimitiveMap::Kind kind, int splits, int longestList,
+void addPrimitiveMapDefines(GpuPrimitiveMap::Kind kind, int longestList,
                             std::vector<std::string>& defines) {
     defines.push_back("PRIMITIVE_MAP");
     if (kind == GpuPrimitiveMap::Kind::directional) defines.push_back("PRIMITIVE_MAP_DIRECTIONAL");
     if (kind == GpuPrimitiveMap::Kind::sixTiles) defines.push_back("PRIMITIVE_MAP_TILES");
-    defines.push_back("PRIMITIVE_MAP_SPLITS " + std::to_string(splits));
     defines.push_back("PRIMITIVE_MAP_LONGEST " + std::to_string(longestList));
 }
 
@@ -248,8 +248,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.alphaMode = material.alphaMode;
     if (shading.map) variant.map = shading.map->kind;
     if (shading.primitives)
-        variant.primitives = {shading.primitives->kind, shading.primitives->splits,
-                              shading.primitives->longestList,
+        variant.primitives = {shading.primitives->kind, shading.primitives->longestList,
                               shading.primitives->cutouts != nullptr, shading.tintPrimitives};
     variant.textured = scene.textures.has(material.baseColor());
     variant.catcher = material.ground == GroundMaterial::catcher && !shading.mask &&
@@ -301,8 +300,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
     }
     if (variant.primitives)
-        addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->splits,
-                               variant.primitives->longestList, defines);
+        addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->longestList, defines);
     if (variant.primitives && variant.primitives->cutouts)
         defines.push_back("PRIMITIVE_MAP_CUTOUTS");
     if (variant.sided) defines.push_back("SIDED");

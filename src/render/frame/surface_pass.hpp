@@ -79,7 +79,7 @@ class SurfacePass {
   private:
     struct PrimitiveMapVariant {
         GpuPrimitiveMap::Kind kind;
-        int splits, longestList;
+        int longestList;
         bool cutouts, tint;
 
         auto operator<=>(const PrimitiveMapVariant&) const = default;

@@ -23,14 +23,14 @@ struct PrimitiveMapSettings {
 struct PrimitiveMap {
     LightTiles tiles;
     int size = 0;
-    int splits = 0; ///< that were needed
     /// A texel (dark behind, reference) for each of the tiles' texels, row by row and tile by tile,
     /// then blocks of 4 x 4 for the parts of those that were divided. A reference is 0: no list; >
-    /// 0: where a list begins in `entries`; < 0: negated, where a block begins.
+    /// 0: where a list begins in `entries`, and a half more if light-facing casters need none of
+    /// it; < 0: negated, where a block begins.
     std::vector<glm::vec2> header;
-    /// Lists, one after the other from 1 on: (for light-facing casters, further ones for others),
-    /// then as many (record, nearest depth of the next one), from near to far; -1 - record of an
-    /// alpha-tested one.
+    /// Lists, one after the other from 1 on, of (name, nearest depth of the next one or neverDark)
+    /// from near to far. A name is the record's number or, of an alpha-tested one, -1 - that
+    /// number; and a half more if light-facing casters need none behind it.
     std::vector<glm::vec2> entries;
     /// Three texels a triangle: in xyz an edge each (Occluder::edges), in the fourth components the
     /// plane, moved away from the light by what rounding may place points behind it. Of an
@@ -50,7 +50,7 @@ struct PrimitiveMap {
 /// Beyond any depth.
 inline constexpr float neverDark = 1e30f;
 
-/// Numbers that a float holds exactly, so what references can name.
-inline constexpr std::size_t mostReferences = std::size_t{1} << 24;
+/// Numbers that a float holds exactly together with a half, so what references can name.
+inline constexpr std::size_t mostReferences = std::size_t{1} << 23;
 
 } // namespace edgeshade

@@ -23,6 +23,9 @@ constexpr double worthDividing = 0.75;
 /// that each footprint may take.
 constexpr std::size_t mostLooks = std::size_t{1} << 30, looksEach = 1000;
 
+/// Added to what names a list or a triangle: light-facing casters need no more of it.
+constexpr float endsHere = 0.5f;
+
 /// Up, so that no depth before it counts as behind.
 float roundedUp(double value) {
     if (!(value < neverDark)) return neverDark;
@@ -147,12 +150,11 @@ class PrimitiveMapBuilder::PartBuilder {
         if (!isLong || !areShorter(divided, found)) {
             texel.kind = Texel::Kind::list;
             texel.index = part_.lists.size();
-            builder_.charge(found.listed.size() + 1, 0);
+            builder_.charge(found.listed.size(), 0);
             part_.lists.push_back({part_.listed.size(), found.listed.size(), found.forCasters});
             part_.listed.insert(part_.listed.end(), found.listed.begin(), found.listed.end());
             return texel;
         }
-        part_.splits = std::max(part_.splits, splits + 1);
         texel.kind = Texel::Kind::block;
         texel.index = part_.blocks.size();
         part_.blocks.resize(part_.blocks.size() + divided.size());
@@ -285,15 +287,16 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
         std::vector<float> listAt(part.lists.size());
         for (std::size_t l = 0; l < part.lists.size(); ++l) {
             const List& list = part.lists[l];
-            listAt[l] = static_cast<float>(map.entries.size());
+            listAt[l] =
+                static_cast<float>(map.entries.size()) + (list.forCasters == 0 ? endsHere : 0.0f);
             map.longestList = std::max(map.longestList, list.count);
-            map.entries.emplace_back(list.forCasters, list.count - list.forCasters);
             const std::size_t end = list.first + list.count;
             for (std::size_t i = list.first; i < end; ++i) {
+                const float name = records.nameOf(prints[part.listed[i].print].occluder);
                 const float next =
                     i + 1 < end ? roundedDown(part.listed[i + 1].nearest) : neverDark;
-                map.entries.emplace_back(records.nameOf(prints[part.listed[i].print].occluder),
-                                         next);
+                const bool isLast = i + 1 == list.first + list.forCasters;
+                map.entries.emplace_back(name + (isLast ? endsHere : 0.0f), next);
             }
         }
         const std::size_t firstBlock = map.header.size();
@@ -312,7 +315,6 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
             const std::size_t y = static_cast<std::size_t>(part.y) + i / side;
             map.header[(part.tile * size + y) * size + x] = texelOf(part.texels[i]);
         }
-        map.splits = std::max(map.splits, part.splits);
     }
     const std::size_t most = std::max({map.header.size(), map.entries.size(), map.records.size()});
     if (map.bytes() > settings_.mostBytes || most > mostReferences) return std::nullopt;

@@ -45,7 +45,6 @@ class PrimitiveMapBuilder {
         std::vector<Texel> texels, blocks;
         std::vector<List> lists;
         std::vector<ListedOccluder> listed;
-        int splits = 0;
     };
     struct Tile {
         std::vector<Footprint> prints;
