@@ -4,11 +4,13 @@
 #include "src/gl/capabilities.hpp"
 #include "src/viewer/viewer.hpp"
 #include "web/commands.hpp"
+#include "web/map_maker.hpp"
+#include "web/page_bytes.hpp"
+#include "web/page_map_worker.hpp"
 #include "web/scene_reader.hpp"
 #include "web/scene_transfer.hpp"
 #include "web/sentence.hpp"
 
-#include <cstdlib>
 #include <emscripten/bind.h>
 #define GL_GLEXT_PROTOTYPES // their declarations
 #include <GLES2/gl2.h>
@@ -42,21 +44,34 @@ gl::Capabilities usableCapabilities() {
 /// The viewer of one element, on the context that is current whenever it is called.
 class PageViewer {
   public:
-    std::string start() {
-        return sentenceOfFailure(
-            [this] { viewer_ = std::make_unique<viewer::Viewer>(usableCapabilities()); });
+    /// `maps`: see PageMapWorker.
+    std::string start(emscripten::val maps) {
+        return sentenceOfFailure([&] {
+            maps_ = std::make_shared<PageMapWorker>(std::move(maps));
+            viewer_ = std::make_unique<viewer::Viewer>(usableCapabilities(),
+                                                       viewer::ViewerSettings{{}, {}, {}, maps_});
+        });
     }
 
     /// Takes over a scene from the worker: `size` bytes that malloc() gave, which it frees.
     std::string show(std::uintptr_t address, std::size_t size) {
         return sentenceOfFailure([&] {
-            auto* memory = reinterpret_cast<std::uint8_t*>(address);
-            std::unique_ptr<std::uint8_t, decltype(&std::free)> bytes(memory, std::free);
-            LoadedScene loaded = fromTransfer({bytes.get(), size});
+            std::optional<PageBytes> bytes(std::in_place, address, size);
+            LoadedScene loaded = fromTransfer(bytes->view());
             bytes.reset();
             viewer_->show(std::move(loaded));
         });
     }
+
+    /// Takes over a primitive map from the worker, likewise.
+    std::string takeMap(int ticket, std::uintptr_t address, std::size_t size) {
+        return sentenceOfFailure([&] {
+            const PageBytes bytes(address, size);
+            maps_->done(ticket, bytes.view());
+        });
+    }
+    /// No worker will ever answer.
+    void buildMapsHere() { maps_->fail(); }
 
     bool hasScene() const { return viewer_->hasScene(); }
     void resize(int width, int height, double pixelRatio) {
@@ -103,6 +118,7 @@ class PageViewer {
     }
 
   private:
+    std::shared_ptr<PageMapWorker> maps_;
     std::unique_ptr<viewer::Viewer> viewer_;
     std::string problem_;
 };
@@ -112,6 +128,8 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .constructor<>()
         .function("start", &PageViewer::start)
         .function("show", &PageViewer::show)
+        .function("takeMap", &PageViewer::takeMap)
+        .function("buildMapsHere", &PageViewer::buildMapsHere)
         .function("hasScene", &PageViewer::hasScene)
         .function("resize", &PageViewer::resize)
         .function("state", &PageViewer::state)
@@ -127,6 +145,12 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("lastProblem", &PageViewer::lastProblem)
         .function("forgetGpu", &PageViewer::forgetGpu)
         .function("restoreGpu", &PageViewer::restoreGpu);
+    emscripten::class_<MapMaker>("MapMaker")
+        .constructor<>()
+        .function("show", &MapMaker::show)
+        .function("begin", &MapMaker::begin)
+        .function("advance", &MapMaker::advance)
+        .function("result", &MapMaker::result);
     emscripten::class_<SceneReader>("SceneReader")
         .constructor<>()
         .function("read", &SceneReader::read)

@@ -6,6 +6,7 @@
 #include "src/image/webp.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/viewer/view_state.hpp"
+#include "web/page_bytes.hpp"
 #include "web/scene_transfer.hpp"
 #include "web/sentence.hpp"
 
@@ -13,10 +14,6 @@
 
 namespace edgeshade::web {
 namespace {
-
-emscripten::val viewOf(const Bytes& bytes) {
-    return emscripten::val(emscripten::typed_memory_view(bytes.size(), bytes.data()));
-}
 
 void enter(const emscripten::val& onStage, LoadStage stage) {
     onStage(std::string(nameOf(stage)));

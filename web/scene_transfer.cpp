@@ -4,110 +4,13 @@
 #include "preprocess/gltf/glb.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/packing/packed_file.hpp"
+#include "web/archive.hpp"
 
-#include <concepts>
-#include <cstring>
 #include <set>
-#include <type_traits>
 
 namespace edgeshade::web {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// T or const T, so that one list of fields does for writing and for reading.
-template <class A, class T>
-concept Maybe = std::same_as<std::remove_const_t<A>, T>;
-
-/// Appends plain values and vectors of them.
-class Writer {
-  public:
-    explicit Writer(Bytes& bytes) : bytes_(bytes) {}
-
-    template <class... T>
-    void operator()(const T&... values) {
-        (put(values), ...);
-    }
-
-  private:
-    template <class T>
-    void put(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        append(&value, sizeof value);
-    }
-    template <class T>
-    void put(const std::vector<T>& values) {
-        put(values.size());
-        if constexpr (std::is_trivially_copyable_v<T>)
-            append(values.data(), values.size() * sizeof(T));
-        else
-            for (const T& value : values)
-                transfer(*this, value);
-    }
-    void put(const std::string& text) {
-        put(text.size());
-        append(text.data(), text.size());
-    }
-    template <class T>
-    void put(const std::optional<std::vector<T>>& values) {
-        put(values.has_value());
-        if (values) put(*values);
-    }
-    void append(const void* data, std::size_t size) {
-        const auto* first = static_cast<const std::uint8_t*>(data);
-        bytes_.insert(bytes_.end(), first, first + size);
-    }
-
-    Bytes& bytes_;
-};
-
-/// Takes them out again.
-class Reader {
-  public:
-    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
-
-    template <class... T>
-    void operator()(T&... values) {
-        (take(values), ...);
-    }
-
-  private:
-    template <class T>
-    void take(T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        cut(&value, sizeof value);
-    }
-    template <class T>
-    void take(std::vector<T>& values) {
-        std::size_t count = 0;
-        take(count);
-        values.resize(count);
-        if constexpr (std::is_trivially_copyable_v<T>)
-            cut(values.data(), count * sizeof(T));
-        else
-            for (T& value : values)
-                transfer(*this, value);
-    }
-    void take(std::string& text) {
-        std::size_t size = 0;
-        take(size);
-        text.resize(size);
-        cut(text.data(), size);
-    }
-    template <class T>
-    void take(std::optional<std::vector<T>>& values) {
-        bool present = false;
-        take(present);
-        if (present) take(values.emplace());
-    }
-    void cut(void* data, std::size_t size) {
-        const auto part = bytes_.first(size);
-        if (size > 0) std::memcpy(data, part.data(), size);
-        bytes_ = bytes_.subspan(size);
-    }
-
-    std::span<const std::uint8_t> bytes_;
-};
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
@@ -136,6 +39,8 @@ void transfer(Archive& archive, Maybe<PlanePairShadow> auto& shadow) {
             shadow.groups, shadow.clusters, shadow.leaves, shadow.edges, shadow.flatPairs,
             shadow.flatEdges);
 }
+
+namespace {
 
 /// A GLB that has nothing but the images which materials use, at their indices, less those whose
 /// pixels are at hand.

@@ -18,25 +18,13 @@ namespace {
 #endif
 }
 
-/// Whether some surfaces are in no primitive map.
-bool othersReceive(const LoadedScene& loaded) {
-    const Scene& scene = loaded.scene;
-    return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
-        if (batch.ground) return loaded.showsGround;
-        return batch.isAnimated() ||
-               std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
-                   return !scene.materials[g.material].casts(false);
-               });
-    });
-}
-
 } // namespace
 
-PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
-                                 const PrimitiveMapSettings& settings, KeptEdges edges)
-    : light_(light), settings_(settings), materials_(&loaded.scene.materials),
-      smallest_(std::max(4, settings.size / 8)), edges_(std::move(edges)) {
-    settings_.othersReceive = othersReceive(loaded);
+PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTask& task,
+                                 KeptEdges edges)
+    : light_(task.light), settings_(task.settings), materials_(&loaded.scene.materials),
+      smallest_(std::max(4, task.settings.size / 8)), edges_(std::move(edges)) {
+    built_.light = light_.position;
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
         placed_.push_back({&batch, loaded.planePairs[i], batch.worldFromBatch, batch.isAnimated()});
@@ -50,7 +38,7 @@ void PrimitiveMapJob::start() {
         Stopwatch watch;
         while (!stop.stop_requested() && step()) {
         }
-        milliseconds_ = 1e3 * watch.lap();
+        built_.milliseconds = 1e3 * watch.lap();
         done_ = true;
     });
 #endif
@@ -70,7 +58,7 @@ bool PrimitiveMapJob::advance([[maybe_unused]] double milliseconds) {
         done_ = !step();
         worked += 1e3 * watch.lap();
     }
-    milliseconds_ += worked;
+    built_.milliseconds += worked;
 #endif
     return done_;
 }
@@ -82,7 +70,7 @@ void PrimitiveMapJob::finish() {
         builder_->buildAllParts();
         nextPart_ = builder_->partCount();
     }
-    milliseconds_ = 1e3 * watch.lap();
+    built_.milliseconds = 1e3 * watch.lap();
     done_ = true;
 }
 
@@ -97,12 +85,12 @@ bool PrimitiveMapJob::step() {
             cutouts_.push_back(
                 {std::make_shared<const CasterEdges>(cutoutEdgesOf(*of.batch, *materials_)),
                  of.worldFromBatch, true});
-    } else if (triangles_.size() < placed_.size()) {
-        const Placed& of = placed_[triangles_.size()];
-        triangles_.emplace_back();
+    } else if (built_.triangles.size() < placed_.size()) {
+        const Placed& of = placed_[built_.triangles.size()];
+        built_.triangles.emplace_back();
         if (!of.animated)
-            triangles_.back() = sidedTriangles(*of.batch, *materials_,
-                                               glm::inverse(of.worldFromBatch) * light_.position);
+            built_.triangles.back() = sidedTriangles(
+                *of.batch, *materials_, glm::inverse(of.worldFromBatch) * light_.position);
     } else if (joined_) {
         return false;
     } else if (!builder_) {
@@ -110,14 +98,14 @@ bool PrimitiveMapJob::step() {
         casters.insert(casters.end(), cutouts_.begin(), cutouts_.end());
         builder_ = std::make_unique<PrimitiveMapBuilder>(light_, casters, settings_);
         nextPart_ = 0;
-        joined_ = tooFar_ = builder_->isTooFar();
+        joined_ = built_.tooFar = builder_->isTooFar();
     } else if (nextPart_ < builder_->partCount()) {
         builder_->buildPart(nextPart_++);
     } else {
-        map_ = builder_->join();
+        built_.map = builder_->join();
         builder_.reset();
         settings_.size /= 2; // should it have been too large
-        joined_ = map_ || settings_.size < smallest_;
+        joined_ = built_.map || settings_.size < smallest_;
     }
     return true;
 }

@@ -18,16 +18,30 @@ namespace edgeshade {
 using KeptEdges =
     std::map<std::shared_ptr<const PlanePairShadow>, std::shared_ptr<const CasterEdges>>;
 
+/// What a primitive map is made from, beside the scene.
+struct PrimitiveMapTask {
+    Light light;
+    PrimitiveMapSettings settings; ///< `cutouts`: empty where MASK surfaces cast nothing
+};
+
+/// What came of it.
+struct BuiltPrimitiveMap {
+    glm::dvec4 light{0.0}; ///< its position
+    /// Nothing if it would take more memory or time than it may, or the light is too far off.
+    std::optional<PrimitiveMap> map;
+    bool tooFar = false;
+    std::vector<std::vector<SidedTriangles>> triangles; ///< by batch, by chunk
+    double milliseconds = 0.0;                          ///< that were worked
+};
+
 /// What a light's primitive map takes of the CPU: the map, and which side of the surfaces'
 /// triangles the light is on. Where there are threads it is worked at beside everything else, else
 /// part by part.
 class PrimitiveMapJob {
   public:
     /// The scene's batches and materials must stay as they are, but for where animated ones are,
-    /// until the job is gone. Those cast by volumes. `settings.cutouts`: empty where MASK surfaces
-    /// cast nothing.
-    PrimitiveMapJob(const LoadedScene& loaded, const Light& light,
-                    const PrimitiveMapSettings& settings, KeptEdges edges);
+    /// until the job is gone. Those cast by volumes.
+    PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTask& task, KeptEdges edges);
     ~PrimitiveMapJob() { cancel(); }
     PrimitiveMapJob(const PrimitiveMapJob&) = delete;
     PrimitiveMapJob& operator=(const PrimitiveMapJob&) = delete;
@@ -40,13 +54,9 @@ class PrimitiveMapJob {
     void finish();
 
     const glm::dvec4& light() const { return light_.position; }
-    /// Once all is done: nothing if it would take more memory or time than it may, or the light is
-    /// too far off.
-    const std::optional<PrimitiveMap>& map() const { return map_; }
-    bool isTooFar() const { return tooFar_; }
-    const std::vector<std::vector<SidedTriangles>>& triangles() const { return triangles_; }
+    /// Once all is done.
+    const BuiltPrimitiveMap& built() const { return built_; }
     const KeptEdges& edges() const { return edges_; }
-    double milliseconds() const { return milliseconds_; } ///< that were worked
 
   private:
     /// Returns whether there is more to do.
@@ -69,10 +79,7 @@ class PrimitiveMapJob {
     std::unique_ptr<PrimitiveMapBuilder> builder_;
     std::size_t nextPart_ = 0;
     bool joined_ = false;
-    bool tooFar_ = false;
-    std::optional<PrimitiveMap> map_;
-    std::vector<std::vector<SidedTriangles>> triangles_;
-    double milliseconds_ = 0.0;
+    BuiltPrimitiveMap built_;
     std::atomic<bool> done_ = false;
 #ifndef __EMSCRIPTEN__
     std::jthread thread_; ///< the last member: it ends before the others

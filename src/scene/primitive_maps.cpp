@@ -16,6 +16,18 @@ std::size_t silhouettesOf(const LoadedScene& loaded, const Light& light) {
     return count;
 }
 
+/// Whether some surfaces are in no primitive map.
+bool othersReceive(const LoadedScene& loaded) {
+    const Scene& scene = loaded.scene;
+    return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
+        if (batch.ground) return loaded.showsGround;
+        return batch.isAnimated() ||
+               std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
+                   return !scene.materials[g.material].casts(false);
+               });
+    });
+}
+
 } // namespace
 
 std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabilities& capabilities) {
@@ -52,7 +64,13 @@ const PrimitiveMapState* PrimitiveMaps::of(const Light& light) const {
 
 void PrimitiveMaps::clear() {
     job_.reset();
+    giveUp();
     kept_.clear();
+}
+
+void PrimitiveMaps::giveUp() {
+    if (asked_) worker_->giveUp();
+    asked_.reset();
 }
 
 std::size_t PrimitiveMaps::bytes() const {
@@ -69,6 +87,7 @@ void PrimitiveMaps::keepOnly(const std::vector<Light>& lights) {
     };
     std::erase_if(kept_, [&](const Kept& kept) { return isGone(kept.light); });
     if (job_ && isGone(job_->light())) job_.reset();
+    if (asked_ && isGone(*asked_)) giveUp();
 }
 
 bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
@@ -83,25 +102,30 @@ bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapC
     return false;
 }
 
-void PrimitiveMaps::take(const PrimitiveMapJob& job, const PrimitiveMapSettings& settings,
+/// Batches that whoever built it didn't know, the ground, have no sided triangles.
+void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
+                         const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
-    edges_ = job.edges();
-    PrimitiveMapState state{nullptr, "at rest", job.milliseconds()};
-    if (job.map())
-        state.map = std::make_shared<const GpuPrimitiveMap>(
-            uploadPrimitiveMap(*job.map(), job.triangles(), cutouts_, capabilities));
-    else if (job.isTooFar())
+    PrimitiveMapState state{nullptr, "at rest", built.milliseconds};
+    if (built.map) {
+        auto map = std::make_shared<GpuPrimitiveMap>(
+            uploadPrimitiveMap(*built.map, built.triangles, cutouts_, capabilities));
+        map->sided.resize(std::max(map->sided.size(), batches));
+        state.map = std::move(map);
+    } else if (built.tooFar) {
         state.why = "the light is too far from its casters for a primitive map";
-    else
+    } else {
         state.why = "a primitive map would take more than " + std::to_string(settings.mostBytes) +
                     " bytes, or minutes";
-    kept_.push_back({job.light(), std::move(state)});
+    }
+    kept_.push_back({built.light, std::move(state)});
 }
 
-PrimitiveMapSettings PrimitiveMaps::completed(const LoadedScene& loaded,
-                                              PrimitiveMapSettings settings,
-                                              const gl::Capabilities& capabilities) {
-    if (!loaded.cutoutsCast) return settings;
+PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& light,
+                                       PrimitiveMapSettings settings,
+                                       const gl::Capabilities& capabilities) {
+    settings.othersReceive = othersReceive(loaded);
+    if (!loaded.cutoutsCast) return {light, std::move(settings)};
     if (!cutouts_) {
         const CutoutAtlas atlas = cutoutAtlasOf(loaded, capabilities.largestTexture);
         textures_ = atlas.textures;
@@ -109,18 +133,29 @@ PrimitiveMapSettings PrimitiveMaps::completed(const LoadedScene& loaded,
             uploadAlpha(atlas.alpha, atlas.width, atlas.height));
     }
     settings.cutouts = textures_;
-    return settings;
+    return {light, std::move(settings)};
+}
+
+std::optional<PrimitiveMapTask> PrimitiveMaps::nextTask(const LoadedScene& loaded,
+                                                        const std::vector<Light>& lights,
+                                                        MapChoice choice,
+                                                        const PrimitiveMapSettings& settings,
+                                                        const gl::Capabilities& capabilities) {
+    for (const Light& light : lights)
+        if (needsJob(loaded, light, choice, capabilities))
+            return taskOf(loaded, light, settings, capabilities);
+    return std::nullopt;
 }
 
 void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<Light>& lights,
                          MapChoice choice, const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
     keepOnly(lights);
-    for (const Light& light : lights) {
-        if (!needsJob(loaded, light, choice, capabilities)) continue;
-        PrimitiveMapJob job(loaded, light, completed(loaded, settings, capabilities), edges_);
+    while (const auto task = nextTask(loaded, lights, choice, settings, capabilities)) {
+        PrimitiveMapJob job(loaded, *task, edges_);
         job.finish();
-        take(job, settings, capabilities);
+        edges_ = job.edges();
+        take(job.built(), loaded.scene.batches.size(), settings, capabilities);
     }
 }
 
@@ -128,17 +163,30 @@ bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<Light>&
                             MapChoice choice, const PrimitiveMapSettings& settings,
                             const gl::Capabilities& capabilities, double milliseconds) {
     keepOnly(lights);
-    if (!job_)
-        for (const Light& light : lights) {
-            if (!needsJob(loaded, light, choice, capabilities)) continue;
-            job_ = std::make_unique<PrimitiveMapJob>(
-                loaded, light, completed(loaded, settings, capabilities), edges_);
-            job_->start();
-            break;
+    const bool helped = worker_ && worker_->works();
+    if (!helped) asked_.reset();
+    if (!job_ && !(helped && asked_))
+        if (const auto task = nextTask(loaded, lights, choice, settings, capabilities)) {
+            if (helped) {
+                worker_->ask(*task);
+                asked_ = task->light.position;
+            } else {
+                job_ = std::make_unique<PrimitiveMapJob>(loaded, *task, edges_);
+                job_->start();
+            }
         }
+    const std::size_t batches = loaded.scene.batches.size();
+    if (helped && asked_) {
+        const auto built = worker_->take();
+        if (!built) return false;
+        asked_.reset();
+        take(*built, batches, settings, capabilities);
+        return true;
+    }
     if (!job_ || !job_->advance(milliseconds)) return false;
     const auto job = std::move(job_);
-    take(*job, settings, capabilities);
+    edges_ = job->edges();
+    take(job->built(), batches, settings, capabilities);
     return true;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/scene/primitive_map_job.hpp"
+#include "src/scene/primitive_map_worker.hpp"
 
 #include <string>
 
@@ -23,13 +23,16 @@ enum class MapChoice {
 /// are counted. clear() comes before the scene goes, or static batches move.
 class PrimitiveMaps {
   public:
+    /// Has maps built there from now on where they are built in the background.
+    void buildWith(std::shared_ptr<PrimitiveMapWorker> worker) { worker_ = std::move(worker); }
+
     /// Has maps of all lights, and of no others, when it returns. Throws Error(unavailable) if the
     /// GL can't.
     void make(const LoadedScene& loaded, const std::vector<Light>& lights, MapChoice choice,
               const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities);
 
     /// The same in the background, light after light: returns whether one has been finished. Where
-    /// there are no threads it works for so long.
+    /// there are neither threads nor a worker it works for so long.
     bool advance(const LoadedScene& loaded, const std::vector<Light>& lights, MapChoice choice,
                  const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities,
                  double milliseconds);
@@ -50,17 +53,25 @@ class PrimitiveMaps {
     /// Settles what needs no map; returns whether the light needs one.
     bool needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
                   const gl::Capabilities& capabilities);
-    /// The settings with what MASK surfaces are cut out by, if they cast.
-    PrimitiveMapSettings completed(const LoadedScene& loaded, PrimitiveMapSettings settings,
-                                   const gl::Capabilities& capabilities);
-    void take(const PrimitiveMapJob& job, const PrimitiveMapSettings& settings,
-              const gl::Capabilities& capabilities);
+    /// The first light's that needs a job; nothing: none does.
+    std::optional<PrimitiveMapTask> nextTask(const LoadedScene& loaded,
+                                             const std::vector<Light>& lights, MapChoice choice,
+                                             const PrimitiveMapSettings& settings,
+                                             const gl::Capabilities& capabilities);
+    /// With what the scene adds to the settings: what MASK surfaces are cut out by, if they cast.
+    PrimitiveMapTask taskOf(const LoadedScene& loaded, const Light& light,
+                            PrimitiveMapSettings settings, const gl::Capabilities& capabilities);
+    void take(const BuiltPrimitiveMap& built, std::size_t batches,
+              const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities);
+    void giveUp();
 
     std::vector<Kept> kept_;
     KeptEdges edges_;
     CutoutTextures textures_;                     ///< once they were asked for
     std::shared_ptr<const AlphaTexture> cutouts_; ///< the atlas on the GPU
     std::unique_ptr<PrimitiveMapJob> job_;        ///< in the background
+    std::shared_ptr<PrimitiveMapWorker> worker_;  ///< null: there is none
+    std::optional<glm::dvec4> asked_;             ///< the light whose map it builds
 };
 
 /// Whether any light of the scene may get a map; false is certain.

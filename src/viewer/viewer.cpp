@@ -109,6 +109,7 @@ Viewer::Parts::makeGpu(const gl::Capabilities& capabilities) const {
     auto made = std::make_unique<Gpu>(capabilities, render);
     if (loaded) {
         made->scene = uploadScene(*loaded, made->recordsOf(state.left), capabilities);
+        made->scene->primitiveMaps.buildWith(settings.mapWorker);
         addVolumesFor(state, *made);
     }
     return made;
@@ -331,6 +332,7 @@ void Viewer::show(LoadedScene scene) {
     parts.state.castCutouts = parts.loaded->cutoutsCast;
     if (parts.gpu) {
         parts.gpu->scene = std::move(uploaded);
+        parts.gpu->scene->primitiveMaps.buildWith(parts.settings.mapWorker);
         parts.addVolumesFor(parts.state, *parts.gpu);
     }
     parts.interaction = Interaction();

@@ -38,6 +38,8 @@ struct ViewerSettings {
     RenderSettings render;             ///< without what SideSettings has, ambient and layout
     std::optional<SidesLayout> layout; ///< nothing: the best that the context has
     DepthChoice depth;
+    /// Where primitive maps are built that aren't needed at once; null: by the viewer.
+    std::shared_ptr<PrimitiveMapWorker> mapWorker;
 };
 
 /// One viewer, the same in a window and in a browser: state, camera and light control, animation,

@@ -40,19 +40,51 @@ class ViewerMaps : public testing::Test {
         viewer.change(Json::parse(R"({"show_lights": false, "lights": [[0.4, 1, 0.3, 0]]})"));
     }
 
-    std::string method() const { return viewer.stats().lights.at(0).method; }
+    static std::string methodOf(const Viewer& of) { return of.stats().lights.at(0).method; }
+    std::string method() const { return methodOf(viewer); }
 
     /// Draws until nothing more is wanted, a minute by the clock at most; `now` goes on.
-    void settle() {
-        for (int i = 0; i < 6000 && viewer.wantsFrame(); ++i) {
+    void settle(Viewer& of) {
+        for (int i = 0; i < 6000 && of.wantsFrame(); ++i) {
             now += 0.01;
-            if (!viewer.frame(now)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            if (!of.frame(now)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
     }
+    void settle() { settle(viewer); }
 
     gl::HeadlessContext context{test::testPicture(width, height)};
     Viewer viewer{context.capabilities()};
     double now = 1.0;
+};
+
+/// Builds maps of the scene as it was read, without a ground, when it is let.
+class TestWorker : public PrimitiveMapWorker {
+  public:
+    explicit TestWorker(LoadedScene scene) : scene_(std::move(scene)) {}
+
+    bool works() const override { return working; }
+    void ask(const PrimitiveMapTask& task) override {
+        ++asked;
+        task_ = task;
+    }
+    void giveUp() override {
+        ++givenUp;
+        task_.reset();
+    }
+    std::optional<BuiltPrimitiveMap> take() override {
+        if (!mayAnswer || !task_) return std::nullopt;
+        PrimitiveMapJob job(scene_, *task_, {});
+        job.finish();
+        task_.reset();
+        return job.built();
+    }
+
+    bool working = true, mayAnswer = false;
+    int asked = 0, givenUp = 0;
+
+  private:
+    LoadedScene scene_;
+    std::optional<PrimitiveMapTask> task_;
 };
 
 std::size_t differing(const Pixels& a, const Pixels& b) {
@@ -117,6 +149,54 @@ TEST_F(ViewerMaps, ALightIsCountedWhileItMovesAndLookedUpOnceItRests) {
     EXPECT_EQ(viewer.stats().primitiveMapBytes, 0u); // the old one is gone
     settle();
     EXPECT_EQ(method(), "primitive-map");
+}
+
+TEST_F(ViewerMaps, AWorkerBuildsThemWhereThereIsOne) {
+    if (test::testLimits() != gl::Limits::device) GTEST_SKIP() << "no float textures";
+    settle();
+    const Pixels byItself = context.readPixels();
+
+    const auto worker = std::make_shared<TestWorker>(loadedOf(manyBoxes()));
+    ViewerSettings settings;
+    settings.mapWorker = worker;
+    Viewer helped(context.capabilities(), settings);
+    helped.resize(width, height, 1.0);
+    helped.show(loadedOf(manyBoxes()));
+    const auto move = [&](double x) {
+        helped.change({{"show_lights", false}, {"lights", {{x, 1, 0.3, 0}}}});
+    };
+    const auto wait = [&] {
+        for (int i = 0; i < 100; ++i)
+            helped.frame(now += 0.01);
+    };
+    move(0.1);
+    wait();
+    EXPECT_EQ(methodOf(helped), "volumes") << "it has no answer yet";
+    EXPECT_TRUE(helped.wantsFrame());
+    EXPECT_EQ(worker->asked, 1);
+    EXPECT_EQ(worker->givenUp, 0);
+    move(0.4);
+    wait();
+    EXPECT_EQ(worker->asked, 2) << "for another light";
+    EXPECT_EQ(worker->givenUp, 1);
+    worker->mayAnswer = true;
+    settle(helped);
+    EXPECT_EQ(methodOf(helped), "primitive-map");
+    EXPECT_EQ(worker->asked, 2);
+    EXPECT_EQ(context.readPixels(), byItself);
+
+    worker->mayAnswer = false;
+    move(0.2);
+    wait();
+    helped.show(loadedOf(manyBoxes()));
+    EXPECT_EQ(worker->givenUp, 2) << "another scene's is of no use";
+
+    move(0.4);
+    wait();
+    worker->working = false;
+    settle(helped);
+    EXPECT_EQ(methodOf(helped), "primitive-map") << "by itself";
+    EXPECT_EQ(worker->asked, 4);
 }
 
 TEST_F(ViewerMaps, ALightThatIsDraggedGetsNone) {

@@ -1,5 +1,7 @@
 #include "web/scene_transfer.hpp"
 
+#include "web/map_transfer.hpp"
+
 #include "preprocess/gltf/gltf_document.hpp"
 #include "src/scene/load.hpp"
 #include "tests/support/gltf_builder.hpp"
@@ -74,6 +76,64 @@ TEST(SceneTransfer, CamerasAndLightsGoAlong) {
     EXPECT_EQ(taken.scene.lights[0].color, glm::dvec3(1, 0.5, 0));
     EXPECT_EQ(taken.scene.lights[0].range, 7.0);
     EXPECT_EQ(taken.scene.lights[0].outerCone, 0.5);
+}
+
+TEST(MapTransfer, TasksGoThereAndMapsComeBack) {
+    GltfBuilder gltf;
+    gltf.addShapeNode(box(glm::vec3(1.0f)));
+    const int above = gltf.addShapeNode(box(glm::vec3(0.5f)));
+    gltf.json["nodes"][above]["translation"] = {0, 2, 0};
+    const TempFolder folder;
+    const LoadedScene loaded = loadScene(folder.write("scene.glb", gltf.glb()), std::nullopt);
+    for (const glm::dvec4& light : {glm::dvec4(0.3, 1, 0.2, 0), glm::dvec4(0, 1.2, 0, 1)}) {
+        PrimitiveMapTask task;
+        task.light.position = light;
+        task.light.cone = Cone();
+        task.settings.size = 64;
+        task.settings.splitAbove = 1;
+        task.settings.othersReceive = true;
+        task.settings.cutouts.resize(2);
+        task.settings.cutouts[1].cutoff = 0.25f;
+        const PrimitiveMapTask there = web::taskFromTransfer(web::toTransfer(task));
+        EXPECT_EQ(there.light.position, light);
+        EXPECT_EQ(there.light.range, task.light.range);
+        ASSERT_TRUE(there.light.cone);
+        EXPECT_EQ(there.light.cone->outer, task.light.cone->outer);
+        EXPECT_EQ(there.settings.cutouts.at(1).cutoff, 0.25f);
+
+        PrimitiveMapJob here(loaded, task, {}), elsewhere(loaded, there, {});
+        here.finish();
+        elsewhere.finish();
+        const BuiltPrimitiveMap& built = here.built();
+        const BuiltPrimitiveMap back = web::builtFromTransfer(web::toTransfer(elsewhere.built()));
+        ASSERT_TRUE(built.map && back.map);
+        EXPECT_EQ(back.light, light);
+        EXPECT_EQ(back.map->tiles.tiles, built.map->tiles.tiles);
+        EXPECT_EQ(back.map->tiles.mapFromWorld, built.map->tiles.mapFromWorld);
+        EXPECT_EQ(back.map->size, 64);
+        EXPECT_EQ(back.map->longestList, built.map->longestList);
+        EXPECT_EQ(back.map->header, built.map->header);
+        EXPECT_EQ(back.map->entries, built.map->entries);
+        EXPECT_EQ(back.map->records, built.map->records);
+        ASSERT_EQ(back.triangles.size(), built.triangles.size());
+        ASSERT_EQ(back.triangles[0].size(), built.triangles[0].size());
+        for (std::size_t chunk = 0; chunk < built.triangles[0].size(); ++chunk) {
+            EXPECT_EQ(back.triangles[0][chunk].lightSide, built.triangles[0][chunk].lightSide);
+            EXPECT_EQ(back.triangles[0][chunk].indices, built.triangles[0][chunk].indices);
+            EXPECT_EQ(back.triangles[0][chunk].vertices.size(),
+                      built.triangles[0][chunk].vertices.size());
+        }
+    }
+}
+
+TEST(MapTransfer, ALightThatIsTooFarHasNoMap) {
+    BuiltPrimitiveMap built;
+    built.tooFar = true;
+    built.milliseconds = 3.5;
+    const BuiltPrimitiveMap back = web::builtFromTransfer(web::toTransfer(built));
+    EXPECT_TRUE(back.tooFar);
+    EXPECT_FALSE(back.map);
+    EXPECT_EQ(back.milliseconds, 3.5);
 }
 
 } // namespace edgeshade::test

@@ -8,6 +8,8 @@ import { FrameLoop } from './frame-loop.js';
 import { listenForGestures } from './gestures.js';
 import { createContext, register, unregister } from './graphics.js';
 import { look } from './look.js';
+import { MapMaker } from './map-maker.js';
+import { putBytes } from './memory.js';
 import { Notices } from './notices.js';
 import { watchPictureSize } from './picture-size.js';
 import { Progress } from './progress.js';
@@ -27,6 +29,8 @@ export class EdgeshadeViewer extends HTMLElement {
   #progress;
   #loop;
   #loader = new SceneLoader();
+  #maps = new MapMaker((ticket, bytes) => this.#takeMap(ticket, bytes),
+    () => this.#viewer?.buildMapsHere());
   #started = null; // a promise, once connected
   #program = null;
   #context = null;
@@ -63,6 +67,7 @@ export class EdgeshadeViewer extends HTMLElement {
       watchTheme(() => this.#takeBackground()),
     ];
     this.#stopWatching = () => watches.forEach((stop) => stop());
+    this.#maps.resume();
     this.#loop.wake();
   }
 
@@ -70,6 +75,7 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#stopWatching();
     this.#loop.stop();
     this.#loader.cancel();
+    this.#maps.stop();
   }
 
   attributeChangedCallback(name, before, after) {
@@ -176,7 +182,7 @@ export class EdgeshadeViewer extends HTMLElement {
       this.#program = await instantiate(await compiledModule());
       this.#handle = register(this.#program, this.#context);
       const viewer = new this.#program.Viewer();
-      const problem = viewer.start();
+      const problem = viewer.start(this.#maps);
       if (problem) throw new Error(problem);
       this.#viewer = viewer;
       this.#resize(this.#canvas.width, this.#canvas.height, window.devicePixelRatio || 1);
@@ -247,13 +253,20 @@ export class EdgeshadeViewer extends HTMLElement {
 
   #upload(bytes) {
     if (this.#lost) throw new Error('The graphics context is lost at the moment: please try again.');
-    const program = this.#program;
-    const address = program._malloc(bytes.byteLength);
-    if (!address) throw new Error('The scene needs more memory than the browser gives a page.');
-    program.HEAPU8.set(bytes, address);
     this.#makeCurrent();
-    const problem = this.#viewer.show(address, bytes.byteLength);
+    const problem = this.#viewer.show(...putBytes(this.#program, bytes));
     if (problem) throw new Error(problem);
+    this.#maps.show(bytes);
+  }
+
+  #takeMap(ticket, bytes) {
+    try {
+      if (this.#viewer.takeMap(ticket, ...putBytes(this.#program, bytes)))
+        this.#viewer.buildMapsHere();
+    } catch {
+      this.#viewer.buildMapsHere();
+    }
+    this.#loop.wake();
   }
 
   #goHome() {

@@ -1,4 +1,4 @@
-// Lights at rest are looked up in primitive maps, built between frames.
+// Lights at rest are looked up in primitive maps, which a worker builds.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -38,6 +38,70 @@ test('by itself the viewer counts while a light moves and looks up once it rests
   await lookedUp(page);
   await change(page, { lights: [[1.6, 2.2, 2, 1]] });
   assert.equal((await lightsOf(page))[0].method, 'volumes');
+  await lookedUp(page);
+  await shared.check(page);
+});
+
+/** Keeps the addresses of all workers in window.workers. */
+function keepWorkers() {
+  window.workers = [];
+  window.Worker = class extends window.Worker {
+    constructor(address, options) {
+      super(address, options);
+      window.workers.push(String(address));
+    }
+  };
+}
+
+/** No worker but the one that reads scenes. */
+function refuseMapWorkers() {
+  window.Worker = class extends window.Worker {
+    constructor(address, options) {
+      if (String(address).includes('map-worker')) throw new Error('refused');
+      super(address, options);
+    }
+  };
+}
+
+const mapWorkers = (page) =>
+  page.evaluate(() => window.workers.filter((address) => address.includes('map-worker')).length);
+
+test('one worker builds the maps of one light after the other', async () => {
+  const page = await shared.open('/tests/plain.html', { init: keepWorkers });
+  await change(page, { left: { shadows: 'primitive-map' } });
+  await lookedUp(page);
+  await change(page, { lights: [[1.6, 2.2, 2, 1]] });
+  await lookedUp(page);
+  assert.equal(await mapWorkers(page), 1);
+  await shared.check(page);
+});
+
+test('without such a worker maps are built between frames', async () => {
+  const page = await shared.open('/tests/plain.html', { init: refuseMapWorkers });
+  await change(page, { left: { shadows: 'primitive-map' } });
+  await lookedUp(page);
+  await shared.check(page);
+});
+
+test('a worker that can\'t be had is not waited for', async () => {
+  const page = await shared.open('/tests/plain.html');
+  await page.route('**/map-worker.js', (route) => route.abort());
+  await change(page, { left: { shadows: 'primitive-map' } });
+  await lookedUp(page);
+  await shared.check(page, [/map-worker|Failed to load resource/]);
+});
+
+test('a viewer that leaves the page and comes back gets its map', async () => {
+  const page = await shared.open('/tests/plain.html');
+  await page.evaluate(async () => {
+    const viewer = document.querySelector('edgeshade-viewer');
+    viewer.change({ left: { shadows: 'primitive-map' }, lights: [[1.3, 2.2, 2, 1]] });
+    for (let i = 0; i < 60; ++i) await new Promise((resolve) => requestAnimationFrame(resolve));
+    const { parentNode } = viewer;
+    viewer.remove();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    parentNode.append(viewer);
+  });
   await lookedUp(page);
   await shared.check(page);
 });

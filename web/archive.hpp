@@ -1,0 +1,115 @@
+#pragma once
+
+#include "preprocess/base/file_io.hpp"
+
+#include <concepts>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace edgeshade::web {
+
+/// What passes between two instances of this same program, as bytes: plain values as they are in
+/// memory. For a class that is more a function says which fields there are, for both ways:
+///
+///     template <class Archive> void transfer(Archive& archive, Maybe<Class> auto& value)
+
+/// T or const T, so that one list of fields does for writing and for reading.
+template <class A, class T>
+concept Maybe = std::same_as<std::remove_const_t<A>, T>;
+
+/// Appends plain values and vectors of them.
+class Writer {
+  public:
+    explicit Writer(Bytes& bytes) : bytes_(bytes) {}
+
+    template <class... T>
+    void operator()(const T&... values) {
+        (put(values), ...);
+    }
+
+  private:
+    template <class T>
+    void put(const T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        append(&value, sizeof value);
+    }
+    template <class T>
+    void put(const std::vector<T>& values) {
+        put(values.size());
+        if constexpr (std::is_trivially_copyable_v<T>)
+            append(values.data(), values.size() * sizeof(T));
+        else
+            for (const T& value : values)
+                transfer(*this, value);
+    }
+    void put(const std::string& text) {
+        put(text.size());
+        append(text.data(), text.size());
+    }
+    template <class T>
+    void put(const std::optional<std::vector<T>>& values) {
+        put(values.has_value());
+        if (values) put(*values);
+    }
+    void append(const void* data, std::size_t size) {
+        const std::size_t end = bytes_.size();
+        bytes_.resize(end + size);
+        if (size > 0) std::memcpy(bytes_.data() + end, data, size);
+    }
+
+    Bytes& bytes_;
+};
+
+/// Takes them out again.
+class Reader {
+  public:
+    explicit Reader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+    template <class... T>
+    void operator()(T&... values) {
+        (take(values), ...);
+    }
+
+  private:
+    template <class T>
+    void take(T& value) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        cut(&value, sizeof value);
+    }
+    template <class T>
+    void take(std::vector<T>& values) {
+        std::size_t count = 0;
+        take(count);
+        values.resize(count);
+        if constexpr (std::is_trivially_copyable_v<T>)
+            cut(values.data(), count * sizeof(T));
+        else
+            for (T& value : values)
+                transfer(*this, value);
+    }
+    void take(std::string& text) {
+        std::size_t size = 0;
+        take(size);
+        text.resize(size);
+        cut(text.data(), size);
+    }
+    template <class T>
+    void take(std::optional<std::vector<T>>& values) {
+        bool present = false;
+        take(present);
+        if (present) take(values.emplace());
+    }
+    void cut(void* data, std::size_t size) {
+        const auto part = bytes_.first(size);
+        if (size > 0) std::memcpy(data, part.data(), size);
+        bytes_ = bytes_.subspan(size);
+    }
+
+    std::span<const std::uint8_t> bytes_;
+};
+
+} // namespace edgeshade::web

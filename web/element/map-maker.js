@@ -1,0 +1,88 @@
+// Has primitive maps built in a worker, so that drawing goes on meanwhile. The worker is there while
+// it is asked something, and for some seconds more: a light that was moved once is moved again.
+
+import { compiledModule } from './runtime.js';
+
+const idleMilliseconds = 10_000;
+
+export class MapMaker {
+  #onMap;
+  #onFailure;
+  #scene = null; // a Blob: the browser may keep it elsewhere than in memory
+  #worker = null;
+  #pending = null; // {ticket, task} without an answer
+  #idle = 0;
+
+  /** `onMap` gets (ticket, bytes); `onFailure` is called where no worker will ever answer. */
+  constructor(onMap, onFailure) {
+    this.#onMap = onMap;
+    this.#onFailure = onFailure;
+  }
+
+  /** Maps are of this scene from now on: the bytes that the page's program takes over. */
+  show(bytes) {
+    this.stop();
+    this.#pending = null;
+    this.#scene = new Blob([bytes]);
+  }
+
+  /** Asks for a map; the bytes of the task are copied. What was asked before is given up. */
+  ask(ticket, task) {
+    this.#pending = { ticket, task: task.slice() };
+    this.resume();
+  }
+
+  giveUp() {
+    this.#pending = null;
+    this.#worker?.postMessage({ ticket: 0 });
+    this.#rest();
+  }
+
+  /** Until resume() nothing is worked at. */
+  stop() {
+    clearTimeout(this.#idle);
+    this.#worker?.terminate();
+    this.#worker = null;
+  }
+
+  resume() {
+    if (!this.#pending) return;
+    clearTimeout(this.#idle);
+    this.#worker ??= this.#start();
+    this.#worker?.postMessage(this.#pending);
+  }
+
+  #rest() {
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(() => this.stop(), idleMilliseconds);
+  }
+
+  #start() {
+    try {
+      const worker = new Worker(new URL('./map-worker.js', import.meta.url), { type: 'module' });
+      worker.onmessage = ({ data }) => {
+        if (worker !== this.#worker) return;
+        if (data.failed) return this.#fail();
+        if (data.ticket !== this.#pending?.ticket) return;
+        this.#pending = null;
+        this.#rest();
+        this.#onMap(data.ticket, data.map);
+      };
+      worker.onerror = (event) => {
+        event.preventDefault();
+        if (worker === this.#worker) this.#fail();
+      };
+      compiledModule().then((module) => worker.postMessage({ module, scene: this.#scene }));
+      return worker;
+    } catch {
+      this.#fail();
+      return null;
+    }
+  }
+
+  #fail() {
+    this.stop();
+    this.#pending = null;
+    this.#onFailure();
+  }
+}

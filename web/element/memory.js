@@ -1,0 +1,9 @@
+// Memory of the program's.
+
+/** Puts bytes into the program's memory: [address, size], which what they are given to frees. */
+export function putBytes(program, bytes) {
+  const address = program._malloc(Math.max(bytes.byteLength, 1));
+  if (!address) throw new Error('That needs more memory than the browser gives a page.');
+  program.HEAPU8.set(bytes, address);
+  return [address, bytes.byteLength];
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "src/scene/primitive_map_worker.hpp"
+
+#include <emscripten/val.h>
+
+namespace edgeshade::web {
+
+/// The page's half of building primitive maps in a web worker. `maps`, an object of JavaScript's,
+/// has ask(ticket, bytes), which copies a task's bytes, and giveUp().
+class PageMapWorker : public PrimitiveMapWorker {
+  public:
+    explicit PageMapWorker(emscripten::val maps) : maps_(std::move(maps)) {}
+
+    bool works() const override { return works_; }
+    void ask(const PrimitiveMapTask& task) override;
+    void giveUp() override;
+    std::optional<BuiltPrimitiveMap> take() override;
+
+    /// What came of the task with this ticket; older ones' is thrown away.
+    void done(int ticket, std::span<const std::uint8_t> bytes);
+    void fail() { works_ = false; }
+
+  private:
+    emscripten::val maps_;
+    int ticket_ = 0;
+    bool works_ = true;
+    std::optional<BuiltPrimitiveMap> built_;
+};
+
+} // namespace edgeshade::web
