@@ -11,8 +11,10 @@ const change = (page, changes) =>
   page.evaluate((all) => document.querySelector('edgeshade-viewer').change(all), changes);
 const lightsOf = (page) =>
   page.evaluate(() => document.querySelector('edgeshade-viewer').stats.lights);
-const lookedUp = (page) => page.waitForFunction(() =>
-  document.querySelector('edgeshade-viewer').stats.lights.every(({ method }) => method === 'primitive-map'));
+const lookedUp = (page) => page.waitForFunction(() => {
+  const { lights } = document.querySelector('edgeshade-viewer').stats;
+  return lights.length > 0 && lights.every(({ method }) => method === 'primitive-map');
+});
 
 test('lights at rest see what the native program looks up', async () => {
   const page = await shared.open('/tests/plain.html');
