@@ -34,8 +34,10 @@ class Writer {
   private:
     template <class T>
     void put(const T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        append(&value, sizeof value);
+        if constexpr (std::is_trivially_copyable_v<T>)
+            append(&value, sizeof value);
+        else
+            transfer(*this, value);
     }
     template <class T>
     void put(const std::vector<T>& values) {
@@ -44,16 +46,16 @@ class Writer {
             append(values.data(), values.size() * sizeof(T));
         else
             for (const T& value : values)
-                transfer(*this, value);
+                put(value);
     }
     void put(const std::string& text) {
         put(text.size());
         append(text.data(), text.size());
     }
     template <class T>
-    void put(const std::optional<std::vector<T>>& values) {
-        put(values.has_value());
-        if (values) put(*values);
+    void put(const std::optional<T>& value) {
+        put(value.has_value());
+        if (value) put(*value);
     }
     void append(const void* data, std::size_t size) {
         const std::size_t end = bytes_.size();
@@ -77,8 +79,10 @@ class Reader {
   private:
     template <class T>
     void take(T& value) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        cut(&value, sizeof value);
+        if constexpr (std::is_trivially_copyable_v<T>)
+            cut(&value, sizeof value);
+        else
+            transfer(*this, value);
     }
     template <class T>
     void take(std::vector<T>& values) {
@@ -89,7 +93,7 @@ class Reader {
             cut(values.data(), count * sizeof(T));
         else
             for (T& value : values)
-                transfer(*this, value);
+                take(value);
     }
     void take(std::string& text) {
         std::size_t size = 0;
@@ -98,10 +102,10 @@ class Reader {
         cut(text.data(), size);
     }
     template <class T>
-    void take(std::optional<std::vector<T>>& values) {
+    void take(std::optional<T>& value) {
         bool present = false;
         take(present);
-        if (present) take(values.emplace());
+        if (present) take(value.emplace());
     }
     void cut(void* data, std::size_t size) {
         const auto part = bytes_.first(size);

@@ -64,10 +64,10 @@ class PageViewer {
     }
 
     /// Takes over a primitive map from the worker, likewise.
-    std::string takeMap(int ticket, std::uintptr_t address, std::size_t size) {
+    std::string takeMap(std::uintptr_t address, std::size_t size) {
         return sentenceOfFailure([&] {
             const PageBytes bytes(address, size);
-            maps_->done(ticket, bytes.view());
+            maps_->done(bytes.view());
         });
     }
     /// No worker will ever answer.

@@ -23,23 +23,33 @@ void transfer(Archive& archive, Maybe<SidedTriangles> auto& triangles) {
     archive(triangles.lightSide, triangles.vertices, triangles.details, triangles.indices);
 }
 
+template <class Archive>
+void transfer(Archive& archive, Maybe<BuiltPrimitiveMap> auto& built) {
+    archive(built.light, built.tooFar, built.milliseconds, built.map, built.triangles);
+}
+
 namespace {
+
+template <class T>
+Bytes given(const T& value) {
+    Bytes bytes;
+    Writer writer(bytes);
+    writer(value);
+    return bytes;
+}
 
 template <class T>
 T taken(std::span<const std::uint8_t> bytes) {
     T value;
     Reader reader(bytes);
-    transfer(reader, value);
+    reader(value);
     return value;
 }
 
 } // namespace
 
 Bytes toTransfer(const PrimitiveMapTask& task) {
-    Bytes bytes;
-    Writer writer(bytes);
-    transfer(writer, task);
-    return bytes;
+    return given(task);
 }
 
 PrimitiveMapTask taskFromTransfer(std::span<const std::uint8_t> bytes) {
@@ -47,28 +57,11 @@ PrimitiveMapTask taskFromTransfer(std::span<const std::uint8_t> bytes) {
 }
 
 Bytes toTransfer(const BuiltPrimitiveMap& built) {
-    Bytes bytes;
-    Writer writer(bytes);
-    writer(built.light, built.tooFar, built.milliseconds, built.map.has_value());
-    if (built.map) transfer(writer, *built.map);
-    writer(built.triangles.size());
-    for (const auto& batch : built.triangles)
-        writer(batch);
-    return bytes;
+    return given(built);
 }
 
 BuiltPrimitiveMap builtFromTransfer(std::span<const std::uint8_t> bytes) {
-    BuiltPrimitiveMap built;
-    Reader reader(bytes);
-    bool hasMap = false;
-    std::size_t batches = 0;
-    reader(built.light, built.tooFar, built.milliseconds, hasMap);
-    if (hasMap) transfer(reader, built.map.emplace());
-    reader(batches);
-    built.triangles.resize(batches);
-    for (auto& batch : built.triangles)
-        reader(batch);
-    return built;
+    return taken<BuiltPrimitiveMap>(bytes);
 }
 
 } // namespace edgeshade::web

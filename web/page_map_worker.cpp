@@ -10,12 +10,11 @@ namespace edgeshade::web {
 void PageMapWorker::ask(const PrimitiveMapTask& task) {
     built_.reset();
     const Bytes bytes = toTransfer(task);
-    maps_.call<void>("ask", ++ticket_, viewOf(bytes));
+    maps_.call<void>("ask", viewOf(bytes));
 }
 
 void PageMapWorker::giveUp() {
     built_.reset();
-    ++ticket_;
     maps_.call<void>("giveUp");
 }
 
@@ -23,8 +22,8 @@ std::optional<BuiltPrimitiveMap> PageMapWorker::take() {
     return std::exchange(built_, std::nullopt);
 }
 
-void PageMapWorker::done(int ticket, std::span<const std::uint8_t> bytes) {
-    if (ticket == ticket_) built_ = builtFromTransfer(bytes);
+void PageMapWorker::done(std::span<const std::uint8_t> bytes) {
+    built_ = builtFromTransfer(bytes);
 }
 
 } // namespace edgeshade::web

@@ -7,7 +7,7 @@
 namespace edgeshade::web {
 
 /// The page's half of building primitive maps in a web worker. `maps`, an object of JavaScript's,
-/// has ask(ticket, bytes), which copies a task's bytes, and giveUp().
+/// has ask(bytes), which copies a task's bytes, and giveUp().
 class PageMapWorker : public PrimitiveMapWorker {
   public:
     explicit PageMapWorker(emscripten::val maps) : maps_(std::move(maps)) {}
@@ -17,13 +17,12 @@ class PageMapWorker : public PrimitiveMapWorker {
     void giveUp() override;
     std::optional<BuiltPrimitiveMap> take() override;
 
-    /// What came of the task with this ticket; older ones' is thrown away.
-    void done(int ticket, std::span<const std::uint8_t> bytes);
+    /// What came of the task that was asked last.
+    void done(std::span<const std::uint8_t> bytes);
     void fail() { works_ = false; }
 
   private:
     emscripten::val maps_;
-    int ticket_ = 0;
     bool works_ = true;
     std::optional<BuiltPrimitiveMap> built_;
 };

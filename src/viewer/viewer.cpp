@@ -89,6 +89,7 @@ struct Viewer::Parts {
     std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< of that light
 
     std::unique_ptr<Gpu> makeGpu(const gl::Capabilities& capabilities) const;
+    GpuScene uploaded(const LoadedScene& scene, const Gpu& on) const;
     void addVolumesFor(const ViewState& of, Gpu& on) const;
     void adopt(const ViewState& next);
     void applyPose();
@@ -108,10 +109,15 @@ Viewer::Parts::makeGpu(const gl::Capabilities& capabilities) const {
     render.layout = settings.layout.value_or(bestLayout(capabilities));
     auto made = std::make_unique<Gpu>(capabilities, render);
     if (loaded) {
-        made->scene = uploadScene(*loaded, made->recordsOf(state.left), capabilities);
-        made->scene->primitiveMaps.buildWith(settings.mapWorker);
+        made->scene = uploaded(*loaded, *made);
         addVolumesFor(state, *made);
     }
+    return made;
+}
+
+GpuScene Viewer::Parts::uploaded(const LoadedScene& scene, const Gpu& on) const {
+    GpuScene made = uploadScene(scene, on.recordsOf(state.left), on.capabilities);
+    made.primitiveMaps.buildWith(settings.mapWorker);
     return made;
 }
 
@@ -321,9 +327,7 @@ void Viewer::show(LoadedScene scene) {
     if (!scene.ground) addGround(scene, Ground{});
     std::optional<GpuScene> uploaded;
     if (parts.gpu && parts.gpu->scene) parts.gpu->scene->primitiveMaps.clear();
-    if (parts.gpu)
-        uploaded =
-            uploadScene(scene, parts.gpu->recordsOf(parts.state.left), parts.gpu->capabilities);
+    if (parts.gpu) uploaded = parts.uploaded(scene, *parts.gpu);
     parts.loaded = std::move(scene);
     parts.animation = std::move(animation);
     parts.state.time = 0.0;
@@ -332,7 +336,6 @@ void Viewer::show(LoadedScene scene) {
     parts.state.castCutouts = parts.loaded->cutoutsCast;
     if (parts.gpu) {
         parts.gpu->scene = std::move(uploaded);
-        parts.gpu->scene->primitiveMaps.buildWith(parts.settings.mapWorker);
         parts.addVolumesFor(parts.state, *parts.gpu);
     }
     parts.interaction = Interaction();

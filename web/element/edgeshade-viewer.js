@@ -29,7 +29,7 @@ export class EdgeshadeViewer extends HTMLElement {
   #progress;
   #loop;
   #loader = new SceneLoader();
-  #maps = new MapMaker((ticket, bytes) => this.#takeMap(ticket, bytes),
+  #maps = new MapMaker((bytes) => this.#takeMap(bytes),
     () => this.#viewer?.buildMapsHere());
   #started = null; // a promise, once connected
   #program = null;
@@ -259,9 +259,9 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#maps.show(bytes);
   }
 
-  #takeMap(ticket, bytes) {
+  #takeMap(bytes) {
     try {
-      if (this.#viewer.takeMap(ticket, ...putBytes(this.#program, bytes)))
+      if (this.#viewer.takeMap(...putBytes(this.#program, bytes)))
         this.#viewer.buildMapsHere();
     } catch {
       this.#viewer.buildMapsHere();

@@ -11,9 +11,10 @@ export class MapMaker {
   #scene = null; // a Blob: the browser may keep it elsewhere than in memory
   #worker = null;
   #pending = null; // {ticket, task} without an answer
+  #ticket = 0;
   #idle = 0;
 
-  /** `onMap` gets (ticket, bytes); `onFailure` is called where no worker will ever answer. */
+  /** `onMap` gets the bytes of what was asked last; `onFailure` is called where no worker will ever answer. */
   constructor(onMap, onFailure) {
     this.#onMap = onMap;
     this.#onFailure = onFailure;
@@ -27,8 +28,8 @@ export class MapMaker {
   }
 
   /** Asks for a map; the bytes of the task are copied. What was asked before is given up. */
-  ask(ticket, task) {
-    this.#pending = { ticket, task: task.slice() };
+  ask(task) {
+    this.#pending = { ticket: ++this.#ticket, task: task.slice() };
     this.resume();
   }
 
@@ -66,7 +67,7 @@ export class MapMaker {
         if (data.ticket !== this.#pending?.ticket) return;
         this.#pending = null;
         this.#rest();
-        this.#onMap(data.ticket, data.map);
+        this.#onMap(data.map);
       };
       worker.onerror = (event) => {
         event.preventDefault();
