@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,6 +58,11 @@ class Writer {
         put(value.has_value());
         if (value) put(*value);
     }
+    template <class T>
+    void put(const std::shared_ptr<const T>& value) {
+        put(value != nullptr);
+        if (value) put(*value);
+    }
     void append(const void* data, std::size_t size) {
         const std::size_t end = bytes_.size();
         bytes_.resize(end + size);
@@ -106,6 +112,15 @@ class Reader {
         bool present = false;
         take(present);
         if (present) take(value.emplace());
+    }
+    template <class T>
+    void take(std::shared_ptr<const T>& value) {
+        bool present = false;
+        take(present);
+        if (!present) return;
+        const auto taken = std::make_shared<T>();
+        take(*taken);
+        value = taken;
     }
     void cut(void* data, std::size_t size) {
         const auto part = bytes_.first(size);

@@ -100,6 +100,7 @@ class PageViewer {
     }
     void wheel(double x, double y, double notches) { viewer_->wheel(x, y, notches); }
 
+    std::string animations() const { return nlohmann::ordered_json(viewer_->animations()).dump(); }
     double animationSeconds() const { return viewer_->animationSeconds(); }
     bool wantsFrame() const { return viewer_->wantsFrame(); }
     void invalidate() { viewer_->invalidate(); }
@@ -138,6 +139,7 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("run", &PageViewer::run)
         .function("pointer", &PageViewer::pointer)
         .function("wheel", &PageViewer::wheel)
+        .function("animations", &PageViewer::animations)
         .function("animationSeconds", &PageViewer::animationSeconds)
         .function("wantsFrame", &PageViewer::wantsFrame)
         .function("invalidate", &PageViewer::invalidate)

@@ -40,6 +40,7 @@ constexpr std::pair<std::string_view, Command> commands[] = {
     {"toggleDebug", Command::toggleDebug},
     {"toggleGround", Command::toggleGround},
     {"toggleLights", Command::toggleLights},
+    {"nextAnimation", Command::nextAnimation},
     {"togglePlaying", Command::togglePlaying},
     {"slower", Command::slower},
     {"faster", Command::faster},

@@ -13,10 +13,39 @@ namespace edgeshade::web {
 using Json = nlohmann::ordered_json;
 
 template <class Archive>
+void transfer(Archive& archive, Maybe<MorphTarget> auto& target) {
+    archive(target.positions, target.normals, target.tangents);
+}
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<SourceMesh> auto& mesh) {
+    archive(mesh.positions, mesh.normals, mesh.tangents, mesh.targets, mesh.influences.all,
+            mesh.influences.firstOf);
+}
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<DeformedPart> auto& part) {
+    archive(part.mesh, part.batchFromMesh, part.node, part.restWeights, part.firstVertex,
+            part.corners);
+}
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<Deformation> auto& deformation) {
+    archive(deformation.meshes, deformation.joints, deformation.parts);
+}
+
+template <class Archive>
+void transfer(Archive& archive, Maybe<RecordVertices> auto& vertices) {
+    archive(vertices.inBatch, vertices.pairs, vertices.singles, vertices.singlePlanes,
+            vertices.caps);
+}
+
+template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
     archive(batch.node, batch.worldFromBatch, batch.origin, batch.positions, batch.normals,
             batch.texcoords, batch.colors, batch.tangents, batch.indices, batch.groups,
-            batch.simplifiedCasters);
+            batch.simplifiedCasters, batch.deformation, batch.shape.batchFromMesh,
+            batch.shape.weights);
     for (auto& texcoords : batch.moreTexcoords)
         archive(texcoords);
 }
@@ -37,7 +66,7 @@ template <class Archive>
 void transfer(Archive& archive, Maybe<PlanePairShadow> auto& shadow) {
     archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.caps, shadow.capTriangles,
             shadow.groups, shadow.clusters, shadow.leaves, shadow.edges, shadow.flatPairs,
-            shadow.flatEdges);
+            shadow.flatEdges, shadow.vertices);
 }
 
 namespace {

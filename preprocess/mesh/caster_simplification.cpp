@@ -44,9 +44,10 @@ std::vector<std::uint32_t> simplified(const Batch& batch, const Casters& casters
 void simplifyCasters(Scene& scene, double error) {
     if (error <= 0.0) return;
     for (Batch& batch : scene.batches)
-        batch.simplifiedCasters =
-            simplified(batch, castingSurfacesOf(batch, scene.materials, false),
-                       error / longestAxis(batch.worldFromBatch));
+        if (!batch.deforms()) // else what is near in one pose is far in another
+            batch.simplifiedCasters =
+                simplified(batch, castingSurfacesOf(batch, scene.materials, false),
+                           error / longestAxis(batch.worldFromBatch));
 }
 
 } // namespace edgeshade

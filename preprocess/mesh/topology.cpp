@@ -39,9 +39,11 @@ Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bo
     return casters;
 }
 
-CasterMesh weldCasters(const Batch& batch, const Casters& casters) {
+namespace {
+
+CasterMesh grouped(WeldedMesh welded, const Casters& casters) {
     CasterMesh mesh;
-    mesh.welded = weld(batch.positions, casters.indices);
+    mesh.welded = std::move(welded);
     std::uint32_t cap = 0;
     const auto& source = mesh.welded.source;
     for (const SurfaceGroup& group : casters.groups) {
@@ -52,6 +54,17 @@ CasterMesh weldCasters(const Batch& batch, const Casters& casters) {
         if (cap > first) mesh.groups.push_back({group.material, first, cap - first});
     }
     return mesh;
+}
+
+} // namespace
+
+CasterMesh weldCasters(const Batch& batch, const Casters& casters) {
+    return grouped(weld(batch.positions, casters.indices), casters);
+}
+
+CasterMesh weldForRecords(const Batch& batch, const Casters& casters) {
+    if (!batch.deforms()) return weldCasters(batch, casters);
+    return grouped(weldAlike(batch.positions, alikeVertices(batch), casters.indices), casters);
 }
 
 std::uint64_t positionsHash(const Batch& batch, const Casters& surfaces) {

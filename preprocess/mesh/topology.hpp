@@ -36,6 +36,10 @@ struct CasterMesh {
 /// Welds the casters; triangles keep their order.
 CasterMesh weldCasters(const Batch& batch, const Casters& casters);
 
+/// The same for records that last for all poses: of a batch that deforms, vertices are one if they
+/// are at one place in whatever pose (alikeVertices()). Positions are sorted, but may repeat.
+CasterMesh weldForRecords(const Batch& batch, const Casters& casters);
+
 /// FNV-1a, 64 bit, over the bytes of every corner's position in order, little-endian. Tells
 /// whether shadow data belong to these surfaces; no defence against forgery.
 std::uint64_t positionsHash(const Batch& batch, const Casters& surfaces);

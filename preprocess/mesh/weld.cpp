@@ -49,27 +49,21 @@ Cell cellOf(const glm::vec3& position, double size) {
     return {cellOf(position.x, size), cellOf(position.y, size), cellOf(position.z, size)};
 }
 
-} // namespace
-
-WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+/// `distinctOf`: what each vertex that triangles use is welded to, numbered as they are met.
+WeldedMesh welded(const std::vector<glm::vec3>& positions,
+                  const std::vector<std::uint32_t>& distinctOf, std::size_t distinctCount,
+                  std::span<const std::uint32_t> indices) {
     WeldedMesh mesh;
-    if (indices.empty()) return mesh;
-    const std::vector<glm::vec3> clean = withoutNegativeZero(positions);
-
-    // Distinct positions that triangles use, in the order in which they are met.
-    std::vector<std::uint32_t> distinctOf(clean.size());
-    const std::size_t distinctCount =
-        meshopt_generateVertexRemap(distinctOf.data(), indices.data(), indices.size(), clean.data(),
-                                    clean.size(), sizeof(glm::vec3));
     std::vector<glm::vec3> distinct(distinctCount);
     for (const std::uint32_t index : indices)
-        distinct[distinctOf[index]] = clean[index];
+        distinct[distinctOf[index]] = positions[index];
 
     // Sort them, so that the order of indices is the order of positions.
     std::vector<std::uint32_t> sorted(distinctCount), rank(distinctCount);
     std::iota(sorted.begin(), sorted.end(), 0u);
     std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return orderedBefore(distinct[a], distinct[b]);
+        if (orderedBefore(distinct[a], distinct[b])) return true;
+        return a < b && !orderedBefore(distinct[b], distinct[a]);
     });
     mesh.positions.reserve(distinctCount);
     for (std::uint32_t i = 0; i < distinctCount; ++i) {
@@ -93,6 +87,32 @@ WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint3
         mesh.source.push_back(static_cast<std::uint32_t>(t));
     }
     return mesh;
+}
+
+} // namespace
+
+WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+    if (indices.empty()) return {};
+    const std::vector<glm::vec3> clean = withoutNegativeZero(positions);
+    std::vector<std::uint32_t> distinctOf(clean.size());
+    const std::size_t distinctCount =
+        meshopt_generateVertexRemap(distinctOf.data(), indices.data(), indices.size(), clean.data(),
+                                    clean.size(), sizeof(glm::vec3));
+    return welded(clean, distinctOf, distinctCount, indices);
+}
+
+WeldedMesh weldAlike(std::span<const glm::vec3> positions, std::span<const std::uint32_t> alike,
+                     std::span<const std::uint32_t> indices) {
+    if (indices.empty()) return {};
+    constexpr std::uint32_t unused = 0xFFFFFFFFu;
+    std::vector<std::uint32_t> distinctOf(positions.size(), unused);
+    std::uint32_t distinctCount = 0;
+    for (const std::uint32_t index : indices) {
+        std::uint32_t& first = distinctOf[alike[index]];
+        if (first == unused) first = distinctCount++;
+        distinctOf[index] = first;
+    }
+    return welded(withoutNegativeZero(positions), distinctOf, distinctCount, indices);
 }
 
 void snapPositions(std::vector<glm::vec3>& positions, double tolerance) {

@@ -31,6 +31,12 @@ struct WeldedMesh {
 /// positions: no NaN; `indices`: three a triangle, all below positions.size().
 WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
+/// Welds vertices that are alike, by what `alike` says of each: the first vertex that is like it.
+/// Triangles that have two like vertices are dropped. Positions are sorted too, but those of
+/// vertices that aren't alike may be equal.
+WeldedMesh weldAlike(std::span<const glm::vec3> positions, std::span<const std::uint32_t> alike,
+                     std::span<const std::uint32_t> indices);
+
 /// Moves every position that is closer than `tolerance` (> 0) to an earlier one onto the first
 /// such. The result depends on the order of the positions alone.
 void snapPositions(std::vector<glm::vec3>& positions, double tolerance);

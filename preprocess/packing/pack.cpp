@@ -59,6 +59,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
           {"caster-error", report.settings.casterError},
           {"flat-tolerance", report.settings.flatTolerance}}},
         {"variants", report.variants},
+        {"animations", partsJson(report.animations)},
         {"cameras", partsJson(report.cameras)},
         {"lights", partsJson(report.lights)},
         {"warnings", report.warnings},
@@ -97,16 +98,24 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
         report.castingSurfaceTriangles +=
             castingSurfacesOf(batch, input.scene.materials, settings.castMasked).indices.size() / 3;
     report.maxMultiplicity = sceneMultiplicity(input.topology);
-    for (const BatchTopology& batch : input.topology) {
-        report.casters += meshStatistics(batch.mesh.welded, batch.edges);
-        report.planePairs += costsOf(buildPlanePairs(batch.mesh, batch.edges, input.scene.materials,
-                                                     settings.flatTolerance));
+    const auto& materials = input.scene.materials;
+    for (std::size_t i = 0; i < input.topology.size(); ++i) {
+        const BatchTopology& topology = input.topology[i];
+        const Batch& batch = input.scene.batches[i];
+        report.casters += meshStatistics(topology.mesh.welded, topology.edges);
+        report.planePairs +=
+            costsOf(batch.deforms()
+                        ? buildPlanePairs(batch, castersOf(batch, materials, settings.castMasked),
+                                          materials, settings.flatTolerance)
+                        : buildPlanePairs(topology.mesh, topology.edges, materials,
+                                          settings.flatTolerance));
     }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;
     const auto fileBytes = std::filesystem::file_size(input.document.path, error);
     report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
     report.variants = variantNames(input.document);
+    report.animations = animationTitles(input.document);
     report.cameras = input.scene.cameras;
     report.lights = input.scene.lights;
     report.warnings = input.scene.warnings.sentences();

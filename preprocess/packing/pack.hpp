@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/packing/shadow_extension.hpp"
+#include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
 
 #include <nlohmann/json.hpp>
@@ -21,8 +22,9 @@ struct PackReport {
     double readSeconds = 0.0;
     BuildSeconds build;
     std::vector<std::string> variants; ///< names, as the document lists them
-    std::vector<SceneCamera> cameras;  ///< as the scene has them
-    std::vector<SceneLight> lights;    ///< likewise
+    std::vector<AnimationTitle> animations;
+    std::vector<SceneCamera> cameras; ///< as the scene has them
+    std::vector<SceneLight> lights;   ///< likewise
     std::vector<std::string> warnings;
 };
 

@@ -24,6 +24,13 @@ const char* nameOf(SceneLight::Kind kind) {
     }
 }
 
+Json partsJson(const std::vector<AnimationTitle>& animations) {
+    Json all = Json::array();
+    for (const AnimationTitle& title : animations)
+        all.push_back({{"index", title.index}, {"name", title.name}});
+    return all;
+}
+
 Json partsJson(const std::vector<SceneCamera>& cameras) {
     Json all = Json::array();
     for (const SceneCamera& camera : cameras) {

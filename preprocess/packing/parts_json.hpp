@@ -1,10 +1,14 @@
 #pragma once
 
+#include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/scene/scene.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace edgeshade {
+
+/// {"index", "name"} of each.
+nlohmann::ordered_json partsJson(const std::vector<AnimationTitle>& animations);
 
 /// {"name", "node", "from", "direction", and "fov" in degrees or "ortho", the picture's height in
 /// scene units} of each.

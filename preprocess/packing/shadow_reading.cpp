@@ -186,7 +186,7 @@ void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene
         reader.requireNode(batch.node);
         reader.requireHash(positionsHash(
             batch, castingSurfacesOf(batch, scene.materials, header.settings.castMasked)));
-        if (header.settings.casterError > 0.0)
+        if (header.settings.casterError > 0.0 && !batch.deforms())
             batch.simplifiedCasters =
                 reader.readSimplified(batch.positions.size(), batch.indices.size() / 3);
     }

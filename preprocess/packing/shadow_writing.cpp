@@ -75,7 +75,7 @@ void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
     AccessorWriter writer(json, binary);
     for (std::size_t i = 0; i < topology.size(); ++i) {
         Json batch = Json::object();
-        if (scene.batches[i].isAnimated()) batch["node"] = scene.batches[i].node;
+        if (scene.batches[i].node >= 0) batch["node"] = scene.batches[i].node;
         batch["positionsHash"] = hashText(topology[i].hash);
         if (const auto& casters = scene.batches[i].simplifiedCasters) {
             batch["simplifiedTriangles"] = casters->size() / 3;

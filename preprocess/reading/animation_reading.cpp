@@ -38,8 +38,17 @@ bool movesNode(const tinygltf::AnimationChannel& channel) {
            (path == "translation" || path == "rotation" || path == "scale");
 }
 
-bool movesNodes(const tinygltf::Animation& animation) {
-    return std::any_of(animation.channels.begin(), animation.channels.end(), movesNode);
+/// Whether it moves weights that the node's mesh has.
+bool movesWeights(const GltfDocument& document, const tinygltf::AnimationChannel& channel) {
+    if (channel.target_path != "weights" || channel.target_node < 0) return false;
+    return morphTargetCount(document, document.model->nodes.at(channel.target_node).mesh) > 0;
+}
+
+bool movesAnything(const GltfDocument& document, const tinygltf::Animation& animation) {
+    return std::any_of(animation.channels.begin(), animation.channels.end(),
+                       [&](const tinygltf::AnimationChannel& channel) {
+                           return movesNode(channel) || movesWeights(document, channel);
+                       });
 }
 
 /// The property's keyframes in the motion of its node.
@@ -60,18 +69,31 @@ class AnimationReader {
         const std::string field = "animations[" + std::to_string(index) + "]";
         Animation animation;
         for (const tinygltf::AnimationChannel& channel : source.channels) {
-            if (!movesNode(channel)) continue;
-            auto& keyframes =
-                keyframesOf(motionOf(animation, channel.target_node, field), channel.target_path);
-            if (keyframes)
-                throw InputError(document_.where(field) + " moves nodes[" +
-                                 std::to_string(channel.target_node) + "]." + channel.target_path +
-                                 " by two channels.");
-            keyframes =
-                readSampler(source.samplers.at(channel.sampler), channel.target_path == "rotation",
-                            field + ".samplers[" + std::to_string(channel.sampler) + "]");
+            const bool ofWeights = movesWeights(document_, channel);
+            if (!ofWeights && !movesNode(channel)) continue;
+            const std::string samplerField =
+                field + ".samplers[" + std::to_string(channel.sampler) + "]";
+            const tinygltf::AnimationSampler& sampler = source.samplers.at(channel.sampler);
+            const int node = channel.target_node;
+            const std::string& path = channel.target_path;
+            bool isFirst = true;
+            const Keyframes* read = nullptr;
+            if (ofWeights) {
+                isFirst = !animation.weights.contains(node);
+                if (isFirst)
+                    read = &(animation.weights[node] = readWeights(sampler, node, samplerField));
+            } else {
+                auto& keyframes = keyframesOf(motionOf(animation, node, field), path);
+                isFirst = !keyframes;
+                if (isFirst)
+                    read =
+                        &keyframes.emplace(readSampler(sampler, path == "rotation", samplerField));
+            }
+            if (!isFirst)
+                throw InputError(document_.where(field) + " moves nodes[" + std::to_string(node) +
+                                 "]." + path + " by two channels.");
             animation.duration =
-                std::max(animation.duration, static_cast<double>(keyframes->times->back()));
+                std::max(animation.duration, static_cast<double>(read->times->back()));
         }
         return animation;
     }
@@ -89,6 +111,25 @@ class AnimationReader {
 
     Keyframes readSampler(const tinygltf::AnimationSampler& sampler, bool isRotation,
                           const std::string& field) {
+        Keyframes keyframes = readKeyframes(sampler, 1, field);
+        keyframes.values =
+            readValues(sampler.output, isRotation,
+                       keyframes.interpolation == Interpolation::cubicSpline, field + ".output");
+        return keyframes;
+    }
+
+    /// All weights of a time follow each other (glTF 2.0, 3.11).
+    Keyframes readWeights(const tinygltf::AnimationSampler& sampler, int node,
+                          const std::string& field) {
+        const int mesh = document_.model->nodes.at(node).mesh;
+        Keyframes keyframes = readKeyframes(sampler, morphTargetCount(document_, mesh), field);
+        keyframes.values = readWeightValues(sampler.output, field + ".output");
+        return keyframes;
+    }
+
+    /// Without its values, which are so many elements each.
+    Keyframes readKeyframes(const tinygltf::AnimationSampler& sampler, std::size_t elements,
+                            const std::string& field) {
         Keyframes keyframes;
         keyframes.interpolation = interpolationOf(sampler);
         const bool isSpline = keyframes.interpolation == Interpolation::cubicSpline;
@@ -97,14 +138,14 @@ class AnimationReader {
         if (isSpline && count < 2)
             throw InputError(document_.where(field) + ".input has 1 element, but a CUBICSPLINE "
                                                       "needs 2 or more.");
-        const std::size_t wanted = isSpline ? 3 * count : count;
+        const std::size_t wanted = (isSpline ? 3 * count : count) * elements;
         const std::size_t found = elementCount(document_, sampler.output, field + ".output");
         if (found != wanted)
             throw InputError(document_.where(field) + ".output has " + std::to_string(found) +
                              " elements, but " + sampler.interpolation + " of " +
-                             std::to_string(count) + " times needs " + std::to_string(wanted) +
-                             ".");
-        keyframes.values = readValues(sampler.output, isRotation, isSpline, field + ".output");
+                             std::to_string(count) + " times " +
+                             (elements == 1 ? "" : std::to_string(elements) + " weights ") +
+                             "needs " + std::to_string(wanted) + ".");
         return keyframes;
     }
 
@@ -140,6 +181,16 @@ class AnimationReader {
         return values = std::make_shared<const std::vector<float>>(array.values);
     }
 
+    Floats readWeightValues(int accessor, const std::string& field) {
+        Floats& values = weights_[accessor];
+        if (values) return values;
+        requireKind(document_, accessor, ElementType::scalar, true,
+                    "SCALAR floats or normalized bytes or shorts", field);
+        const FloatArray array = readFloats(document_, accessor, field, memory_);
+        requireFinite(document_, array, field);
+        return values = std::make_shared<const std::vector<float>>(array.values);
+    }
+
     /// Zero turns nothing into anything; a spline's tangents may be zero.
     void requireNoZeroQuaternion(const FloatArray& array, bool isSpline,
                                  const std::string& field) const {
@@ -154,24 +205,68 @@ class AnimationReader {
     const GltfDocument& document_;
     MemoryBudget memory_;
     std::map<int, Floats> times_;
+    std::map<int, Floats> weights_;
     std::map<std::tuple<int, bool, bool>, Floats> values_; ///< by accessor, is rotation, is spline
 };
 
 } // namespace
 
-std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings) {
+std::vector<AnimationTitle> animationTitles(const GltfDocument& document) {
     const auto& animations = document.model->animations;
-    AnimationReader reader(document);
-    std::optional<Animation> played;
+    std::vector<AnimationTitle> titles;
     for (std::size_t i = 0; i < animations.size(); ++i) {
-        if (!movesNodes(animations[i])) continue;
-        if (played) {
-            warnings.add("Only the first of several animations is played.");
-            break;
-        }
-        readOrWarn(warnings, "the animation is left out", [&] { played = reader.read(i); });
+        if (!movesAnything(document, animations[i])) continue;
+        const auto& source = document.json.at("animations").at(i);
+        const auto name = source.find("name");
+        const bool named = name != source.end() && name->is_string();
+        titles.push_back({i, named ? name->get<std::string>() : ""});
+        if (titles.back().name.empty()) titles.back().name = "animation " + std::to_string(i);
     }
-    return played;
+    return titles;
+}
+
+const AnimationTitle* findAnimation(const std::vector<AnimationTitle>& titles,
+                                    const std::string& nameOrIndex) {
+    const auto find = [&](auto matches) {
+        const auto found = std::find_if(titles.begin(), titles.end(), matches);
+        return found == titles.end() ? nullptr : &*found;
+    };
+    const AnimationTitle* named =
+        find([&](const AnimationTitle& title) { return title.name == nameOrIndex; });
+    return named ? named : find([&](const AnimationTitle& title) {
+        return std::to_string(title.index) == nameOrIndex;
+    });
+}
+
+std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings,
+                                       std::optional<std::size_t> index) {
+    if (!index) {
+        const std::vector<AnimationTitle> titles = animationTitles(document);
+        if (titles.empty()) return std::nullopt;
+        index = titles.front().index;
+    }
+    std::optional<Animation> animation;
+    readOrWarn(warnings, "the animation is left out",
+               [&] { animation = AnimationReader(document).read(*index); });
+    return animation;
+}
+
+std::size_t morphTargetCount(const GltfDocument& document, int mesh) {
+    const auto& meshes = document.model->meshes;
+    std::size_t count = 0;
+    if (mesh >= 0 && static_cast<std::size_t>(mesh) < meshes.size())
+        for (const tinygltf::Primitive& primitive :
+             meshes[static_cast<std::size_t>(mesh)].primitives)
+            count = std::max(count, primitive.targets.size());
+    return count;
+}
+
+std::set<int> morphingNodes(const GltfDocument& document) {
+    std::set<int> nodes;
+    for (const tinygltf::Animation& animation : document.model->animations)
+        for (const tinygltf::AnimationChannel& channel : animation.channels)
+            if (movesWeights(document, channel)) nodes.insert(channel.target_node);
+    return nodes;
 }
 
 } // namespace edgeshade

@@ -8,7 +8,7 @@ namespace edgeshade {
 
 /// Walks the default scene's nodes and gathers their triangles into batches: node transforms in
 /// double, rounded to float once, relative to the batch's local origin. Mirrored nodes keep their
-/// outside outside. Skins and morphs are taken at rest.
+/// outside outside. Skins and morphs that no animation moves are taken at rest; others deform.
 ///
 /// `weldTolerance` (scene units, >= 0) moves vertices closer than that onto each other; 0 changes
 /// nothing. A variant that there is not is warned of and means the file's own materials. The

@@ -5,7 +5,7 @@
 #include "preprocess/gltf/draco_primitive.hpp"
 #include "preprocess/gltf/tinygltf_model.hpp"
 
-#include <glm/gtc/type_ptr.hpp>
+#include <algorithm>
 #include <numeric>
 
 namespace edgeshade {
@@ -99,22 +99,85 @@ std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> sequence, i
     return triangles;
 }
 
-/// Adds weight * delta of every target that has the attribute (glTF 2.0, 3.7.2.2).
-void blendMorphTargets(const GltfDocument& document, const tinygltf::Primitive& primitive,
-                       const std::string& field, const std::string& name,
-                       const std::vector<double>& weights, std::vector<glm::vec3>& values,
-                       MemoryBudget& memory) {
-    for (std::size_t t = 0; t < primitive.targets.size() && t < weights.size(); ++t) {
-        const auto target = primitive.targets[t].find(name);
-        if (target == primitive.targets[t].end() || weights[t] == 0.0) continue;
-        const std::string targetField = field + ".targets[" + std::to_string(t) + "]." + name;
-        const FloatArray deltas = readFloats(document, target->second, targetField, memory);
-        if (deltas.components != 3 || deltas.count() != values.size())
-            throw InputError(document.where(targetField) + " does not match POSITION.");
-        requireFinite(document, deltas, targetField);
-        for (std::size_t i = 0; i < values.size(); ++i)
-            values[i] += static_cast<float>(weights[t]) * glm::make_vec3(&deltas.values[3 * i]);
+/// Reads what morph targets have of one primitive's `count` vertices (glTF 2.0, 3.7.2.2).
+class TargetReader {
+  public:
+    TargetReader(const GltfDocument& document, const tinygltf::Primitive& primitive,
+                 std::string field, std::size_t count, MemoryBudget& memory)
+        : document_(document), primitive_(primitive), field_(std::move(field)), count_(count),
+          memory_(memory) {}
+
+    /// Empty where the target has no such attribute.
+    std::vector<glm::vec3> deltas(std::size_t target, const std::string& name) const {
+        const auto found = primitive_.targets[target].find(name);
+        if (found == primitive_.targets[target].end()) return {};
+        const std::string field = field_ + ".targets[" + std::to_string(target) + "]." + name;
+        const FloatArray array = readFloats(document_, found->second, field, memory_);
+        if (array.components != 3 || array.count() != count_)
+            throw InputError(document_.where(field) + " does not match POSITION.");
+        requireFinite(document_, array, field);
+        return asVectors<3>(array);
     }
+
+    /// Adds weight * delta of every target that has the attribute.
+    void blend(const std::string& name, const std::vector<double>& weights,
+               std::vector<glm::vec3>& values) const {
+        for (std::size_t t = 0; t < primitive_.targets.size() && t < weights.size(); ++t) {
+            if (weights[t] == 0.0 || values.empty()) continue;
+            const std::vector<glm::vec3> all = deltas(t, name);
+            for (std::size_t i = 0; i < all.size(); ++i)
+                values[i] += static_cast<float>(weights[t]) * all[i];
+        }
+    }
+
+  private:
+    const GltfDocument& document_;
+    const tinygltf::Primitive& primitive_;
+    std::string field_;
+    std::size_t count_;
+    MemoryBudget& memory_;
+};
+
+/// One vertex's influences of all sets: joints ascending, each once, none without weight.
+std::vector<Influence> sortedInfluences(std::vector<Influence> given) {
+    std::stable_sort(given.begin(), given.end(),
+                     [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+    std::vector<Influence> sorted;
+    for (const Influence& influence : given) {
+        if (influence.weight == 0.0f) continue;
+        if (!sorted.empty() && sorted.back().joint == influence.joint)
+            sorted.back().weight += influence.weight;
+        else
+            sorted.push_back(influence);
+    }
+    return sorted;
+}
+
+/// Those of JOINTS_0 and WEIGHTS_0 and all further sets.
+Influences readInfluences(const AttributeReader& reader, std::size_t count) {
+    std::vector<std::vector<glm::vec4>> joints, weights;
+    for (std::size_t set = 0;; ++set) {
+        const std::string number = "_" + std::to_string(set);
+        if (!reader.has("JOINTS" + number) || !reader.has("WEIGHTS" + number)) break;
+        joints.push_back(asVectors<4>(reader.read("JOINTS" + number, 4, count)));
+        weights.push_back(asVectors<4>(reader.read("WEIGHTS" + number, 4, count)));
+    }
+    Influences influences;
+    if (joints.empty()) return influences;
+    influences.firstOf.push_back(0);
+    std::vector<Influence> given;
+    for (std::size_t v = 0; v < count; ++v) {
+        given.clear();
+        for (std::size_t set = 0; set < joints.size(); ++set)
+            for (glm::length_t i = 0; i < 4; ++i)
+                given.push_back(
+                    {static_cast<std::uint32_t>(glm::clamp(joints[set][v][i], 0.0f, 65535.0f)),
+                     weights[set][v][i]});
+        const std::vector<Influence> sorted = sortedInfluences(given);
+        influences.all.insert(influences.all.end(), sorted.begin(), sorted.end());
+        influences.firstOf.push_back(static_cast<std::uint32_t>(influences.all.size()));
+    }
+    return influences;
 }
 
 bool isTriangleMode(int mode) {
@@ -125,8 +188,8 @@ bool isTriangleMode(int mode) {
 } // namespace
 
 Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::size_t primitiveIndex,
-                        const std::vector<double>& morphWeights, const Material& material,
-                        Warnings& warnings, MemoryBudget& memory) {
+                        const MorphUse& morphs, const Material& material, Warnings& warnings,
+                        MemoryBudget& memory) {
     const tinygltf::Primitive& source = document.model->meshes[mesh].primitives[primitiveIndex];
     const std::string field =
         "meshes[" + std::to_string(mesh) + "].primitives[" + std::to_string(primitiveIndex) + "]";
@@ -161,17 +224,17 @@ Primitive readPrimitive(const GltfDocument& document, std::size_t mesh, std::siz
             for (int c = 0; c < colors.components; ++c)
                 primitive.colors[i][c] = colors.values[i * colors.components + c];
     }
-    if (reader.has("JOINTS_0") && reader.has("WEIGHTS_0")) {
-        for (const glm::vec4& joints : asVectors<4>(reader.read("JOINTS_0", 4, count)))
-            primitive.joints.emplace_back(glm::clamp(joints, 0.0f, 65535.0f));
-        primitive.weights = asVectors<4>(reader.read("WEIGHTS_0", 4, count));
+    primitive.influences = readInfluences(reader, count);
+    const TargetReader targets(document, source, field, count, memory);
+    if (!morphs.kept) {
+        targets.blend("POSITION", morphs.weights, primitive.positions);
+        targets.blend("NORMAL", morphs.weights, primitive.normals);
     }
-    if (!source.targets.empty()) {
-        warnings.add("Morph targets are taken at their default weights.");
-        blendMorphTargets(document, source, field, "POSITION", morphWeights, primitive.positions,
-                          memory);
-        blendMorphTargets(document, source, field, "NORMAL", morphWeights, primitive.normals,
-                          memory);
+    for (std::size_t t = 0; morphs.kept && t < source.targets.size(); ++t) {
+        MorphTarget& target = primitive.targets.emplace_back();
+        target.positions = targets.deltas(t, "POSITION");
+        if (!primitive.normals.empty()) target.normals = targets.deltas(t, "NORMAL");
+        if (!primitive.tangents.empty()) target.tangents = targets.deltas(t, "TANGENT");
     }
 
     primitive.indices = reader.readIndexSequence(count);

@@ -6,49 +6,60 @@
 
 namespace edgeshade {
 
-std::vector<glm::dmat4> skinMatrices(const GltfDocument& document, int skin,
-                                     const std::vector<glm::dmat4>& worldFromNode,
-                                     MemoryBudget& memory) {
+std::vector<Joint> readJoints(const GltfDocument& document, int skin,
+                              const std::vector<NodePlace>& placeOf, MemoryBudget& memory) {
     const std::string field = "skins[" + std::to_string(skin) + "]";
     if (skin < 0 || static_cast<std::size_t>(skin) >= document.model->skins.size())
         throw InputError(document.where(field) + " does not exist.");
     const tinygltf::Skin& source = document.model->skins[skin];
     FloatArray inverseBind;
-    memory.take(source.joints.size(), sizeof(glm::dmat4), document.where(field));
+    memory.take(source.joints.size(), sizeof(Joint), document.where(field));
     if (source.inverseBindMatrices >= 0) {
-        inverseBind = readFloats(document, source.inverseBindMatrices,
-                                 field + ".inverseBindMatrices", memory);
+        const std::string bindField = field + ".inverseBindMatrices";
+        inverseBind = readFloats(document, source.inverseBindMatrices, bindField, memory);
         if (inverseBind.components != 16 || inverseBind.count() < source.joints.size())
-            throw InputError(document.where(field) + ".inverseBindMatrices does not hold a 4x4 "
-                                                     "matrix for every joint.");
+            throw InputError(document.where(bindField) +
+                             " does not hold a 4x4 matrix for every joint.");
     }
-    std::vector<glm::dmat4> matrices;
+    std::vector<Joint> joints;
     for (std::size_t j = 0; j < source.joints.size(); ++j) {
         const int node = source.joints[j];
-        if (node < 0 || static_cast<std::size_t>(node) >= worldFromNode.size())
+        if (node < 0 || static_cast<std::size_t>(node) >= placeOf.size())
             throw InputError(document.where(field) + ".joints[" + std::to_string(j) + "] is " +
                              std::to_string(node) + ", which does not exist.");
-        glm::dmat4 bind(1.0);
+        Joint& joint = joints.emplace_back(Joint{placeOf[node], glm::dmat4(1.0)});
         if (inverseBind.components == 16)
             for (glm::length_t i = 0; i < 16; ++i)
-                bind[i / 4][i % 4] = inverseBind.values[16 * j + i];
-        matrices.push_back(worldFromNode[node] * bind);
+                joint.jointFromMesh[i / 4][i % 4] = inverseBind.values[16 * j + i];
     }
+    return joints;
+}
+
+std::vector<glm::dmat4> skinMatrices(const GltfDocument& document, int skin,
+                                     const std::vector<Joint>& joints,
+                                     const std::vector<glm::dmat4>& worldFromNode) {
+    const tinygltf::Skin& source = document.model->skins[skin];
+    std::vector<glm::dmat4> matrices;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        matrices.push_back(worldFromNode[source.joints[j]] * joints[j].jointFromMesh);
     return matrices;
 }
 
+void requireJoints(const GltfDocument& document, const Primitive& primitive, std::size_t joints) {
+    for (const Influence& influence : primitive.influences.all)
+        if (influence.joint >= joints)
+            throw InputError(document.where("JOINTS_0") + " names joint " +
+                             std::to_string(influence.joint) + ", but the skin has " +
+                             std::to_string(joints) + ".");
+}
+
 glm::dmat4 skinMatrixOf(const Primitive& primitive, std::size_t vertex,
-                        const std::vector<glm::dmat4>& matrices, const GltfDocument& document) {
+                        const std::vector<glm::dmat4>& matrices) {
     glm::dmat4 blended(0.0);
     double total = 0.0;
-    for (glm::length_t i = 0; i < 4; ++i) {
-        const double weight = primitive.weights[vertex][i];
-        if (weight == 0.0) continue;
-        const std::uint32_t joint = primitive.joints[vertex][i];
-        if (joint >= matrices.size())
-            throw InputError(document.where("JOINTS_0") + " names joint " + std::to_string(joint) +
-                             ", but the skin has " + std::to_string(matrices.size()) + ".");
-        blended += weight * matrices[joint];
+    for (const Influence& influence : primitive.influences.of(vertex)) {
+        const double weight = influence.weight;
+        blended += weight * matrices[influence.joint];
         total += weight;
     }
     return total == 0.0 ? glm::dmat4(1.0) : blended / total;

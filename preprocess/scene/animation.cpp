@@ -77,6 +77,30 @@ glm::dquat rotationAt(const Keyframes& keyframes, double seconds) {
     }
 }
 
+/// A value of each morph target.
+std::vector<double> weightsAt(const Keyframes& keyframes, std::size_t count, double seconds) {
+    const Span span = spanAt(*keyframes.times, seconds);
+    const std::vector<float>& values = *keyframes.values;
+    std::vector<double> weights(count);
+    for (std::size_t w = 0; w < count; ++w) {
+        const auto load = [&](auto& all, std::size_t e) {
+            return static_cast<double>(all[count * e + w]);
+        };
+        switch (keyframes.interpolation) {
+        case Interpolation::step:
+            weights[w] = load(values, span.before);
+            break;
+        case Interpolation::linear:
+            weights[w] =
+                glm::mix(load(values, span.before), load(values, span.after), span.fraction);
+            break;
+        default:
+            weights[w] = splineAt(values, span, load);
+        }
+    }
+    return weights;
+}
+
 bool fitsFloats(const glm::dmat4& matrix) {
     constexpr double most = std::numeric_limits<float>::max();
     for (glm::length_t c = 0; c < 4; ++c)
@@ -114,6 +138,23 @@ std::optional<glm::dmat4> worldFromNode(const NodePlace& place, const Places& wo
     return worldFromAnimated.at(place.animatedNode) * place.animatedFromNode;
 }
 
+BatchShape shapeAt(const Batch& batch, const Animation& animation, const Places& places,
+                   double seconds) {
+    BatchShape shape;
+    if (!batch.deforms()) return shape;
+    const glm::dmat4 batchFromWorld = glm::translate(glm::dmat4(1.0), -batch.origin);
+    for (const Joint& joint : batch.deformation->joints)
+        shape.batchFromMesh.push_back(batchFromWorld * places.at(joint.place.animatedNode) *
+                                      joint.place.animatedFromNode * joint.jointFromMesh);
+    for (const DeformedPart& part : batch.deformation->parts) {
+        const auto weights = animation.weights.find(part.node);
+        shape.weights.push_back(weights == animation.weights.end()
+                                    ? part.restWeights
+                                    : weightsAt(weights->second, part.restWeights.size(), seconds));
+    }
+    return shape;
+}
+
 void move(SceneCamera& camera, const glm::dmat4& worldFromNode) {
     const auto origin = originOf(worldFromNode);
     const auto turn = turnOf(worldFromNode);
@@ -143,10 +184,11 @@ NodeTransform NodeMotion::at(double seconds) const {
 
 Pose poseAt(const Animation& animation, const Scene& scene, double seconds) {
     const Places places = placesAt(animation, scene, seconds);
-    Pose pose{{}, scene.cameras, scene.lights};
+    Pose pose{{}, {}, scene.cameras, scene.lights};
     for (const Batch& batch : scene.batches) {
         pose.worldFromBatch.emplace_back(batch.worldFromBatch);
-        if (!batch.isAnimated()) continue;
+        pose.shapes.push_back(shapeAt(batch, animation, places, seconds));
+        if (batch.node < 0) continue;
         auto& worldFromBatch = pose.worldFromBatch.back();
         worldFromBatch = glm::translate(places.at(batch.node), batch.origin);
         if (!isDrawable(*worldFromBatch)) worldFromBatch.reset();
@@ -158,11 +200,20 @@ Pose poseAt(const Animation& animation, const Scene& scene, double seconds) {
     return pose;
 }
 
-void place(Scene& scene, const Pose& pose) {
+std::vector<Placed> place(Scene& scene, const Pose& pose) {
     scene.cameras = pose.cameras;
     scene.lights = pose.lights;
-    for (std::size_t b = 0; b < scene.batches.size(); ++b)
-        if (const auto& world = pose.worldFromBatch[b]) scene.batches[b].worldFromBatch = *world;
+    std::vector<Placed> all;
+    for (std::size_t b = 0; b < pose.worldFromBatch.size(); ++b) {
+        Batch& batch = scene.batches[b];
+        Placed& placed = all.emplace_back();
+        placed.visible = pose.worldFromBatch[b].has_value();
+        if (!placed.visible) continue;
+        batch.worldFromBatch = *pose.worldFromBatch[b];
+        if (!batch.deforms() || batch.shape == pose.shapes[b]) continue;
+        placed.visible = placed.reshaped = poseBatch(batch, pose.shapes[b]);
+    }
+    return all;
 }
 
 } // namespace edgeshade

@@ -21,8 +21,8 @@ struct Keyframes {
     Interpolation interpolation = Interpolation::linear;
     /// Seconds, >= 0, increasing; at least one.
     std::shared_ptr<const std::vector<float>> times;
-    /// 3 floats a value, or 4 (x, y, z, w; not zero) of a rotation. A value a time; for splines
-    /// three: in-tangent, value, out-tangent.
+    /// 3 floats a value, or 4 (x, y, z, w; not zero) of a rotation, or one a morph target. A value
+    /// a time; for splines three: in-tangent, value, out-tangent.
     std::shared_ptr<const std::vector<float>> values;
 };
 
@@ -41,6 +41,7 @@ struct NodeMotion {
 struct Animation {
     double duration = 0.0;             ///< seconds, from 0 to the last keyframe of all
     std::map<int, NodeMotion> motions; ///< by glTF node
+    std::map<int, Keyframes> weights;  ///< of the morph targets of a glTF node's mesh
 };
 
 /// Where a scene's parts are at one time of an animation.
@@ -48,6 +49,7 @@ struct Pose {
     /// Of each batch. Null where there is nothing to draw and no shadow: the matrix or its inverse
     /// does not fit into floats, so the batch is scaled to nothing or out of all range.
     std::vector<std::optional<glm::dmat4>> worldFromBatch;
+    std::vector<BatchShape> shapes; ///< of each batch; empty ones of those that don't deform
     /// The scene's, moved. Where a node gives one no place, or no turn that it needs, it is where
     /// it is in the scene.
     std::vector<SceneCamera> cameras;
@@ -58,7 +60,14 @@ struct Pose {
 /// moves is at rest. `scene` and `animation` come from the same document.
 Pose poseAt(const Animation& animation, const Scene& scene, double seconds);
 
-/// Puts the scene's parts there; batches without a place stay where they are.
-void place(Scene& scene, const Pose& pose);
+/// What placing a batch did.
+struct Placed {
+    bool visible = true;   ///< false: there is nothing of it to draw, and no shadow
+    bool reshaped = false; ///< its vertices are elsewhere than before
+};
+
+/// Puts the scene's parts there, and says of each batch what came of it; batches without a place,
+/// and those of which a vertex has none that fits into floats, stay as they are.
+std::vector<Placed> place(Scene& scene, const Pose& pose);
 
 } // namespace edgeshade

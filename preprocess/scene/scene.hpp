@@ -2,6 +2,7 @@
 
 #include "preprocess/base/box.hpp"
 #include "preprocess/base/warnings.hpp"
+#include "preprocess/scene/deformation.hpp"
 #include "preprocess/scene/material.hpp"
 #include "preprocess/scene/scene_camera.hpp"
 #include "preprocess/scene/scene_light.hpp"
@@ -29,7 +30,8 @@ struct AnimatedNode {
     glm::dmat4 parentFromAnimated{1.0}; ///< at rest
 };
 
-/// Triangles that move together: all static nodes are one batch, every animated node another.
+/// Triangles that move together: all static nodes are one batch, every animated node another; what
+/// an animated skin or animated morph weights deform are batches of their own.
 ///
 /// Positions are floats relative to a local origin, so that survey coordinates keep their detail
 /// (docs/method.md, C6); what places them in the world is double.
@@ -56,7 +58,11 @@ struct Batch {
     /// from above alone.
     bool ground = false;
 
-    bool isAnimated() const { return node >= 0; } ///< an animation can move it
+    std::shared_ptr<const Deformation> deformation; ///< null: the batch is rigid
+    BatchShape shape;                               ///< in which it is now, where it deforms
+
+    bool deforms() const { return deformation != nullptr; }
+    bool isAnimated() const { return node >= 0 || deforms(); } ///< an animation can move it
 };
 
 /// A glTF scene at rest, ready for drawing and for finding its edges.

@@ -34,6 +34,10 @@ namespace edgeshade {
 // plane: their prisms, whose cross-section is at most sin(tolerance) of the triangle's area, count
 // with the other sign, and the silhouette runs along the patch's border instead of through it.
 //
+// Of what deforms every triangle has a plane of its own and no pair is dropped: what is flat in one
+// pose is not in another. Where a pose puts the vertices, posedPlanePairs() has the same records
+// ask the planes that the triangles have there.
+//
 // Components are sets of triangles connected through edges, so all records of an edge belong to
 // one, and each component's chain is closed by itself. In a *closed* component every edge has as
 // many triangles in one direction as in the other: there are nothing but pairs of opposite
@@ -88,6 +92,14 @@ struct ShadowCluster {
     RecordRange leaves; ///< of PlanePairShadow::leaves: each holds the next leafTriangles caps
 };
 
+/// Which vertices the records of a batch that deforms are between.
+struct RecordVertices {
+    std::vector<std::uint32_t> inBatch; ///< a vertex of the batch for each welded one
+    std::vector<std::array<std::uint32_t, 2>> pairs, singles; ///< welded; a and b
+    std::vector<PlaneOf> singlePlanes;
+    std::vector<Triangle> caps; ///< welded
+};
+
 /// One batch.
 struct PlanePairShadow {
     std::vector<PairRecord> pairs; ///< cluster after cluster, closed ones first; as singles, caps
@@ -97,10 +109,11 @@ struct PlanePairShadow {
     std::vector<std::uint32_t> capTriangles; ///< which of CasterMesh's triangles each cap is
     std::vector<MaterialCasters> groups;     ///< ranges of caps; opaque clusters have one each
     std::vector<ShadowCluster> clusters;
-    std::vector<Box> leaves;   ///< boxes around neighbouring caps
-    std::size_t edges = 0;     ///< all, flat ones too
-    std::size_t flatPairs = 0; ///< pairs that were dropped
-    std::size_t flatEdges = 0; ///< edges of which nothing is left
+    std::vector<Box> leaves;                             ///< boxes around neighbouring caps
+    std::size_t edges = 0;                               ///< all, flat ones too
+    std::size_t flatPairs = 0;                           ///< pairs that were dropped
+    std::size_t flatEdges = 0;                           ///< edges of which nothing is left
+    std::shared_ptr<const RecordVertices> vertices = {}; ///< null: the batch is rigid
 };
 
 /// What plane-pair records take; sums over batches with +=.
@@ -122,6 +135,15 @@ PlanePairCosts costsOf(const PlanePairShadow& shadow);
 /// `flatTolerance`: degrees, see trianglePlanes().
 PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
                                 const std::vector<Material>& materials, double flatTolerance = 0.0);
+
+/// Those of a batch: of what deforms, records that last for all poses (weldForRecords()), with
+/// RecordVertices and without patches.
+PlanePairShadow buildPlanePairs(const Batch& batch, const Casters& casters,
+                                const std::vector<Material>& materials, double flatTolerance);
+
+/// The records of a batch that deforms, as buildPlanePairs() made them, where its vertices are now.
+/// Nothing but positions, planes and boxes differs.
+PlanePairShadow posedPlanePairs(const PlanePairShadow& shadow, const Batch& batch);
 
 /// The whole pipeline for every batch of a scene: weld, edges, records.
 std::vector<std::shared_ptr<const PlanePairShadow>>

@@ -35,6 +35,14 @@ BatchShadow buildShadow(const BatchTopology& topology, int maxMultiplicity) {
             topology.mesh.groups};
 }
 
+BatchShadow buildShadow(const Batch& batch, const std::vector<Material>& materials,
+                        bool castMasked) {
+    BatchTopology topology;
+    topology.mesh = weldCasters(batch, castersOf(batch, materials, castMasked));
+    topology.edges = buildEdges(topology.mesh.welded);
+    return buildShadow(topology, recordMultiplicityFor(topology.edges.largestOppositeCount()));
+}
+
 std::vector<BatchShadow> buildShadows(const Scene& scene, bool castMasked) {
     BuildSeconds seconds;
     const auto topology = buildTopology(scene, castMasked, seconds);

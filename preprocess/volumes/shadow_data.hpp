@@ -55,6 +55,10 @@ int sceneMultiplicity(const std::vector<BatchTopology>& topology);
 /// Sides and caps of one batch.
 BatchShadow buildShadow(const BatchTopology& topology, int maxMultiplicity);
 
+/// The whole pipeline for one batch, with a multiplicity of its own.
+BatchShadow buildShadow(const Batch& batch, const std::vector<Material>& materials,
+                        bool castMasked);
+
 /// The whole pipeline: weld, edges, sides and caps of every batch.
 std::vector<BatchShadow> buildShadows(const Scene& scene, bool castMasked);
 

@@ -34,10 +34,11 @@ Facet facetOf(const WeldedMesh& mesh, const Triangle& triangle) {
     return facet;
 }
 
-glm::vec4 planeOf(const Facet& facet, const glm::vec3& point) {
-    const double length = glm::length(facet.normal);
+/// `across`: along its normal, of any length.
+glm::vec4 planeOf(const glm::dvec3& across, const glm::vec3& point) {
+    const double length = glm::length(across);
     if (!(length > 0.0) || !std::isfinite(length)) return glm::vec4(0.0f);
-    const glm::dvec3 normal = facet.normal / length;
+    const glm::dvec3 normal = across / length;
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, glm::dvec3(point))));
 }
 
@@ -90,8 +91,13 @@ std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& ed
     std::vector<glm::vec4> planes;
     planes.reserve(mesh.triangles.size());
     for (const std::uint32_t model : models)
-        planes.push_back(planeOf(facets[model], mesh.positions[mesh.triangles[model][0]]));
+        planes.push_back(planeOf(facets[model].normal, mesh.positions[mesh.triangles[model][0]]));
     return planes;
+}
+
+glm::vec4 trianglePlane(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    const glm::dvec3 from(a);
+    return planeOf(glm::cross(glm::dvec3(b) - from, glm::dvec3(c) - from), a);
 }
 
 } // namespace edgeshade

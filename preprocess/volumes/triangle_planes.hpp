@@ -18,4 +18,7 @@ namespace edgeshade {
 std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& edges,
                                       double flatTolerance = 0.0);
 
+/// The plane of one triangle, without patches.
+glm::vec4 trianglePlane(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
 } // namespace edgeshade

@@ -164,13 +164,16 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
         ->type_name("NAME");
     addTextOption(verb, "--time", "S",
                   "Nodes, cameras and lights are where the file's animation has them after so many "
-                  "seconds (at rest; of view, 0)",
+                  "seconds, skins and morph targets too (at rest; with --animation and of view, 0)",
                   [&](const std::string& text) {
                       options.time = numberFrom(text, "--time");
                       if (*options.time < 0.0 || *options.time > longestTime)
                           throw CLI::ValidationError("--time",
                                                      "'" + text + "' is not between 0 and 1e9");
                   });
+    verb.add_option("--animation", options.animation,
+                    "Which of the file's animations (the first); info lists them")
+        ->type_name("NAME|INDEX");
     verb.add_flag("--cast-cutouts", options.cutoutsCast,
                   "MASK surfaces cast the shadow of what their alpha leaves, wherever shadow is "
                   "looked up: in primitive maps, exactly, and in shadow maps; volumes count none "
@@ -197,9 +200,10 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows) const {
     if (cutoutsCast && shadows == ShadowMethod::volumes)
         loaded.scene.warnings.add("--cast-cutouts: volumes count no cutouts; --shadows "
                                   "primitive-map has them, exactly, auto, and map.");
-    if (time && !poseScene(loaded, *time))
-        loaded.scene.warnings.add("--time: the scene has no animation that moves nodes, so it is "
-                                  "at rest.");
+    const bool wanted = time || !animation.empty();
+    if (wanted && !poseScene(loaded, time.value_or(0.0), animation) && animation.empty())
+        loaded.scene.warnings.add("--time: the scene has no animation that moves anything, so it "
+                                  "is at rest.");
     if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
     return loaded;
 }
@@ -208,6 +212,7 @@ nlohmann::ordered_json SceneOptions::sceneJson() const {
     nlohmann::ordered_json json = {{"ground", textOf(typedGround())},
                                    {"cast-cutouts", cutoutsCast}};
     if (time) json["time"] = *time;
+    if (!animation.empty()) json["animation"] = animation;
     return json;
 }
 

@@ -62,6 +62,7 @@ struct SceneOptions {
     std::string variant;                ///< of its materials; empty: the file's own
     bool cutoutsCast = false;           ///< MASK surfaces cast by lookups
     std::optional<double> time;         ///< of the animation, seconds; nothing: at rest
+    std::string animation;              ///< its name or index; empty: the first
     std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }

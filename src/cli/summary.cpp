@@ -62,6 +62,8 @@ std::string choicesOf(const PackReport& report) {
     };
     for (const std::string& name : report.variants)
         row("variant") << name;
+    for (const AnimationTitle& title : report.animations)
+        row("animation " + std::to_string(title.index)) << title.name;
     for (std::size_t i = 0; i < report.cameras.size(); ++i) {
         const SceneCamera& camera = report.cameras[i];
         row("camera " + std::to_string(i)) << titleOf(report.cameras, i);

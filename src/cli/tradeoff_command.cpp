@@ -87,7 +87,8 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
     const std::string sceneOptions =
         (options.cutoutsCast ? std::string(" --cast-cutouts") : std::string()) +
         (options.ground ? " --ground '" + textOf(*options.ground) + "'" : "") +
-        (options.time ? " --time " + Json(*options.time).dump() : "");
+        (options.time ? " --time " + Json(*options.time).dump() : "") +
+        (options.animation.empty() ? "" : " --animation " + Json(options.animation).dump());
     const gl::HeadlessContext context({16, 16, 0, options.glLimits});
     std::vector<Row> rows;
     for (const TradeSetting& setting : all) {

@@ -3,6 +3,7 @@
 #include "preprocess/base/error.hpp"
 
 #ifdef EDGESHADE_HAS_WINDOW
+#include "preprocess/reading/animation_reading.hpp"
 #include "src/cli/draw_settings.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
@@ -33,8 +34,22 @@ Camera cameraOfMatrix(const ViewOptions& options, const Scene& scene) {
     return uprightCamera(camera, worldBounds(scene));
 }
 
+/// Places the scene as typed; which of its animations that is, as the state counts them.
+std::optional<std::size_t> placeAsTyped(const WindowOptions& options, LoadedScene& loaded) {
+    if (!options.time && options.animation.empty()) return std::nullopt;
+    const std::size_t known = loaded.scene.warnings.sentences().size();
+    placeAt(loaded, options.time.value_or(0.0), options.animation);
+    const std::vector<std::string>& warnings = loaded.scene.warnings.sentences();
+    printWarnings({warnings.begin() + static_cast<std::ptrdiff_t>(known), warnings.end()});
+    const std::vector<AnimationTitle> titles = animationTitles(*loaded.document);
+    const AnimationTitle* const found = findAnimation(titles, options.animation);
+    if (!found) return std::nullopt;
+    return static_cast<std::size_t>(found - titles.data());
+}
+
 /// Camera, lights and the left side as typed.
-Json stateFrom(const WindowOptions& options, const Scene& scene) {
+Json stateFrom(const WindowOptions& options, const Scene& scene,
+               const std::optional<std::size_t>& animation) {
     const FrameRequest request = requestFor(options.view, scene);
     const RenderSettings& render = options.settings.render;
     viewer::ViewState state;
@@ -59,6 +74,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene) {
         typed[key] = all[key];
     if (options.ground) typed["ground"] = textOf(*options.ground);
     if (options.time) typed["time"] = *options.time;
+    if (animation) typed["animation"] = *animation;
     return typed;
 }
 
@@ -78,8 +94,8 @@ void view(const WindowOptions& options) {
     if (!options.input.empty()) {
         loaded = load(options.input, options.variant);
         // Cameras and lights are taken from where they will be.
-        if (options.time) placeAt(*loaded, *options.time);
-        state = stateFrom(options, loaded->scene);
+        const auto animation = placeAsTyped(options, *loaded);
+        state = stateFrom(options, loaded->scene, animation);
     }
 
     viewer::ViewerSettings settings;

@@ -9,10 +9,12 @@ struct HoleSource {
     CasterMesh mesh;
 };
 
-std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& batch) {
+std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& batch,
+                                     CasterMesh (*welded)(const Batch& batch,
+                                                          const Casters& casters)) {
     if (!loaded.settings.castMasked) return std::nullopt;
     HoleSource source{castersOf(batch, loaded.scene.materials, true), {}};
-    source.mesh = weldCasters(batch, source.casters);
+    source.mesh = welded(batch, source.casters);
     return source;
 }
 
@@ -20,7 +22,7 @@ void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout)
     for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
         const auto& shadow = loaded.planePairs[i];
-        const auto source = holeSource(loaded, batch);
+        const auto source = holeSource(loaded, batch, weldForRecords);
         gpu.batches[i].volumes.planePairs.emplace(
             shadow,
             source ? alphaCorners(batch, source->casters, source->mesh, *shadow)
@@ -29,18 +31,23 @@ void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout)
     }
 }
 
+ShadowBuffers uploadOppositeVertices(const LoadedScene& loaded, const Batch& batch,
+                                     const BatchShadow& shadow, SidesLayout layout) {
+    const auto source = holeSource(loaded, batch, weldCasters);
+    return uploadShadow(shadow,
+                        source ? alphaCorners(batch, source->casters, source->mesh)
+                               : std::vector<glm::vec4>(),
+                        layout);
+}
+
 void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
     std::vector<BatchShadow> made;
     if (loaded.shadows.empty()) made = buildShadows(loaded.scene, loaded.settings.castMasked);
     const std::vector<BatchShadow>& shadows = loaded.shadows.empty() ? made : loaded.shadows;
-    for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
-        const Batch& batch = loaded.scene.batches[i];
-        const auto source = holeSource(loaded, batch);
-        gpu.batches[i].volumes.oppositeVertices = uploadShadow(
-            shadows[i],
-            source ? alphaCorners(batch, source->casters, source->mesh) : std::vector<glm::vec4>(),
-            layout);
-    }
+    for (std::size_t i = 0; i < gpu.batches.size(); ++i)
+        gpu.batches[i].volumes.oppositeVertices =
+            uploadOppositeVertices(loaded, loaded.scene.batches[i], shadows[i], layout);
+    gpu.oppositeVertexLayout = layout;
 }
 
 } // namespace
@@ -94,8 +101,22 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
             gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
             gpu.plain = gpu.plain && (material.unlit || blends || material.isPlain());
         }
+    for (std::size_t i = 0; i < scene.batches.size(); ++i)
+        if (scene.batches[i].deforms()) gpu.batches[i].parts = surfacePartsOf(scene.batches[i]);
     if (records) addVolumes(gpu, loaded, *records);
     return gpu;
+}
+
+void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch) {
+    GpuBatch& to = gpu.batches[batch];
+    const Batch& from = loaded.scene.batches[batch];
+    uploadShape(from, gpu.materials, to.parts, to.surfaces);
+    BatchVolumes& volumes = to.volumes;
+    if (volumes.planePairs) volumes.planePairs->take(loaded.planePairs[batch]);
+    if (volumes.oppositeVertices)
+        volumes.oppositeVertices = uploadOppositeVertices(
+            loaded, from, buildShadow(from, gpu.materials, loaded.settings.castMasked),
+            gpu.oppositeVertexLayout);
 }
 
 void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records) {

@@ -18,6 +18,7 @@ struct GpuBatch {
     bool ground = false;   ///< see Batch
     std::vector<SurfaceChunk> surfaces;
     BatchVolumes volumes;
+    std::vector<SurfacePart> parts = {}; ///< of `surfaces`, where the batch deforms
 
     bool mirrored() const { return glm::determinant(glm::dmat3(worldFromBatch)) < 0.0; }
 };
@@ -32,6 +33,7 @@ struct GpuScene {
     bool castMasked = false;  ///< MASK and BLEND surfaces cast too
     bool cutoutsCast = false; ///< LoadedScene's
     bool seeThrough = false;  ///< some surfaces are BLEND and take light
+    SidesLayout oppositeVertexLayout = SidesLayout::instanced; ///< of what is there of them
     bool plain = false; ///< all that its surfaces do is scatter light, see Material::isPlain()
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);
@@ -55,6 +57,9 @@ struct GpuScene {
 /// be drawn. Throws Error(unavailable) if the GL can't.
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities);
+
+/// Uploads a batch that deforms in the shape in which the scene has it now.
+void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch);
 
 /// Uploads shadow data in a further layout, if they are not there yet. Those of one VolumeLayout
 /// are there in one SidesLayout alone.

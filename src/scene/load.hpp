@@ -25,6 +25,7 @@ struct LoadedScene {
     CasterSettings settings;
     Looks looks = {};                  ///< as they were asked for
     std::optional<double> time = {};   ///< of its animation, seconds; nothing: at rest
+    std::string animation = {};        ///< which, as it was asked for; empty: the first
     bool cutoutsCast = false;          ///< MASK surfaces cast what alpha leaves of them, by lookups
     std::optional<Ground> ground = {}; ///< that was laid beneath the scene
     bool showsGround = true;           ///< it is seen now, if there is one

@@ -65,6 +65,10 @@ PlanePairBuffers::PlanePairBuffers(std::shared_ptr<const PlanePairShadow> shadow
       singles_(uploadSides(std::span(shadow_->singles), copied())),
       caps_(shadow_->clusters.size()) {}
 
+void PlanePairBuffers::take(std::shared_ptr<const PlanePairShadow> posed) {
+    *this = PlanePairBuffers(std::move(posed), std::move(alphaCorners_), layout_);
+}
+
 void PlanePairBuffers::uploadAllPairs() {
     if (!pairs_) pairs_ = uploadPairs(shadow_->pairs, layout_);
 }

@@ -41,6 +41,8 @@ class PlanePairBuffers {
                      std::vector<glm::vec4> alphaCorners, SidesLayout layout);
 
     const std::shared_ptr<const PlanePairShadow>& shadow() const { return shadow_; }
+    /// The same records in another pose, see posedPlanePairs().
+    void take(std::shared_ptr<const PlanePairShadow> posed);
     /// Uploads all pairs, or a cluster's caps, if they are not there yet.
     void uploadAllPairs();
     void uploadCapsOf(std::size_t cluster);

@@ -18,21 +18,52 @@ void removeTriangles(LoadedScene& loaded, std::size_t batch) {
 
 } // namespace
 
-std::optional<Pose> placeAt(LoadedScene& loaded, double seconds) {
-    if (!loaded.document) return std::nullopt;
-    const auto animation = readAnimation(*loaded.document, loaded.scene.warnings);
-    if (!animation) return std::nullopt;
-    Pose pose = poseAt(*animation, loaded.scene, seconds);
-    place(loaded.scene, pose);
-    return pose;
+std::vector<Placed> placeScene(LoadedScene& loaded, const Pose& pose) {
+    std::vector<Placed> placed = place(loaded.scene, pose);
+    for (std::size_t b = 0; b < placed.size(); ++b) {
+        if (!placed[b].reshaped) continue;
+        loaded.planePairs[b] = std::make_shared<const PlanePairShadow>(
+            posedPlanePairs(*loaded.planePairs[b], loaded.scene.batches[b]));
+        loaded.shadows.clear(); // they are of another shape
+    }
+    return placed;
 }
 
-bool poseScene(LoadedScene& loaded, double seconds) {
-    const auto pose = placeAt(loaded, seconds);
-    if (!pose) return false;
+std::optional<std::vector<Placed>> placeAt(LoadedScene& loaded, double seconds,
+                                           const std::string& animation) {
+    if (!loaded.document) return std::nullopt;
+    const std::vector<AnimationTitle> titles = animationTitles(*loaded.document);
+    std::optional<std::size_t> index;
+    if (!animation.empty()) {
+        const AnimationTitle* const found = findAnimation(titles, animation);
+        if (!found) {
+            std::string all;
+            for (const AnimationTitle& title : titles)
+                all += (all.empty() ? "it has " : ", ") + std::to_string(title.index) + " '" +
+                       title.name + "'";
+            loaded.scene.warnings.add("--animation: the file has no animation '" + animation +
+                                      "'; " + (all.empty() ? "it has none" : all) +
+                                      ". The scene is at rest.");
+            return std::nullopt;
+        }
+        index = found->index;
+    } else if (titles.size() > 1) {
+        loaded.scene.warnings.add("The file has " + std::to_string(titles.size()) +
+                                  " animations; this is the first, '" + titles.front().name +
+                                  "'. --animation takes another.");
+    }
+    const auto read = readAnimation(*loaded.document, loaded.scene.warnings, index);
+    if (!read) return std::nullopt;
+    return placeScene(loaded, poseAt(*read, loaded.scene, seconds));
+}
+
+bool poseScene(LoadedScene& loaded, double seconds, const std::string& animation) {
+    const auto placed = placeAt(loaded, seconds, animation);
+    if (!placed) return false;
     loaded.time = seconds;
-    for (std::size_t b = 0; b < pose->worldFromBatch.size(); ++b)
-        if (!pose->worldFromBatch[b]) removeTriangles(loaded, b);
+    loaded.animation = animation;
+    for (std::size_t b = 0; b < placed->size(); ++b)
+        if (!(*placed)[b].visible) removeTriangles(loaded, b);
     return true;
 }
 

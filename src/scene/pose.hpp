@@ -5,15 +5,20 @@
 
 namespace edgeshade {
 
-/// Puts the scene's parts where the file's animation has them at a time, in seconds; see place().
-/// Returns the pose; null where there is no animation, and all stays as it is.
-std::optional<Pose> placeAt(LoadedScene& loaded, double seconds);
+/// Puts the scene's parts where a pose has them, and the records of what deforms with it; see
+/// place().
+std::vector<Placed> placeScene(LoadedScene& loaded, const Pose& pose);
 
-/// Places batches, cameras and lights as the file's animation has them at a time, in seconds; see
-/// poseAt(). Batches that there is nothing of then are left without triangles. To be called once,
-/// after addShadows() and before addGround(). A scene without an animation stays as it is.
+/// The same as an animation of the file has them at a time, in seconds. `animation`: its name or
+/// its index, or nothing for the first one, with a warning where there are others. Null where there
+/// is none, and all stays as it is; one that was asked for by name is warned of.
+std::optional<std::vector<Placed>> placeAt(LoadedScene& loaded, double seconds,
+                                           const std::string& animation = {});
+
+/// The same for a picture: what there is nothing of then is left without triangles. To be called
+/// once, after addShadows() and before addGround().
 ///
-/// Returns whether it has one.
-bool poseScene(LoadedScene& loaded, double seconds);
+/// Returns whether there is such an animation.
+bool poseScene(LoadedScene& loaded, double seconds, const std::string& animation = {});
 
 } // namespace edgeshade

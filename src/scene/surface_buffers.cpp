@@ -1,7 +1,6 @@
 #include "src/scene/surface_buffers.hpp"
 
 #include "src/scene/srgb.hpp"
-#include "src/scene/surface_parts.hpp"
 
 #include <algorithm>
 
@@ -51,12 +50,13 @@ bool isSmooth(const Batch& batch, const SurfacePart& part) {
     return false;
 }
 
-SurfaceChunk upload(const Batch& batch, const Material& material, const SurfacePart& part) {
-    SurfaceChunk chunk;
-    chunk.material = part.material;
+/// What of a chunk a shape may change.
+void uploadVertices(const Batch& batch, const Material& material, const SurfacePart& part,
+                    SurfaceChunk& chunk) {
     std::vector<SurfaceVertex> vertices;
     vertices.reserve(part.vertices.size());
     glm::dvec3 sum(0.0);
+    chunk.bounds = {};
     for (const std::uint32_t index : part.vertices) {
         const SurfaceVertex& vertex = vertices.emplace_back(surfaceVertexOf(batch, index));
         sum += vertex.position;
@@ -65,10 +65,16 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
     }
     chunk.center = glm::vec3(sum / static_cast<double>(vertices.size()));
     chunk.vertices = gl::vertexBuffer<SurfaceVertex>(vertices);
-    chunk.smooth = isSmooth(batch, part);
     chunk.tangents = haveTangents(batch, material, part.vertices);
     const std::vector<SurfaceDetail> details = surfaceDetailsOf(batch, material, part.vertices);
     if (!details.empty()) chunk.details = gl::vertexBuffer<SurfaceDetail>(details);
+}
+
+SurfaceChunk upload(const Batch& batch, const Material& material, const SurfacePart& part) {
+    SurfaceChunk chunk;
+    chunk.material = part.material;
+    uploadVertices(batch, material, part, chunk);
+    chunk.smooth = batch.deforms() || isSmooth(batch, part); // in some shape
     chunk.indices = gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(part.indices)));
     chunk.indexCount = static_cast<int>(part.indices.size());
     return chunk;
@@ -102,6 +108,12 @@ std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch,
         chunks.back().place = chunks.size() - 1;
     }
     return chunks;
+}
+
+void uploadShape(const Batch& batch, const std::vector<Material>& materials,
+                 const std::vector<SurfacePart>& parts, std::vector<SurfaceChunk>& chunks) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        uploadVertices(batch, materials[parts[i].material], parts[i], chunks[i]);
 }
 
 } // namespace edgeshade

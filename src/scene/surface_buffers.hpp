@@ -2,6 +2,7 @@
 
 #include "preprocess/scene/scene.hpp"
 #include "src/gl/objects.hpp"
+#include "src/scene/surface_parts.hpp"
 
 #include <vector>
 
@@ -46,5 +47,10 @@ struct SurfaceChunk {
 /// Uploads a batch's surfaces, in the order of surfacePartsOf().
 std::vector<SurfaceChunk> uploadSurfaces(const Batch& batch,
                                          const std::vector<Material>& materials);
+
+/// Uploads the vertices of a batch that deforms anew. `chunks`: as they were uploaded of `parts`,
+/// its surfacePartsOf().
+void uploadShape(const Batch& batch, const std::vector<Material>& materials,
+                 const std::vector<SurfacePart>& parts, std::vector<SurfaceChunk>& chunks);
 
 } // namespace edgeshade

@@ -204,6 +204,9 @@ ViewState after(Command command, const ViewState& before, const Stage& stage) {
     case Command::toggleLights:
         state.showLights = !state.showLights;
         break;
+    case Command::nextAnimation:
+        if (stage.animations > 1) state.animation = (state.animation + 1) % stage.animations;
+        break;
     case Command::togglePlaying:
         state.playing = !state.playing;
         break;

@@ -46,6 +46,7 @@ enum class Command {
     toggleDebug,
     toggleGround, ///< one that catches shadow
     toggleLights,
+    nextAnimation, ///< of the file
     togglePlaying,
     slower,
     faster,

@@ -13,7 +13,8 @@ struct Stage {
     int width = 1;
     int height = 1;
     double pixelRatio = 1.0;
-    std::vector<Light> lights; ///< the file's; empty: the default light is used
+    std::vector<Light> lights;  ///< the file's; empty: the default light is used
+    std::size_t animations = 0; ///< that the file has
     /// The first surface on a ray; may be empty: none.
     std::function<std::optional<glm::dvec3>(const Ray&)> firstHit;
 

@@ -131,6 +131,7 @@ Json toJson(const ViewState& state) {
             {"split_at", state.splitAt},
             {"debug", wordOf(debugWords, state.debug)},
             {"show_lights", state.showLights},
+            {"animation", state.animation},
             {"playing", state.playing},
             {"speed", state.speed},
             {"time", state.time}};
@@ -175,6 +176,8 @@ ViewState changed(const ViewState& base, const Json& changes) {
             state.debug = value.oneOf(debugWords);
         else if (key == "show_lights")
             state.showLights = value.boolean();
+        else if (key == "animation")
+            state.animation = static_cast<std::size_t>(value.integer(0, mostAnimations));
         else if (key == "playing")
             state.playing = value.boolean();
         else if (key == "speed")

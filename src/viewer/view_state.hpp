@@ -24,6 +24,8 @@ enum class DebugView {
 
 inline constexpr float mostExposure = 20.0f; // EV, up or down
 
+inline constexpr int mostAnimations = 1'000'000;
+
 // Range of the animation's speed.
 inline constexpr double slowest = 0.1;
 inline constexpr double fastest = 10.0;
@@ -44,7 +46,8 @@ struct ViewState {
     bool split = false;
     double splitAt = 0.5; ///< share of the width, 0..1
     DebugView debug = DebugView::none;
-    bool showLights = true; ///< handles that lights are dragged by
+    bool showLights = true;    ///< handles that lights are dragged by
+    std::size_t animation = 0; ///< which of the scene's is shown
     bool playing = false;
     double speed = 1.0; ///< of the animation, slowest..fastest
     double time = 0.0;  ///< of the animation, seconds
@@ -56,7 +59,7 @@ struct ViewState {
 ///  "cast_cutouts": false,
 ///  "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity":
 ///  "plane", "mask_scale": 1|2|4}, "right": {…}, "split": false, "split_at": 0.5, "debug":
-///  "none|volumes", "show_lights": true, "playing": false, "speed": 1, "time": 0}
+///  "none|volumes", "show_lights": true, "animation": 0, "playing": false, "speed": 1, "time": 0}
 /// What a light is, light_state.hpp says.
 nlohmann::ordered_json toJson(const ViewState& state);
 

@@ -18,6 +18,7 @@
 
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/reading/animation_reading.hpp"
+#include "src/scene/pose.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>
@@ -75,7 +76,8 @@ struct Viewer::Parts {
     Interaction interaction;
     FrameClock clock;
     std::optional<LoadedScene> loaded;
-    std::optional<Animation> animation; ///< of the loaded scene
+    std::vector<AnimationTitle> animations; ///< of the loaded scene
+    std::optional<Animation> animation;     ///< the chosen one
     KeptLayers layers;
     LightRest rest;
     bool mapsPending = false; ///< a light may get a primitive map soon
@@ -83,7 +85,7 @@ struct Viewer::Parts {
     bool dirty = true;
     bool timed = false;    ///< somebody asked for statistics
     bool unchecked = true; ///< something new is drawn, which the GL may refuse
-    RecentMean frameMs, planMs;
+    RecentMean frameMs, planMs, poseMs;
     int timedFrames = 0;
     std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed
     std::optional<std::pair<glm::dvec4, EdgeCounts>> edgeCounts; ///< of that light
@@ -92,6 +94,7 @@ struct Viewer::Parts {
     GpuScene uploaded(const LoadedScene& scene, const Gpu& on) const;
     void addVolumesFor(const ViewState& of, Gpu& on) const;
     void adopt(const ViewState& next);
+    void chooseAnimation(Warnings& warnings);
     void applyPose();
     void applyGround();
     void applyCutouts();
@@ -131,6 +134,10 @@ void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
 
 /// Makes what the next state needs before it becomes the state, so that a refusal changes nothing.
 void Viewer::Parts::adopt(const ViewState& next) {
+    if (next.animation != 0 && next.animation >= animations.size())
+        throw Error(ExitStatus::usage, "animation is " + std::to_string(next.animation) +
+                                           ", but the scene has " +
+                                           std::to_string(animations.size()) + " animations.");
     unchecked = unchecked || next.debug != state.debug;
     if (gpu) {
         const std::size_t before = gpu->renderers.size();
@@ -140,23 +147,37 @@ void Viewer::Parts::adopt(const ViewState& next) {
         gpu->renderers.dropUnusedTargets(next);
         addVolumesFor(next, *gpu);
     }
-    const bool posed = next.time != state.time;
+    const bool rechosen = next.animation != state.animation;
+    const bool posed = rechosen || next.time != state.time;
     const bool grounded = next.ground != state.ground;
     const bool cutOut = next.castCutouts != state.castCutouts;
+    const bool fromStart = rechosen && next.time == state.time;
     state = next;
+    if (fromStart) state.time = 0.0;
+    Warnings known; // said when the scene came
+    if (rechosen) chooseAnimation(known);
     if (grounded) applyGround();
     if (cutOut) applyCutouts();
     if (posed) applyPose();
     dirty = true;
 }
 
+/// Reads the animation that the state names.
+void Viewer::Parts::chooseAnimation(Warnings& warnings) {
+    animation.reset();
+    if (state.animation >= animations.size()) return;
+    animation = readAnimation(*loaded->document, warnings, animations[state.animation].index);
+}
+
 /// Places batches, cameras and lights as the animation has them at the state's time.
 void Viewer::Parts::applyPose() {
     if (!loaded) return;
-    std::optional<Pose> pose;
+    Stopwatch watch;
+    std::vector<Placed> placed(loaded->scene.batches.size());
     if (animation) {
-        pose = poseAt(*animation, loaded->scene, state.time);
-        place(loaded->scene, *pose);
+        const Pose pose = poseAt(*animation, loaded->scene, state.time);
+        const std::vector<Placed> moved = placeScene(*loaded, pose);
+        std::copy(moved.begin(), moved.end(), placed.begin());
         std::vector<Light> lights = lightsOf(loaded->scene);
         followLights(state.lights, stage.lights, lights);
         stage.lights = std::move(lights);
@@ -165,10 +186,12 @@ void Viewer::Parts::applyPose() {
         const std::vector<Batch>& batches = loaded->scene.batches;
         for (std::size_t i = 0; i < batches.size(); ++i) {
             gpu->scene->batches[i].worldFromBatch = batches[i].worldFromBatch;
-            gpu->scene->batches[i].hidden = pose && !pose->worldFromBatch[i];
+            gpu->scene->batches[i].hidden = !placed[i].visible;
+            if (placed[i].reshaped) uploadShape(*gpu->scene, *loaded, i);
         }
     }
     sceneMoved();
+    poseMs.add(1e3 * watch.lap());
 }
 
 /// Makes the ground, which is there in any case, the one that the state shows.
@@ -319,8 +342,8 @@ Viewer::~Viewer() = default;
 
 void Viewer::show(LoadedScene scene) {
     Parts& parts = *parts_;
-    std::optional<Animation> animation;
-    if (scene.document) animation = readAnimation(*scene.document, scene.scene.warnings);
+    std::vector<AnimationTitle> animations;
+    if (scene.document) animations = animationTitles(*scene.document);
     // It is there in any case, so that it can be shown at any time.
     const GroundChoice ground =
         scene.ground || hasFloor(scene.scene) ? scene.ground : GroundChoice(Ground{});
@@ -329,7 +352,9 @@ void Viewer::show(LoadedScene scene) {
     if (parts.gpu && parts.gpu->scene) parts.gpu->scene->primitiveMaps.clear();
     if (parts.gpu) uploaded = parts.uploaded(scene, *parts.gpu);
     parts.loaded = std::move(scene);
-    parts.animation = std::move(animation);
+    parts.animations = std::move(animations);
+    parts.state.animation = 0;
+    parts.chooseAnimation(parts.loaded->scene.warnings);
     parts.state.time = 0.0;
     parts.state.playing = false;
     parts.state.ground = ground;
@@ -343,6 +368,8 @@ void Viewer::show(LoadedScene scene) {
     parts.unchecked = true;
     parts.sceneMoved();
     parts.stage.lights = lightsOf(parts.loaded->scene);
+    parts.stage.animations = parts.animations.size();
+    parts.poseMs = {};
     parts.state = framed(parts.state, parts.stage);
     if (parts.animation) parts.applyPose();
     parts.applyGround();
@@ -393,6 +420,13 @@ std::vector<FileCamera> Viewer::cameras() const {
     return parts_->loaded ? fileCameras(parts_->loaded->scene) : std::vector<FileCamera>();
 }
 
+std::vector<std::string> Viewer::animations() const {
+    std::vector<std::string> names;
+    for (const AnimationTitle& title : parts_->animations)
+        names.push_back(title.name);
+    return names;
+}
+
 double Viewer::animationSeconds() const {
     return parts_->animation ? parts_->animation->duration : 0.0;
 }
@@ -429,6 +463,7 @@ FrameStats Viewer::stats() const {
     if (!parts.loaded) return stats;
     stats.frameMs = parts.frameMs.mean();
     stats.planMs = parts.planMs.mean();
+    stats.poseMs = parts.poseMs.mean();
     stats.stageMs = parts.stageMs;
     stats.triangles = parts.loaded->scene.triangleCount();
     const EdgeCounts& counts = parts.edgesNow();
@@ -466,6 +501,7 @@ void Viewer::restoreGpu(const gl::Capabilities& capabilities) {
 nlohmann::ordered_json toJson(const FrameStats& stats) {
     nlohmann::ordered_json json = {{"frame_ms", stats.frameMs},
                                    {"plan_ms", stats.planMs},
+                                   {"pose_ms", stats.poseMs},
                                    {"triangles", stats.triangles},
                                    {"edges", stats.edges},
                                    {"records", stats.records},

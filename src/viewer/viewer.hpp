@@ -16,6 +16,7 @@ namespace edgeshade::viewer {
 struct FrameStats {
     double frameMs = 0.0;           ///< until the picture was there
     double planMs = 0.0;            ///< of it, on the CPU before drawing
+    double poseMs = 0.0;            ///< besides, of one that shows another pose than the last
     std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed, one of 16
     std::size_t triangles = 0;
     std::size_t edges = 0;
@@ -27,7 +28,8 @@ struct FrameStats {
     std::vector<LightMethod> lights; ///< how each one's shadows are made, on the left
 };
 
-/// {"frame_ms", "plan_ms", "triangles", "edges", "records", "silhouettes", "shadow_bytes",
+/// {"frame_ms", "plan_ms", "pose_ms", "triangles", "edges", "records", "silhouettes",
+/// "shadow_bytes",
 ///  "map_bytes", "primitive_map_bytes", "lights": [{"method", "why", "build_ms", "bytes"}, …],
 ///  "stage_ms": {"ambient", "map", "silhouette", "rasterise", "lit"}}; the last one
 /// once it is known.
@@ -75,7 +77,10 @@ class Viewer {
     /// The file's cameras in perspective, where they are now.
     std::vector<FileCamera> cameras() const;
 
-    /// Length of the animation in seconds; 0: nothing moves.
+    /// Names of the scene's animations; the state says by index which one is shown.
+    std::vector<std::string> animations() const;
+
+    /// Length of that animation in seconds; 0: nothing moves.
     double animationSeconds() const;
 
     /// Draws if anything has changed since the last call, an animation's time included; returns

@@ -8,7 +8,8 @@ const whole = new Set(['map-size', 'mask-scale']);
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
   'camera', 'light', 'sun', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'shadows', 'map-size', 'multiplicity',
-  'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'playing', 'speed', 'time',
+  'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
+  'speed', 'time',
 ];
 
 function numbers(text, counts, name) {
@@ -85,6 +86,7 @@ export function changesFromAttributes(get) {
   if (has('split-at')) changes.split_at = number('split-at');
   if (has('debug')) changes.debug = get('debug');
   if (has('lights')) changes.show_lights = get('lights') !== 'off';
+  if (has('animation')) changes.animation = number('animation');
   if (has('playing')) changes.playing = get('playing') !== 'off';
   if (has('speed')) changes.speed = number('speed');
   if (has('time')) changes.time = number('time');

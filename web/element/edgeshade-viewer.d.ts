@@ -68,6 +68,8 @@ export interface ViewState {
   split_at: number;
   debug: 'none' | 'volumes';
   show_lights: boolean;
+  /** Which of the scene's animations is shown, by index. */
+  animation: number;
   playing: boolean;
   speed: number;
   time: number;
@@ -85,6 +87,8 @@ export interface Stats {
   frame_ms: number;
   /** Of it, on the CPU before drawing. */
   plan_ms: number;
+  /** Besides, of one that shows another pose than the last. */
+  pose_ms: number;
   triangles: number;
   edges: number;
   records: number;
@@ -105,7 +109,8 @@ export type Command =
   | 'lightLeft' | 'lightRight' | 'lightUp' | 'lightDown' | 'lightNearer' | 'lightFarther'
   | 'nextLight' | 'addLight' | 'removeLight' | 'toggleSun'
   | 'nextShadows' | 'toggleSplit' | 'splitLeft' | 'splitRight'
-  | 'toggleDebug' | 'toggleGround' | 'toggleLights' | 'togglePlaying' | 'slower' | 'faster';
+  | 'toggleDebug' | 'toggleGround' | 'toggleLights' | 'nextAnimation' | 'togglePlaying' | 'slower'
+  | 'faster';
 
 export interface LoadDetail {
   name: string;
@@ -185,7 +190,9 @@ export class EdgeshadeViewer extends HTMLElement {
   /** A copy; null until the viewer has started. */
   readonly state: ViewState | null;
   readonly stats: Stats | null;
-  /** Length of the animation; 0: nothing moves. */
+  /** Names of the scene's animations. */
+  readonly animations: string[];
+  /** Length of the one that is shown, in seconds; 0: nothing moves. */
   readonly animationSeconds: number;
 
   /**

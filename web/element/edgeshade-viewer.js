@@ -102,6 +102,10 @@ export class EdgeshadeViewer extends HTMLElement {
     return this.#viewer ? JSON.parse(this.#viewer.stats()) : null;
   }
 
+  get animations() {
+    return this.#viewer ? JSON.parse(this.#viewer.animations()) : [];
+  }
+
   get animationSeconds() {
     return this.#viewer?.animationSeconds() ?? 0;
   }

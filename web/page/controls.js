@@ -106,6 +106,12 @@ export function connectControls(viewer) {
       shadows: radios(`${side}-shadows`, (shadows) => viewer.change({ [side]: { shadows } })),
       size: mapSize(`${side}-map-size`, (map_size) => viewer.change({ [side]: { map_size } })),
     };
+  $('clip').addEventListener('change', () => viewer.change({ animation: Number($('clip').value) }));
+  viewer.addEventListener('load', () => {
+    $('clip').replaceChildren(
+      ...viewer.animations.map((name, index) => new Option(name, String(index))));
+    $('clips').hidden = viewer.animations.length < 2;
+  });
   $('speed').addEventListener('change', () => viewer.change({ speed: Number($('speed').value) }));
 
   const setDisabled = (disabled) => {
@@ -147,6 +153,7 @@ export function connectControls(viewer) {
     show.debug(state.debug !== 'none');
     const seconds = viewer.animationSeconds;
     $('animation').hidden = !(seconds > 0);
+    $('clip').value = String(state.animation);
     $('time').max = String(seconds);
     show.time(state.time % Math.max(seconds, 1e-6));
     $('play').textContent = state.playing ? 'Pause' : 'Play';

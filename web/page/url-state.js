@@ -31,6 +31,7 @@ export function hashOf(model, state) {
   }
   if (state.debug !== 'none') put('debug', state.debug);
   if (!state.show_lights) put('lights', 'off');
+  if (state.animation) put('animation', state.animation);
   if (state.playing) put('playing', 'on');
   if (state.speed !== 1) put('speed', short(state.speed));
   if (state.time && !state.playing) put('time', short(state.time));
@@ -104,6 +105,7 @@ export function readHash(hash) {
   });
   take('debug', (text) => { changes.debug = text; });
   take('lights', (text) => { changes.show_lights = text !== 'off'; });
+  take('animation', (text) => { changes.animation = one('animation')(text); });
   take('playing', (text) => { changes.playing = text === 'on'; });
   take('speed', (text) => { changes.speed = one('speed')(text); });
   take('time', (text) => { changes.time = one('time')(text); });
