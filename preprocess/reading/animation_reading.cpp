@@ -240,14 +240,18 @@ const AnimationTitle* findAnimation(const std::vector<AnimationTitle>& titles,
 
 std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings,
                                        std::optional<std::size_t> index) {
-    if (!index) {
-        const std::vector<AnimationTitle> titles = animationTitles(document);
-        if (titles.empty()) return std::nullopt;
-        index = titles.front().index;
-    }
     std::optional<Animation> animation;
-    readOrWarn(warnings, "the animation is left out",
-               [&] { animation = AnimationReader(document).read(*index); });
+    AnimationReader reader(document);
+    const auto read = [&](std::size_t which) {
+        return readOrWarn(warnings, "the animation is left out",
+                          [&] { animation = reader.read(which); });
+    };
+    if (index) {
+        read(*index);
+        return animation;
+    }
+    for (const AnimationTitle& title : animationTitles(document))
+        if (read(title.index)) break;
     return animation;
 }
 

@@ -353,8 +353,12 @@ void Viewer::show(LoadedScene scene) {
     if (parts.gpu) uploaded = parts.uploaded(scene, *parts.gpu);
     parts.loaded = std::move(scene);
     parts.animations = std::move(animations);
-    parts.state.animation = 0;
-    parts.chooseAnimation(parts.loaded->scene.warnings);
+    for (parts.state.animation = 0; parts.state.animation < parts.animations.size();
+         ++parts.state.animation) {
+        parts.chooseAnimation(parts.loaded->scene.warnings);
+        if (parts.animation) break;
+    }
+    if (!parts.animation) parts.state.animation = 0;
     parts.state.time = 0.0;
     parts.state.playing = false;
     parts.state.ground = ground;

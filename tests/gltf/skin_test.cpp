@@ -58,16 +58,14 @@ GltfBuilder morphedScene(const Json& meshWeights, const Json& nodeWeights) {
 TEST(Skin, VerticesStandWhereTheirJointsAreAtRest) {
     const Scene scene = sceneOf(skinnedScene());
     expectSameTriangles(worldTriangles(scene), tetrahedronWithCorner({1, 2, 0}), 1e-6);
-    EXPECT_EQ(scene.warnings.sentences().size(), 1u);
-    EXPECT_EQ(warningsWith(scene, "rest pose"), 1u);
+    EXPECT_TRUE(scene.warnings.sentences().empty());
 }
 
-TEST(Skin, TwoSkinnedNodesGiveOneWarning) {
+TEST(Skin, TwoNodesMayHaveOneSkin) {
     GltfBuilder gltf = skinnedScene();
     gltf.addNode({{"mesh", 0}, {"skin", 0}});
     const Scene scene = sceneOf(gltf);
     EXPECT_EQ(scene.triangleCount(), 8u);
-    EXPECT_EQ(scene.warnings.sentences().size(), 1u);
 }
 
 TEST(Skin, WithoutInverseBindMatricesTheyAreIdentities) {
@@ -91,8 +89,7 @@ TEST(Skin, WeightsBlendJoints) {
 TEST(Morph, DefaultWeightsOfTheMeshApply) {
     const Scene scene = sceneOf(morphedScene({0.5}, nullptr));
     expectSameTriangles(worldTriangles(scene), tetrahedronWithCorner({1, 2, 0}), 1e-6);
-    EXPECT_EQ(scene.warnings.sentences().size(), 1u);
-    EXPECT_EQ(warningsWith(scene, "weights"), 1u);
+    EXPECT_TRUE(scene.warnings.sentences().empty());
 }
 
 TEST(Morph, WeightsOfTheNodeComeFirst) {

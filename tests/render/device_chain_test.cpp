@@ -4,7 +4,9 @@
 #include "preprocess/reading/flatten.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/lights.hpp"
+#include "tests/support/moving_scenes.hpp"
 #include "tests/support/plane_pair_probe.hpp"
+#include "tests/support/posed_chain.hpp"
 #include "tests/support/probe.hpp"
 
 #include <algorithm>
@@ -101,6 +103,34 @@ TEST(ClosedChainOnTheDevice, PlanesNeverOpen) {
                   << count.open << " open of " << count.edges << " edge-light pairs\n";
         open += count.open;
     }
+    EXPECT_EQ(open, 0u);
+}
+
+TEST(ClosedChainOnTheDevice, WhatDeformsNeverOpensInAnyPose) {
+    test::PlanePairProbe probe;
+    test::Random random(9);
+    std::size_t edges = 0, open = 0;
+    for (const test::GltfBuilder& gltf : {test::walkingFigure(6, 8), test::morphingBall(8, 10)}) {
+        Scene scene = flattenScene(parseGltf(gltf.glb(), "test.glb"), 0.0);
+        for (Batch& batch : scene.batches) {
+            if (!batch.deforms()) continue;
+            const PlanePairShadow rest = buildPlanePairs(
+                batch, castersOf(batch, scene.materials, true), scene.materials, 0.0);
+            for (int pose = 0; pose < 100; ++pose) {
+                ASSERT_TRUE(poseBatch(batch, test::randomShape(batch, random, 0.01 * pose)));
+                const PlanePairShadow posed = posedPlanePairs(rest, batch);
+                probe.upload(posed);
+                const glm::vec3 vertex = batch.positions[batch.positions.size() / 3];
+                for (const glm::vec4& light : {glm::vec4(0.3f, 0.8f, 0.4f, 0),
+                                               glm::vec4(0.5f, 2, 1, 1), glm::vec4(vertex, 1)}) {
+                    edges += posed.pairs.size() + posed.singles.size();
+                    open += test::openEdgesOfPose(posed, probe.signs(light, test::countAll));
+                }
+            }
+        }
+    }
+    std::cout << "[ closed chain ] device, plane, deforming: " << open << " open of " << edges
+              << " edge-light pairs\n";
     EXPECT_EQ(open, 0u);
 }
 

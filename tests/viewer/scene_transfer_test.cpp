@@ -4,7 +4,8 @@
 
 #include "preprocess/gltf/gltf_document.hpp"
 #include "src/scene/load.hpp"
-#include "tests/support/gltf_builder.hpp"
+#include "src/scene/pose.hpp"
+#include "tests/support/moving_scenes.hpp"
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,24 @@ TEST(SceneTransfer, PicturesInUseGoAlong) {
         ASSERT_EQ(scene.document->json["images"].size(), 3u);
         for (const int image : {0, 2})
             EXPECT_EQ(encodedImageBytes(*scene.document, image), withMark(smallPng(), image));
+    }
+}
+
+TEST(SceneTransfer, WhatDeformsMovesAlikeThere) {
+    for (const GltfBuilder& gltf : {walkingFigure(6, 6), morphingBall(6, 6)}) {
+        const TempFolder folder;
+        LoadedScene here = loadScene(folder.write("scene.glb", gltf.glb()), std::nullopt);
+        LoadedScene there = web::fromTransfer(web::toTransfer(here));
+        for (LoadedScene* scene : {&here, &there})
+            ASSERT_TRUE(poseScene(*scene, 0.3));
+        for (std::size_t b = 0; b < here.scene.batches.size(); ++b) {
+            EXPECT_EQ(there.scene.batches[b].positions, here.scene.batches[b].positions);
+            EXPECT_EQ(there.scene.batches[b].normals, here.scene.batches[b].normals);
+            const auto &ofHere = *here.planePairs[b], &ofThere = *there.planePairs[b];
+            ASSERT_EQ(ofThere.pairs.size(), ofHere.pairs.size());
+            for (std::size_t i = 0; i < ofHere.pairs.size(); ++i)
+                EXPECT_EQ(ofThere.pairs[i].plane1, ofHere.pairs[i].plane1);
+        }
     }
 }
 

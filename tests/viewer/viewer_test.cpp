@@ -8,6 +8,7 @@
 #include "src/viewer/viewer.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/moving_scenes.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -353,6 +354,89 @@ TEST_F(Animated, WhatIsScaledToNothingIsNotDrawnAndHasNoShadow) {
     LoadedScene slab = movingScene("scale", {1, 1, 1, 0, 0, 0});
     std::erase_if(slab.scene.batches, [](const Batch& batch) { return batch.isAnimated(); });
     EXPECT_EQ(differing(gone, plain(slab.scene)), 0u);
+}
+
+/// Viewers of scenes that deform.
+class Deforming : public Animated {
+  protected:
+    void show(const test::GltfBuilder& gltf) {
+        viewer.show(loaded(gltf));
+        viewer.change({{"show_lights", false}, {"ground", "off"}});
+        viewer.change(Json::parse(R"({"lights": [[0.6, 1, 0.5, 0]]})"));
+    }
+    void expectPosesOf(const test::GltfBuilder& gltf) {
+        const std::vector<double> times = {0.3, 0.85, 0.1};
+        show(gltf);
+        const Pixels start = picture();
+        std::vector<Pixels> then;
+        for (const double seconds : times) {
+            viewer.change({{"time", seconds}});
+            then.push_back(picture());
+            EXPECT_GT(differing(then.back(), start), 100u) << seconds;
+        }
+        viewer.change({{"time", 0.0}});
+        EXPECT_EQ(differing(picture(), start), 0u) << "and back";
+        EXPECT_GT(viewer.stats().poseMs, 0.0);
+        for (std::size_t i = 0; i < times.size(); ++i)
+            EXPECT_EQ(differing(then[i], plainAt(gltf, times[i], 0)), 0u) << times[i];
+    }
+    /// The picture of a scene that was at that time from the start, drawn in another context.
+    Pixels plainAt(const test::GltfBuilder& gltf, double seconds, std::size_t animation) const {
+        LoadedScene there = loaded(gltf);
+        Warnings none;
+        place(there.scene, poseAt(readAnimation(*there.document, none, animation).value(),
+                                  there.scene, seconds));
+        return plain(there.scene);
+    }
+};
+
+TEST_F(Deforming, SkinsAreWhereTheirJointsAreAndSoAreTheirShadows) {
+    expectPosesOf(test::walkingFigure(8, 8));
+}
+
+TEST_F(Deforming, MorphsAreWhereTheirWeightsPutThemAndSoAreTheirShadows) {
+    expectPosesOf(test::morphingBall(12, 10));
+}
+
+TEST_F(Deforming, APublishedLayoutMovesToo) {
+    const test::GltfBuilder gltf = test::walkingFigure(6, 6);
+    show(gltf);
+    viewer.change({{"left", {{"shadows", "volumes"}, {"multiplicity", "reference-edge"}}}});
+    viewer.change({{"time", 0.3}});
+    const Pixels then = picture();
+    EXPECT_LT(differing(then, plainAt(gltf, 0.3, 0)), 4u);
+}
+
+TEST_F(Deforming, AnotherAnimationCanBeChosen) {
+    const test::GltfBuilder gltf = test::walkingFigure(8, 8);
+    show(gltf);
+    EXPECT_EQ(viewer.animations(), (std::vector<std::string>{"walk", "wave", "jump"}));
+    viewer.change({{"animation", 1}, {"time", 0.7}});
+    EXPECT_EQ(viewer.animationSeconds(), 2.0);
+    const Pixels waving = picture();
+    viewer.run(Command::nextAnimation);
+    EXPECT_EQ(viewer.state().animation, 2u);
+    EXPECT_EQ(viewer.state().time, 0.0) << "from its start";
+    viewer.run(Command::nextAnimation);
+    EXPECT_EQ(viewer.state().animation, 0u);
+    EXPECT_THROW(viewer.change({{"animation", 3}}), Error);
+    EXPECT_THROW(viewer.change({{"animation", -1}}), Error);
+    EXPECT_EQ(viewer.state().animation, 0u);
+    viewer.show(yardScene());
+    EXPECT_TRUE(viewer.animations().empty());
+    EXPECT_THROW(viewer.change({{"animation", 1}}), Error);
+    show(gltf); // the same camera
+    EXPECT_EQ(differing(waving, plainAt(gltf, 0.7, 1)), 0u);
+}
+
+TEST_F(Deforming, ALostContextKeepsThePose) {
+    const test::GltfBuilder gltf = test::morphingBall(12, 10);
+    show(gltf);
+    viewer.change({{"time", 0.6}});
+    const Pixels before = picture();
+    viewer.forgetGpu();
+    viewer.restoreGpu(context.capabilities());
+    EXPECT_EQ(differing(picture(), before), 0u);
 }
 
 TEST_F(Animated, LightsOfTheFileGoWithTheirNodesUntilSomebodyMovesThem) {
