@@ -1,5 +1,7 @@
 #include "preprocess/mesh/topology.hpp"
 
+#include "preprocess/scene/posing.hpp"
+
 #include <span>
 
 namespace edgeshade {

@@ -8,6 +8,7 @@
 #include "preprocess/reading/pieces.hpp"
 #include "preprocess/reading/variants.hpp"
 #include "preprocess/scene/animation.hpp"
+#include "preprocess/scene/posing.hpp"
 #include "preprocess/scene/vertex_transform.hpp"
 
 #include <algorithm>

@@ -85,6 +85,15 @@ class PieceCounter {
         memory_.take(instances * primitive.indices.size(), sizeof(std::uint32_t), field);
     }
 
+    /// What a piece that deforms keeps of its primitive: vertices, influences and targets.
+    void countSource(const Primitive& primitive, int node) {
+        const std::string field = document_.where("nodes[" + std::to_string(node) + "]");
+        const std::size_t vertices = primitive.positions.size();
+        memory_.take(vertices, 2 * sizeof(glm::vec3) + sizeof(glm::vec4), field);
+        memory_.take(primitive.influences.all.size(), sizeof(Influence), field);
+        memory_.take(primitive.targets.size() * vertices, 3 * sizeof(glm::vec3), field);
+    }
+
   private:
     const GltfDocument& document_;
     MemoryBudget& memory_;
@@ -159,6 +168,8 @@ PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
                            visit.place.animatedFromNode, nullptr, visit.node};
             const bool moves = morphs && !primitive->targets.empty();
             if (moves) piece.restWeights = weights;
+            if (moves || (isSkinned(*primitive) && skin->moves))
+                counter.countSource(*primitive, visit.node);
             // A skin's joints place it in the world; its own node's transforms do not count.
             if (isSkinned(*primitive)) {
                 requireJoints(document, *primitive, skin->joints.size());

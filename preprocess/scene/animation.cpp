@@ -1,5 +1,7 @@
 #include "preprocess/scene/animation.hpp"
 
+#include "preprocess/scene/posing.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

@@ -4,14 +4,10 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace edgeshade {
-
-struct Batch;
 
 // What deforms: skinned and morphing meshes that an animation moves (glTF 2.0, 3.7.2.2, 3.7.3).
 // The triangles stay as they are; where their corners are, and their normals, is worked out for
@@ -97,13 +93,5 @@ struct BatchShape {
 
     bool operator==(const BatchShape&) const = default;
 };
-
-/// Puts the vertices of a batch that deforms where a shape has them, with their normals and
-/// tangents: morph targets first, then joints, in double, rounded once. False where a position does
-/// not fit into a float; the batch stays as it was.
-bool poseBatch(Batch& batch, const BatchShape& shape);
-
-/// By vertex of a batch that deforms: the first vertex that is where it is in whatever pose.
-std::vector<std::uint32_t> alikeVertices(const Batch& batch);
 
 } // namespace edgeshade

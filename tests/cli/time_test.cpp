@@ -18,8 +18,8 @@ std::string lampOnAnArm(const TempFolder& folder) {
     const float sine = std::sin(0.6f), cosine = std::cos(0.6f);
     GltfBuilder gltf;
     gltf.addShapeNode(box(glm::vec3(6.0f, 0.2f, 6.0f)));
-    gltf.addShapeNode(box(glm::vec3(0.8f)), {{"translation", {0, 0.6, 0}}});
-    gltf.addShapeNode(box(glm::vec3(1.0f)), {{"translation", {2, 3, 0}}});
+    gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.8f)))}, {"translation", {0, 0.6, 0}}});
+    gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(1.0f)))}, {"translation", {2, 3, 0}}});
     gltf.useExtension(lights);
     gltf.json["extensions"][lights]["lights"] = {
         {{"type", "spot"},

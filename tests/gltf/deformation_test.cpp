@@ -2,6 +2,7 @@
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
+#include "preprocess/scene/posing.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/moving_scenes.hpp"
 #include "tests/support/scene_triangles.hpp"
@@ -306,6 +307,24 @@ TEST(Deformation, AnimationsAreFoundByNameAndIndex) {
     GltfBuilder unnamed = bending();
     unnamed.json["animations"][0]["name"] = 7;
     EXPECT_EQ(animationTitles(parseGltf(unnamed.glb(), "test.glb")).at(0).name, "animation 0");
+}
+
+TEST(Deformation, TheScenesThatShipAreTheAuthoredOnes) {
+    const auto expectAlike = [](const char* name, const GltfBuilder& gltf) {
+        const Scene ships =
+            flattenScene(readGltf(std::filesystem::path(EDGESHADE_ASSETS) / name), 0.0);
+        const Scene authored = sceneOf(gltf);
+        ASSERT_EQ(ships.batches.size(), authored.batches.size());
+        for (std::size_t b = 0; b < ships.batches.size(); ++b) {
+            const std::vector<glm::vec3>&of = ships.batches[b].positions,
+                  &wanted = authored.batches[b].positions;
+            ASSERT_EQ(of.size(), wanted.size());
+            for (std::size_t v = 0; v < of.size(); ++v)
+                expectNear(of[v], wanted[v]);
+        }
+    };
+    expectAlike("walking-figure.glb", walkingFigure(12, 12));
+    expectAlike("morphing-ball.glb", morphingBall(20, 16));
 }
 
 TEST(Deformation, WeightsThatDoNotFitLeaveTheAnimationOut) {

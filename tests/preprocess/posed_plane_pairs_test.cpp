@@ -1,6 +1,7 @@
 // Records of what deforms: the same topology, the pose's planes, and a chain that stays closed.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
+#include "preprocess/scene/posing.hpp"
 #include "preprocess/volumes/clustering.hpp"
 #include "preprocess/volumes/triangle_planes.hpp"
 #include "tests/support/moving_scenes.hpp"

@@ -1,5 +1,6 @@
 // Lists of potential silhouettes (docs/method.md, C24): no record that is left out may have a
 // multiplicity other than 0 for any light of the ball.
+#include "src/shadow/silhouette/potential_silhouettes.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
 #include "tests/support/plane_pair_chain.hpp"
@@ -225,6 +226,25 @@ TEST(SilhouetteList, OfWhatIsNotFiniteLeavesNothingOut) {
     const float infinity = std::numeric_limits<float>::infinity();
     for (const float value : {infinity, std::numeric_limits<float>::quiet_NaN()})
         EXPECT_EQ(listFor(shadow, {{value, value, -value, 1}, 0.0f}).size(), shadow.pairs.size());
+}
+
+TEST(PotentialSilhouettes, ForgetRecordsOfAPoseThatHasPassed) {
+    const auto scene = std::make_shared<const int>(0);
+    const glm::vec4 light(0, 5, 0, 1);
+    PotentialSilhouettes silhouettes(23);
+    auto shadow = std::make_shared<const PlanePairShadow>(shadowOf(test::cube()));
+    for (int frame = 0; frame < 3; ++frame) {
+        silhouettes.beginFrame(scene);
+        EXPECT_GT(silhouettes.of(shadow, 0, light).size(), 0u);
+    }
+    EXPECT_EQ(silhouettes.made(), 1u) << "nothing moved";
+    const std::weak_ptr<const PlanePairShadow> passed = shadow;
+    shadow = std::make_shared<const PlanePairShadow>(shadowOf(test::cube()));
+    EXPECT_FALSE(passed.expired());
+    silhouettes.beginFrame(scene);
+    EXPECT_TRUE(passed.expired()) << "else every pose of the last frames stays in memory";
+    silhouettes.of(shadow, 0, light);
+    EXPECT_EQ(silhouettes.made(), 2u);
 }
 
 TEST(LightTrack, MakesNothingAnewForALightAtRest) {

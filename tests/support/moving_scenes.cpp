@@ -52,8 +52,9 @@ void addFloor(GltfBuilder& gltf) {
     const int stone =
         gltf.addMaterial({{"pbrMetallicRoughness",
                            {{"baseColorFactor", {0.7, 0.7, 0.72, 1}}, {"metallicFactor", 0}}}});
-    gltf.addShapeNode(box({4.0f, 0.1f, 4.0f}), {{"translation", {0, -0.1, 0}}});
-    gltf.addShapeNode(box({0.2f, 0.8f, 0.2f}), {{"translation", {1.3, 0.8, -0.9}}});
+    gltf.addNode({{"mesh", gltf.addShape(box({4.0f, 0.1f, 4.0f}))}, {"translation", {0, -0.1, 0}}});
+    gltf.addNode(
+        {{"mesh", gltf.addShape(box({0.2f, 0.8f, 0.2f}))}, {"translation", {1.3, 0.8, -0.9}}});
     for (Json& mesh : gltf.json["meshes"])
         mesh["primitives"][0]["material"] = stone;
 }

@@ -3,6 +3,7 @@
 // The closed chain of what deforms: over the vertices that records were made for, wherever a pose
 // puts them.
 
+#include "preprocess/scene/posing.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/plane_pair_chain.hpp"

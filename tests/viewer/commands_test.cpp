@@ -10,6 +10,7 @@ Stage someStage() {
     stage.bounds = {{-2, 0, -2}, {2, 2, 2}};
     stage.width = 800;
     stage.height = 600;
+    stage.animations = 2;
     return stage;
 }
 

@@ -28,6 +28,7 @@ ViewState someState() {
     state.splitAt = 0.3;
     state.debug = DebugView::volumes;
     state.showLights = false;
+    state.animation = 3;
     state.playing = true;
     state.speed = 2.5;
     state.time = 12.75;
@@ -84,7 +85,7 @@ TEST(LightState, NamesSayWhatAnArrayCanNot) {
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 18u);
+    EXPECT_EQ(json.size(), 19u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }

@@ -301,7 +301,8 @@ LoadedScene movingLamps() {
     const std::string lights = "KHR_lights_punctual";
     test::GltfBuilder gltf;
     gltf.addShapeNode(test::box(glm::vec3(3.0f, 0.2f, 3.0f)));
-    gltf.addShapeNode(test::box(glm::vec3(0.8f)), {{"translation", {0, 0.5, 0}}});
+    gltf.addNode(
+        {{"mesh", gltf.addShape(test::box(glm::vec3(0.8f)))}, {"translation", {0, 0.5, 0}}});
     gltf.useExtension(lights);
     gltf.json["extensions"][lights]["lights"] = {{{"type", "point"}, {"intensity", 30}}};
     gltf.json["cameras"] = {{{"type", "perspective"},

@@ -1,10 +1,14 @@
 // Animations play, pause, keep their speed, and stand still for users who want less motion.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { drop, settled, smallPage, stateOf, useBrowser } from './support/browser.mjs';
+import { rendered } from './support/native.mjs';
 import { compare, picture } from './support/pictures.mjs';
 import { smallGlb } from './support/scenes.mjs';
+import { repository } from './support/server.mjs';
 
 const shared = useBrowser();
 const duration = 2; // of the small scene
@@ -105,4 +109,61 @@ test('an address that plays does so unless less motion is wanted', async () => {
     assert.equal((await stateOf(page)).playing, playing, reducedMotion);
     await shared.check(page);
   }
+});
+
+const asset = (name) => readFileSync(join(repository, 'assets', name));
+
+/** A file of the repository's, dropped onto the page without a floor of the viewer's own. */
+async function dropped(page, name) {
+  await drop(page, [{ name, bytes: asset(name) }]);
+  await page.waitForFunction((text) => document.querySelector('#scene-name').textContent.startsWith(text), name);
+  await change(page, { show_lights: false, ground: 'off', shading: 'base', ambient: 0.4,
+    lights: [[0.6, 1, 0.5, 0]], camera: { from: [3, 2, 4], to: [0, 0.9, 0], fov: 45 } });
+}
+
+/** What the program draws of the page's scene at its time, less what two rasterisers see otherwise. */
+async function requireNative(page, name, clip) {
+  const state = await stateOf(page);
+  const native = rendered(state, ['--shading', 'base', '--time', `${state.time}`, '--animation', clip],
+    { scene: asset(name) });
+  const { different, pixels } = await compare(page, await picture(page), native);
+  assert.ok(different <= 0.003 * pixels, `${name}, ${clip} at ${state.time} s: ${different} of ${pixels} pixels differ`);
+}
+
+test('a figure with a skin walks, and waves when that clip is chosen', async () => {
+  const page = await shared.open('/', { size: { width: 1280, height: 720 } });
+  await dropped(page, 'walking-figure.glb');
+  assert.deepEqual(await page.evaluate(() => [...document.querySelector('#clip').options].map(({ text }) => text)),
+    ['walk', 'wave', 'jump']);
+  const before = await picture(page);
+  await page.click('#play');
+  await page.waitForFunction(() => document.querySelector('#viewer').state.time > 0.3);
+  await page.click('#play');
+  await settled(page);
+  await requireOther(page, before, await picture(page), 'its legs and their shadow have moved');
+  await requireNative(page, 'walking-figure.glb', 'walk');
+
+  await page.selectOption('#clip', { label: 'wave' });
+  const { animation, time } = await stateOf(page);
+  assert.deepEqual([animation, time], [1, 0], 'the other clip, from its start');
+  assert.equal(await page.evaluate(() => document.querySelector('#viewer').animationSeconds), 2);
+  await change(page, { time: 0.7 });
+  await requireNative(page, 'walking-figure.glb', 'wave');
+  await page.waitForFunction(() => /animation=1/.test(location.hash) && /time=0.7/.test(location.hash));
+  assert.ok((await page.evaluate(() => document.querySelector('#viewer').stats)).pose_ms > 0);
+  await page.evaluate(() => document.querySelector('#viewer').focus());
+  await page.keyboard.press('a');
+  assert.equal((await stateOf(page)).animation, 2);
+  await assert.rejects(change(page, { animation: 3 }), /animation is 3, but the scene has 3 animations/);
+  await shared.check(page);
+});
+
+test('a ball with morph targets morphs', async () => {
+  const page = await shared.open('/', { size: { width: 1280, height: 720 } });
+  await dropped(page, 'morphing-ball.glb');
+  for (const time of [0.25, 1, 1.5]) {
+    await change(page, { time });
+    await requireNative(page, 'morphing-ball.glb', 'morph');
+  }
+  await shared.check(page);
 });

@@ -19,8 +19,13 @@ void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene) {
     const auto unused = [&](const auto& item) {
         return item.second.lastFrame + framesKept < frame_;
     };
-    std::erase_if(entries_, unused);
-    std::erase_if(sources_, unused);
+    // Records that nobody else holds are of a pose that has passed.
+    const auto isPassed = [](const Source& source) { return source.shadow.use_count() == 1; };
+    std::erase_if(entries_, [&](const auto& item) {
+        return unused(item) || isPassed(sources_.at(item.first.first));
+    });
+    std::erase_if(sources_,
+                  [&](const auto& item) { return unused(item) || isPassed(item.second); });
 }
 
 const SilhouetteList& PotentialSilhouettes::of(const std::shared_ptr<const PlanePairShadow>& shadow,

@@ -14,8 +14,9 @@ class PotentialSilhouettes {
     /// `mantissaBits`: of the vertex shader's floats.
     explicit PotentialSilhouettes(int mantissaBits) : mantissaBits_(mantissaBits) {}
 
-    /// Lights move from frame to frame, never within one. Forgets what the last ones didn't need,
-    /// and everything where `scene`, what tells an upload from any other, is another than before.
+    /// Lights move from frame to frame, never within one. Forgets what the last ones didn't need
+    /// and what nobody else holds any more, and everything where `scene`, what tells an upload
+    /// from any other, is another than before.
     void beginFrame(const std::shared_ptr<const int>& scene);
 
     /// The list of a batch for the light with that index, which is in the batch's space. It stays

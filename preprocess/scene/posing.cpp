@@ -1,6 +1,5 @@
-#include "preprocess/scene/deformation.hpp"
+#include "preprocess/scene/posing.hpp"
 
-#include "preprocess/scene/scene.hpp"
 #include "preprocess/scene/vertex_transform.hpp"
 
 #include <algorithm>
