@@ -84,6 +84,7 @@ struct ShadowCluster {
     bool alphaTested = false; ///< some casters are not opaque
     std::uint32_t components = 1;
     RecordRange pairs, singles, caps;
+    std::uint32_t singleSided = 0; ///< how many of `caps`, which are the first, have no back to see
     RecordRange groups; ///< of PlanePairShadow::groups
     RecordRange leaves; ///< of PlanePairShadow::leaves: each holds the next leafTriangles caps
 };
