@@ -21,6 +21,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
             planView(view, slice, source, caster.worldFromBatch, settings.mantissaBits));
         plan.batches.push_back({.batch = caster.batch,
                                 .light = lightInObject(source, caster.worldFromBatch),
+                                .eye = glm::vec4(places.back().eye),
                                 .shadow = caster.shadow,
                                 .volumes = planVolumes(*caster.shadow, places.back())});
         plan.start.add(plan.batches.back().volumes);
