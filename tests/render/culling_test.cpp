@@ -25,10 +25,24 @@ Scene culling(const SceneBuilder& builder) {
     return scene;
 }
 
-/// By volumes, and by a primitive map where the GL has one.
+/// How many pixels away from boundaries may be wrong: at contacts that a depth buffer of 16 bits
+/// doesn't resolve.
+int allowance() {
+    return test::testLimits() == gl::Limits::device ? 0 : 2;
+}
+
+/// By volumes of every layout, and by a primitive map where the GL has one.
 void expectCulledRight(const Case& test) {
-    test::expectRight(test, MultiplicityMethod::plane);
-    if (test::testLimits() == gl::Limits::device) test::expectLookedUpRight(test);
+    for (const auto layout : {SidesLayout::instanced, SidesLayout::notInstanced}) {
+        RenderSettings settings;
+        settings.layout = layout;
+        const Outcome outcome = test::run(test, settings);
+        EXPECT_LE(outcome.wrongBeyondOnePixel, allowance());
+        EXPECT_LE(outcome.wrong, test::maskWidth * test::maskHeight / 500);
+        EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
+    }
+    if (test::testLimits() == gl::Limits::device && !test.castMasked)
+        test::expectLookedUpRight(test);
 }
 
 Material doubleSided() {
@@ -92,7 +106,7 @@ TEST(Culling, SheetsThatAreTurnedAway) {
 TEST(Culling, SurfacesAloneAreNotEnough) {
     const Case test{culling(room()), outside, pointLight({0.9, 1.7, 0.8})};
     EXPECT_GT(test::run(test, {}, true, false).wrongBeyondOnePixel, 1000);
-    EXPECT_EQ(test::run(test).wrongBeyondOnePixel, 0);
+    EXPECT_LE(test::run(test).wrongBeyondOnePixel, allowance());
 }
 
 TEST(Culling, SheetsBackToBackHaveNoThickness) {
@@ -161,7 +175,7 @@ TEST(Culling, AlphaTestedCasters) {
                                sun({0.4, 0.9, -0.5})}) {
         Case test{culling(builder), outside, light};
         test.castMasked = true;
-        test::expectRight(test, MultiplicityMethod::plane);
+        expectCulledRight(test);
     }
 }
 
@@ -215,7 +229,7 @@ SceneBuilder randomShells(Random& random) {
 
 TEST(Culling, RandomShellsAreRight) {
     Random random(39);
-    int shadowed = 0;
+    int shadowed = 0, wrong = 0;
     for (int i = 0; i < 60; ++i) {
         const Scene scene = culling(randomShells(random));
         const bool within = random.below(3) == 0;
@@ -224,11 +238,13 @@ TEST(Culling, RandomShellsAreRight) {
         const Case test{scene, {eye, 0.5 * random.inCube(), 60.0},
                         random.below(3) == 0 ? sun(light) : pointLight(light)};
         const Outcome outcome = test::run(test);
-        EXPECT_EQ(outcome.wrongBeyondOnePixel, 0) << "scene " << i;
+        wrong += outcome.wrongBeyondOnePixel;
         EXPECT_LE(outcome.wrong, test::maskWidth * test::maskHeight / 200) << "scene " << i;
         shadowed += outcome.shadow > 0 && outcome.lit > 0;
     }
     EXPECT_GT(shadowed, 20);
+    // Shells cross each other: where a culled one meets a visible one, a pixel may be either's.
+    EXPECT_LE(wrong, test::testLimits() == gl::Limits::device ? 3 : 20) << "of 60 masks";
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "src/render/volumes/stencil_count.hpp"
 
+#include <cmath>
 #include <GLES2/gl2.h>
 #include <optional>
 
@@ -12,7 +13,7 @@ namespace {
 /// coincide with, as the point that is asked for lies before it (docs/method.md, C39).
 class CulledCapOffset {
   public:
-    CulledCapOffset() {
+    CulledCapOffset(float slopes, float units) {
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(slopes, units);
     }
@@ -22,13 +23,16 @@ class CulledCapOffset {
     }
     CulledCapOffset(const CulledCapOffset&) = delete;
     CulledCapOffset& operator=(const CulledCapOffset&) = delete;
-
-  private:
-    static constexpr float slopes = 0.0625f; ///< of a pixel: the coarsest grid of GLES 2
-    static constexpr float units = 2.0f;     ///< of the depth buffer
 };
 
+/// What rounding may add to a depth on its way through a rasteriser's floats: 2 to this power.
+constexpr int depthRoundingBits = -23;
+
 } // namespace
+
+VolumeCounter::VolumeCounter(const gl::Capabilities& capabilities)
+    : offsetSlopes_(std::ldexp(1.0f, -capabilities.subpixelBits)),
+      offsetUnits_(std::ldexp(1.0f, capabilities.depthBits + depthRoundingBits)) {}
 
 void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
                           const GpuScene& scene, const CasterGroupInSlice& casters) const {
@@ -37,7 +41,7 @@ void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
                     [&](const VolumeDraw& draw, const DrawnBatch& batch) {
                         countByOne(draw.zFail, batch.mirrored);
                         std::optional<CulledCapOffset> offset;
-                        if (draw.culled) offset.emplace();
+                        if (draw.culled) offset.emplace(offsetSlopes_, offsetUnits_);
                         volumes.draw(draw, batch);
                     });
     };
