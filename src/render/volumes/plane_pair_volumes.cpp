@@ -145,7 +145,7 @@ CountPlan PlanePairVolumes::plan(const GpuScene& scene, const CasterGroupInSlice
         placed.push_back({i, volumes.planePairs->shadow(), scene.batches[i].worldFromBatch});
     }
     return planCount(placed, scene.materials, casters.view, casters.slice, casters.light,
-                     {mantissaBits_, silhouettes_ ? &*silhouettes_ : nullptr});
+                     {mantissaBits_, silhouettes_ ? &*silhouettes_ : nullptr, &solids_});
 }
 
 void PlanePairVolumes::prepare(const CountPlan& plan, GpuScene& scene,

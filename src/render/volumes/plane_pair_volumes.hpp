@@ -82,6 +82,7 @@ class PlanePairVolumes : public VolumeRenderer {
     std::optional<VolumeTints> tints_;
     std::vector<std::string> defines_;
     std::optional<PotentialSilhouettes> silhouettes_;
+    KeptSolids solids_;
     SilhouetteBuffers gathered_;
     gl::Buffer quadCorners_;     ///< instanced: 0..3
     gl::Buffer capCorners_;      ///< instanced: 0..5

@@ -81,9 +81,13 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
 
 /// Whether the eye may see through backs of the cluster: some single-sided triangle of it may be
 /// turned away from the eye, by the shaders' dot product, and be in the picture.
-bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow,
-                 const PlanView& view) {
+bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, const PlanView& view,
+                 bool solid) {
     if (!view.culls || cluster.singleSided == 0) return false;
+    // A front is met first then.
+    if (solid && isOutsideOf(cluster, view.eye) &&
+        !anyCapTouches(view.beforeNearest, cluster, shadow))
+        return false;
     const auto aside = [&](const glm::dvec4& plane) { return isOutside(cluster.bounds, plane); };
     if (std::any_of(view.planes.begin(), view.planes.begin() + 4, aside)) return false;
     const auto first = shadow.caps.begin() + cluster.caps.first;
@@ -289,7 +293,8 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
                         : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
 }
 
-VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view) {
+VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
+                       std::span<const std::uint8_t> solids) {
     const bool oneNear = view.fromNear.corners == view.fromNearest.corners;
     VolumePlan plan;
     for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
@@ -301,7 +306,7 @@ VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view) {
         const Touched touched = capsTouching(view.fromNear, cluster, shadow);
         ClusterPlan draw;
         draw.clusters = {i, 1};
-        const bool culled = mayBeCulled(cluster, shadow, view);
+        const bool culled = mayBeCulled(cluster, shadow, view, !solids.empty() && solids[i] != 0);
         const auto counted =
             countedOf(cluster, shadow, view,
                       oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow), culled);

@@ -6,6 +6,7 @@
 #include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/silhouette/light_facings.hpp"
 
+#include <span>
 #include <vector>
 
 namespace edgeshade {
@@ -117,7 +118,8 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 /// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
 ///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
 ///   C8). Where these certainly differ, the cluster seals the eye off from the light;
-/// - where casters are culled that may be before what is visible, with their caps counted where they
+/// - where casters are culled that may be before what is visible (those of solids with the eye
+///   outside are not), with their caps counted where they
 ///   are, and triangles that face away from the light in place of the light-facing ones
 ///   (docs/method.md, C39).
 ///
@@ -127,6 +129,8 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 /// cutouts of casters, and those that lead towards the viewer behind them, if need be
 /// (docs/method.md, C33). Throws Error(unavailable) where the light stands among a cluster's depths
 /// and it is in need.
-VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view);
+/// `solids`: what findSolids() says of the shadow's clusters; nothing: none is known.
+VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
+                       std::span<const std::uint8_t> solids = {});
 
 } // namespace edgeshade
