@@ -92,9 +92,8 @@ std::vector<std::uint8_t> singleSidedOf(const CasterMesh& mesh,
 }
 
 void putSingleSidedFirst(TriangleCluster& cluster, const std::vector<std::uint8_t>& singleSided) {
-    const auto others =
-        std::stable_partition(cluster.triangles.begin(), cluster.triangles.end(),
-                              [&](std::uint32_t t) { return singleSided[t] != 0; });
+    const auto others = std::stable_partition(cluster.triangles.begin(), cluster.triangles.end(),
+                                              [&](std::uint32_t t) { return singleSided[t] != 0; });
     cluster.singleSided = static_cast<std::uint32_t>(others - cluster.triangles.begin());
 }
 

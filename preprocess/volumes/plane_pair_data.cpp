@@ -106,8 +106,8 @@ PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
         shadow.clusters.push_back(
             {cluster.bounds, cluster.closed, cluster.alphaTested, cluster.components,
              rangeSince(pairs, shadow.pairs.size()), rangeSince(singles, shadow.singles.size()),
-             rangeSince(caps, shadow.caps.size()), cluster.singleSided, rangeSince(groups, shadow.groups.size()),
-             rangeSince(leaves, shadow.leaves.size())});
+             rangeSince(caps, shadow.caps.size()), cluster.singleSided,
+             rangeSince(groups, shadow.groups.size()), rangeSince(leaves, shadow.leaves.size())});
     }
     return shadow;
 }

@@ -85,7 +85,7 @@ struct ShadowCluster {
     std::uint32_t components = 1;
     RecordRange pairs, singles, caps;
     std::uint32_t singleSided = 0; ///< how many of `caps`, which are the first, have no back to see
-    RecordRange groups; ///< of PlanePairShadow::groups
+    RecordRange groups;            ///< of PlanePairShadow::groups
     RecordRange leaves; ///< of PlanePairShadow::leaves: each holds the next leafTriangles caps
 };
 

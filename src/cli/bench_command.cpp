@@ -47,9 +47,9 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const LoadedScene loaded = options.load(shadingFor(settings, &BenchSetting::settings),
-                                            options.settings.render.shadows,
-                                            drawOppositeVertices(settings, &BenchSetting::settings));
+    const LoadedScene loaded =
+        options.load(shadingFor(settings, &BenchSetting::settings), options.settings.render.shadows,
+                     drawOppositeVertices(settings, &BenchSetting::settings));
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);

@@ -42,7 +42,8 @@ std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum
                                 material.casts(castMasked) ||
                                     (cutoutsCast && material.alphaMode == AlphaMode::mask),
                                 material.alphaMode != AlphaMode::blend});
-                if (scene.culls && !material.doubleSided && isSeenFromBehind(triangle, eye, mirrored))
+                if (scene.culls && !material.doubleSided &&
+                    isSeenFromBehind(triangle, eye, mirrored))
                     triangle.visible = false;
             }
         }

@@ -5,8 +5,8 @@
 namespace edgeshade::viewer {
 namespace {
 
-/// The ray's parameter at a triangle (Moeller and Trumbore 1997), from either side or from its front
-/// alone; infinity where it misses.
+/// The ray's parameter at a triangle (Moeller and Trumbore 1997), from either side or from its
+/// front alone; infinity where it misses.
 double distanceTo(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
                   bool frontAlone) {
     constexpr double miss = std::numeric_limits<double>::infinity();
@@ -38,10 +38,10 @@ std::optional<glm::dvec3> firstHit(const Scene& scene, const Ray& ray) {
             const bool frontAlone = scene.culls && !scene.materials[group.material].doubleSided;
             const std::uint32_t end = group.firstIndex + group.indexCount;
             for (std::uint32_t i = group.firstIndex; i + 2 < end; i += 3)
-                nearest =
-                    std::min(nearest, distanceTo(local, batch.positions[batch.indices[i]],
-                                                 batch.positions[batch.indices[i + 1]],
-                                                 batch.positions[batch.indices[i + 2]], frontAlone));
+                nearest = std::min(nearest,
+                                   distanceTo(local, batch.positions[batch.indices[i]],
+                                              batch.positions[batch.indices[i + 1]],
+                                              batch.positions[batch.indices[i + 2]], frontAlone));
         }
     }
     if (nearest == std::numeric_limits<double>::infinity()) return std::nullopt;

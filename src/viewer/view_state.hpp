@@ -2,8 +2,8 @@
 
 #include "preprocess/scene/animation.hpp"
 #include "src/render/frame/frame.hpp"
-#include "src/scene/load.hpp"
 #include "src/scene/ground_text.hpp"
+#include "src/scene/load.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -41,7 +41,7 @@ struct ViewState {
     GroundChoice ground;                                ///< beneath the scene
     bool castCutouts = false;                           ///< LoadedScene::cutoutsCast
     bool culls = cullsByDefault; ///< Scene's, while no side is drawn from opposite-vertex records
-    SideSettings left; ///< of the whole picture where there is no split
+    SideSettings left;           ///< of the whole picture where there is no split
     SideSettings right{ShadowMethod::map};
     bool split = false;
     double splitAt = 0.5; ///< share of the width, 0..1

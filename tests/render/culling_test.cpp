@@ -76,8 +76,8 @@ TEST(Culling, ARoomFromInside) {
 }
 
 TEST(Culling, ABoxFromInsideIsNotSeenAndShadesWhatIs) {
-    const SceneBuilder builder = SceneBuilder().floor(6).box({-1, 0.3f, -1}, {1, 2, 1}).box(
-        {2, 0.2f, 1}, {3, 1, 2});
+    const SceneBuilder builder =
+        SceneBuilder().floor(6).box({-1, 0.3f, -1}, {1, 2, 1}).box({2, 0.2f, 1}, {3, 1, 2});
     for (const Light& light : {pointLight({0.4, 1.2, 0.3}), pointLight({0.5, 5, 0.3}),
                                sun({0.5, 1, -0.3}), pointLight({3, 3, -2})})
         expectCulledRight({culling(builder), {{0.8, 1.7, 0.7}, {1.5, 0.3, 2}, 80.0}, light});
@@ -85,8 +85,8 @@ TEST(Culling, ABoxFromInsideIsNotSeenAndShadesWhatIs) {
 
 TEST(Culling, ABoxFromOutsideIsAsItWas) {
     const SceneBuilder builder = SceneBuilder().floor(6).box({-1, 0.3f, -1}, {1, 2, 1});
-    for (const Light& light : {pointLight({0.4, 1.2, 0.3}), pointLight({0.5, 5, 0.3}),
-                               sun({0.5, 1, -0.3})})
+    for (const Light& light :
+         {pointLight({0.4, 1.2, 0.3}), pointLight({0.5, 5, 0.3}), sun({0.5, 1, -0.3})})
         expectCulledRight({culling(builder), outside, light});
 }
 
@@ -96,9 +96,9 @@ TEST(Culling, SheetsThatAreTurnedAway) {
     for (const float z : {-1.0f, 0.2f, 1.5f})
         builder.quad({1, 0.2f, z}, {-1.2f, 0.3f, z}, {-1, 2, z + 0.3f}, {1.1f, 1.8f, z});
     const Camera camera{{0.8, 2.5, 6}, {0, 0.6, 0}, 45.0};
-    for (const Light& light : {pointLight({0.3, 1.6, 0.7}), pointLight({0.2, 2, 4}),
-                               pointLight({-0.5, 2.2, -4}), sun({0.3, 0.5, 1}),
-                               sun({0.3, 0.5, -1})})
+    for (const Light& light :
+         {pointLight({0.3, 1.6, 0.7}), pointLight({0.2, 2, 4}), pointLight({-0.5, 2.2, -4}),
+          sun({0.3, 0.5, 1}), sun({0.3, 0.5, -1})})
         expectCulledRight({culling(builder), camera, light});
 }
 
@@ -122,9 +122,9 @@ TEST(Culling, SheetsBackToBackHaveNoThickness) {
     wall({-2, 0, 0.3f}, {0.1f, 0, -0.6f}, {0.1f, 1.5f, -0.6f}, {-2, 1.5f, 0.3f}, false);
     wall({0.5f, 0, 1}, {2.3f, 0, 0.1f}, {2.3f, 1.2f, 0.1f}, {0.5f, 1.2f, 1}, true);
     wall({-1, 1.7f, 1}, {1, 1.8f, 1}, {1, 1.8f, -1.3f}, {-1, 1.7f, -1.3f}, false);
-    for (const Camera& camera : {Camera{{1.5, 3, 6}, {0, 0.6, 0}, 45.0},
-                                 Camera{{1.5, 0.7, -5}, {0, 0.8, 0}, 45.0},
-                                 Camera{{3, 0.4, 4}, {0, 1, 0}, 45.0}})
+    for (const Camera& camera :
+         {Camera{{1.5, 3, 6}, {0, 0.6, 0}, 45.0}, Camera{{1.5, 0.7, -5}, {0, 0.8, 0}, 45.0},
+          Camera{{3, 0.4, 4}, {0, 1, 0}, 45.0}})
         for (const Light& light : {pointLight({0.3, 2.6, 2.7}), pointLight({0.2, 1, -3}),
                                    sun({0.3, 0.8, 0.5}), sun({0.4, 0.6, -0.5})})
             expectCulledRight({culling(builder), camera, light});
@@ -171,8 +171,8 @@ TEST(Culling, AlphaTestedCasters) {
     SceneBuilder builder = SceneBuilder().floor(5);
     builder.material(solid).box({1.8f, 1.6f, 1.2f}, {0.2f, 0.1f, -0.8f});
     builder.material(holes).box({-0.4f, 1.5f, 1}, {-1.6f, 0.2f, -1});
-    for (const Light& light : {pointLight({1, 1.2, 0.3}), pointLight({0, 4, 1}),
-                               sun({0.4, 0.9, -0.5})}) {
+    for (const Light& light :
+         {pointLight({1, 1.2, 0.3}), pointLight({0, 4, 1}), sun({0.4, 0.9, -0.5})}) {
         Case test{culling(builder), outside, light};
         test.castMasked = true;
         expectCulledRight(test);
@@ -180,8 +180,8 @@ TEST(Culling, AlphaTestedCasters) {
 }
 
 TEST(Culling, TheNearPlaneWithinARoom) {
-    Case test{culling(room()), {{2.4, 1.9, 2.6}, {-0.5, 0.3, -0.5}, 75.0},
-              pointLight({0.9, 1.7, 0.8})};
+    Case test{
+        culling(room()), {{2.4, 1.9, 2.6}, {-0.5, 0.3, -0.5}, 75.0}, pointLight({0.9, 1.7, 0.8})};
     for (const double near : {0.05, 0.5, 1.2}) {
         test.near = near;
         expectCulledRight(test);
@@ -235,7 +235,8 @@ TEST(Culling, RandomShellsAreRight) {
         const bool within = random.below(3) == 0;
         const glm::dvec3 eye = (within ? 0.9 : 4.0) * random.inCube();
         const glm::dvec3 light = (random.below(2) == 0 ? 1.0 : 4.0) * random.inCube();
-        const Case test{scene, {eye, 0.5 * random.inCube(), 60.0},
+        const Case test{scene,
+                        {eye, 0.5 * random.inCube(), 60.0},
                         random.below(3) == 0 ? sun(light) : pointLight(light)};
         const Outcome outcome = test::run(test);
         wrong += outcome.wrongBeyondOnePixel;

@@ -12,7 +12,8 @@ using test::SceneBuilder;
 const Frustum lookingAlongMinusZ = frustumOf({{0, 0, 0}, {0, 0, -1}, 90.0}, 1.0);
 
 double depthOf(const SceneBuilder& builder) {
-    return visiblePart(builder.scene(), builder.scene().batches[0], lookingAlongMinusZ).depth.nearest;
+    return visiblePart(builder.scene(), builder.scene().batches[0], lookingAlongMinusZ)
+        .depth.nearest;
 }
 
 TEST(NearPlane, IsTheDepthOfAQuadAhead) {

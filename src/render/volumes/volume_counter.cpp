@@ -9,8 +9,8 @@
 namespace edgeshade {
 namespace {
 
-/// Moves culled casters' caps away from the eye, for as long as it lives: behind a surface that they
-/// coincide with, as the point that is asked for lies before it (docs/method.md, C39).
+/// Moves culled casters' caps away from the eye, for as long as it lives: behind a surface that
+/// they coincide with, as the point that is asked for lies before it (docs/method.md, C39).
 class CulledCapOffset {
   public:
     CulledCapOffset(float slopes, float units) {

@@ -21,8 +21,8 @@ class VolumeCounter {
 
   private:
     WholePicture picture_;
-    // How far caps of culled casters are moved away: a step of the grid that vertices are put on, by
-    // what their depth changes over it, and rounding, in units of the depth buffer.
+    // How far caps of culled casters are moved away: a step of the grid that vertices are put on,
+    // by what their depth changes over it, and rounding, in units of the depth buffer.
     float offsetSlopes_, offsetUnits_;
 };
 

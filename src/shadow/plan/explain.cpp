@@ -116,7 +116,8 @@ std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice
     if (caps > 0) text << ", " << counted(caps, "cap");
     if (tested > 0) text << ", " << tested << " of them alpha-tested";
     if (culled > 0)
-        text << ", " << counted(culled, "cap") << " more, of single-sided triangles: where they are";
+        text << ", " << counted(culled, "cap")
+             << " more, of single-sided triangles: where they are";
     return text.str();
 }
 

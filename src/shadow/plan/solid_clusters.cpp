@@ -135,8 +135,8 @@ class Halves {
                     if (meet(i, j)) return true;
             return false;
         }
-        const bool divideOne = !one.whole() && (other.whole() || one.end - one.first >=
-                                                                     other.end - other.first);
+        const bool divideOne =
+            !one.whole() && (other.whole() || one.end - one.first >= other.end - other.first);
         const Part& divided = divideOne ? one : other;
         const Part& kept = divideOne ? other : one;
         return crossBetween(divided.half(false), kept) || crossBetween(divided.half(true), kept);
@@ -166,7 +166,8 @@ struct Way {
     }
 };
 
-/// The cluster's triangles by component; nothing where an edge has not two, which run opposite ways.
+/// The cluster's triangles by component; nothing where an edge has not two, which run opposite
+/// ways.
 std::vector<std::vector<Corners>> manifoldParts(std::span<const CapRecord> caps) {
     std::vector<Way> ways;
     ways.reserve(3 * caps.size());

@@ -100,8 +100,8 @@ bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, co
 }
 
 /// How the cluster's triangles count, by winding numbers at eye and light (docs/method.md, C8 and
-/// C39). They are 0 outside of its bounds; else their difference is told by the triangles on the way
-/// from near rectangle to light, `touched`. Nothing where everything visible is in its shadow.
+/// C39). They are 0 outside of its bounds; else their difference is told by the triangles on the
+/// way from near rectangle to light, `touched`. Nothing where everything visible is in its shadow.
 std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
                                  const PlanView& view, const Touched& touched, bool culled) {
     if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
