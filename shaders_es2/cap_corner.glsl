@@ -2,7 +2,7 @@
 //
 // Variants: NEAR_DISCARD, the front cap is cut where its triangle was clipped by the near plane;
 // ALPHA_TEST, texture coordinates and alpha for alpha-tested casters, with u_frontCapAtInfinity
-// saying which front cap is drawn.
+// saying which front cap is drawn; CULLED, front caps stay where they are.
 #include "extrusion.glsl"
 
 invariant gl_Position;
@@ -46,6 +46,9 @@ void emitCap(float v, float facing, vec3 a, vec3 b, vec3 c, vec4 light) {
     v_isBack = front ? 0.0 : 1.0;
     shifted = front && u_frontCapAtInfinity > 0.5;
     drawn = drawn && (front || u_frontCapAtInfinity > 0.5);
+#endif
+#ifdef CULLED
+    shifted = false;
 #endif
     gl_Position = drawn ? (shifted ? movedToInfinity(clip) : clip) : vec4(0.0);
 }

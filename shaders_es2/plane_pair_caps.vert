@@ -1,7 +1,8 @@
 // Caps of the shadow volumes from records of a triangle and its plane
 // (preprocess/volumes/plane_pair_data.hpp).
 //
-// Variants: those of cap_corner.glsl; PROBE, for tests.
+// Variants: those of cap_corner.glsl; CULLED, of triangles that show their backs to u_eye front caps
+// alone, where they are (docs/method.md, C39); PROBE, for tests.
 #include "plane_side.glsl"
 #include "cap_corner.glsl"
 
@@ -13,6 +14,9 @@ attribute vec4 a_plane;
 
 uniform vec4 u_light;   // in object space
 uniform vec2 u_counted; // see countedSide()
+#ifdef CULLED
+uniform vec4 u_eye; // in object space, homogeneous
+#endif
 
 #ifdef PROBE
 #include "probe.glsl"
@@ -20,6 +24,9 @@ uniform vec2 u_counted; // see countedSide()
 
 void main() {
     float facing = countedSide(a_plane, u_light, u_counted);
+#ifdef CULLED
+    if (planeSide(a_plane, u_eye) >= 0.0) facing = 0.0;
+#endif
 #ifdef PROBE
     emitProbe(facing);
 #else

@@ -108,7 +108,7 @@ Bytes toTransfer(const LoadedScene& loaded) {
     Writer writer(bytes);
     writer(loaded.document->path.string(), documentFor(loaded), loaded.scene.batches,
            loaded.scene.animatedNodes, loaded.scene.materials, loaded.scene.cameras,
-           loaded.scene.lights, loaded.settings);
+           loaded.scene.lights, loaded.scene.culls, loaded.settings);
     for (const auto& shadow : loaded.planePairs)
         transfer(writer, *shadow);
     writer(loaded.images.size());
@@ -127,7 +127,7 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     Bytes document;
     std::size_t images = 0, warnings = 0;
     reader(path, document, loaded.scene.batches, loaded.scene.animatedNodes, loaded.scene.materials,
-           loaded.scene.cameras, loaded.scene.lights, loaded.settings);
+           loaded.scene.cameras, loaded.scene.lights, loaded.scene.culls, loaded.settings);
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         PlanePairShadow shadow;
         transfer(reader, shadow);

@@ -25,6 +25,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
     return {
         {"diagonal", report.diagonal},
         {"triangles", report.triangles},
+        {"single_sided_triangles", report.singleSidedTriangles},
         {"degenerate_triangles", casters.degenerateTriangles},
         {"casting_surface_triangles", report.castingSurfaceTriangles},
         {"casting_triangles", casters.triangles}, // of what casts, simplified or not, as all below
@@ -94,9 +95,13 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
     report.settings = settings;
     report.diagonal = worldBounds(input.scene).diagonal();
     report.triangles = input.scene.triangleCount();
-    for (const Batch& batch : input.scene.batches)
+    for (const Batch& batch : input.scene.batches) {
         report.castingSurfaceTriangles +=
             castingSurfacesOf(batch, input.scene.materials, settings.castMasked).indices.size() / 3;
+        for (const SurfaceGroup& group : batch.groups)
+            if (!input.scene.materials[group.material].doubleSided)
+                report.singleSidedTriangles += group.indexCount / 3;
+    }
     report.maxMultiplicity = sceneMultiplicity(input.topology);
     const auto& materials = input.scene.materials;
     for (std::size_t i = 0; i < input.topology.size(); ++i) {

@@ -12,6 +12,7 @@ namespace edgeshade {
 struct PackReport {
     double diagonal = 0.0;                   ///< of the scene's bounds, scene units
     std::size_t triangles = 0;               ///< of all surfaces, degenerate ones included
+    std::size_t singleSidedTriangles = 0;    ///< of these, those of materials not double-sided
     std::size_t castingSurfaceTriangles = 0; ///< before casters are simplified, likewise
     CasterSettings settings;
     MeshStatistics casters;

@@ -62,7 +62,7 @@ inline constexpr int mostTexcoordChannels = 4;
 /// docs/extensions.md lists). Factors are linear.
 struct Material {
     AlphaMode alphaMode = AlphaMode::opaque;
-    bool doubleSided = false; ///< BLEND surfaces are seen from behind, too
+    bool doubleSided = false; ///< seen from behind, where Scene::culls; BLEND surfaces at any rate
     GroundMaterial ground = GroundMaterial::none;
     bool unlit = false; ///< KHR_materials_unlit: its colour as it is; it casts all the same
     float alphaCutoff = 0.5f;

@@ -74,6 +74,9 @@ struct Scene {
     std::vector<SceneCamera> cameras; ///< in the order of the nodes that place them
     std::vector<SceneLight> lights;   ///< likewise
     Warnings warnings;
+    /// Triangles of materials that aren't double-sided are seen from their front alone. They cast
+    /// from either side (docs/method.md, C39).
+    bool culls = false;
 
     /// Without those of the ground.
     std::size_t triangleCount() const {

@@ -81,6 +81,22 @@ void sortAlongCurve(TriangleCluster& cluster, const WeldedMesh& mesh) {
         cluster.triangles[i] = order[i].second;
 }
 
+/// By triangle: whether its material is seen from its front alone.
+std::vector<std::uint8_t> singleSidedOf(const CasterMesh& mesh,
+                                        const std::vector<Material>& materials) {
+    std::vector<std::uint8_t> singleSided(mesh.welded.triangles.size(), 0);
+    for (const MaterialCasters& group : mesh.groups)
+        std::fill_n(singleSided.begin() + group.firstCap, group.capCount,
+                    !materials[group.material].doubleSided);
+    return singleSided;
+}
+
+void putSingleSidedFirst(TriangleCluster& cluster, const std::vector<std::uint8_t>& singleSided) {
+    const auto others = std::stable_partition(cluster.triangles.begin(), cluster.triangles.end(),
+                                              [&](std::uint32_t t) { return singleSided[t] != 0; });
+    cluster.singleSided = static_cast<std::uint32_t>(others - cluster.triangles.begin());
+}
+
 std::vector<Box> leavesOf(const TriangleCluster& cluster, const WeldedMesh& mesh) {
     std::vector<Box> leaves;
     for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
@@ -135,7 +151,7 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
     for (const std::uint32_t i : order) {
         const Part& part = parts[i];
         if (part.kind() != kind || sizes.back() + part.triangles > clusterTriangles) {
-            clusters.push_back({{}, part.closed, part.alphaTested, 0, {}, {}, {}});
+            clusters.push_back({{}, part.closed, part.alphaTested, 0, 0, {}, {}, {}});
             sizes.push_back(0);
             kind = part.kind();
         }
@@ -147,8 +163,10 @@ std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const Ed
     }
     for (std::uint32_t t = 0; t < components.ofTriangle.size(); ++t)
         clusters[clusterOf[components.ofTriangle[t]]].triangles.push_back(t);
+    const std::vector<std::uint8_t> singleSided = singleSidedOf(mesh, materials);
     for (TriangleCluster& cluster : clusters) {
         if (!cluster.alphaTested) sortAlongCurve(cluster, mesh.welded);
+        putSingleSidedFirst(cluster, singleSided);
         cluster.leaves = leavesOf(cluster, mesh.welded);
     }
     addEdges(edges, clusters);

@@ -17,8 +17,10 @@ struct TriangleCluster {
     bool closed = false;
     bool alphaTested = false; ///< some triangle is not opaque; never closed then
     std::uint32_t components = 0;
-    std::vector<std::uint32_t>
-        triangles;                    ///< alpha-tested ones ascending, else along a Morton curve
+    std::uint32_t singleSided = 0; ///< how many of `triangles`, which are the first, have no back
+    /// Single-sided ones first, then the others; either alpha-tested and ascending, or along a
+    /// Morton curve.
+    std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> edges; ///< each where its first opposite vertex's triangle is
     std::vector<Box> leaves; ///< around leafTriangles consecutive triangles each, the last fewer
 };

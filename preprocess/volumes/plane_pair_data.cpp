@@ -4,6 +4,9 @@
 #include "preprocess/volumes/opposite_pairs.hpp"
 #include "preprocess/volumes/triangle_planes.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace edgeshade {
 namespace {
 
@@ -68,7 +71,7 @@ RecordRange rangeSince(std::size_t first, std::size_t end) {
     return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first)};
 }
 
-/// The caps of a cluster by material where that matters; its triangles are ascending then.
+/// The caps of a cluster by material where that matters.
 void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint32_t firstCap,
                std::vector<MaterialCasters>& groups) {
     if (!cluster.alphaTested) {
@@ -77,12 +80,12 @@ void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint
             {anyMaterial, firstCap, static_cast<std::uint32_t>(cluster.triangles.size())});
         return;
     }
-    std::size_t group = 0;
     const std::size_t firstGroup = groups.size();
     for (const std::uint32_t triangle : cluster.triangles) {
-        while (triangle >= mesh.groups[group].firstCap + mesh.groups[group].capCount)
-            ++group;
-        const std::size_t material = mesh.groups[group].material;
+        const auto after = std::upper_bound(
+            mesh.groups.begin(), mesh.groups.end(), triangle,
+            [](std::uint32_t t, const MaterialCasters& group) { return t < group.firstCap; });
+        const std::size_t material = std::prev(after)->material;
         if (groups.size() == firstGroup || groups.back().material != material)
             groups.push_back({material, firstCap, 0});
         ++groups.back().capCount;
@@ -111,8 +114,8 @@ PlanePairShadow recordsOf(const CasterMesh& mesh, const EdgeList& edges,
         shadow.clusters.push_back(
             {cluster.bounds, cluster.closed, cluster.alphaTested, cluster.components,
              rangeSince(pairs, shadow.pairs.size()), rangeSince(singles, shadow.singles.size()),
-             rangeSince(caps, shadow.caps.size()), rangeSince(groups, shadow.groups.size()),
-             rangeSince(leaves, shadow.leaves.size())});
+             rangeSince(caps, shadow.caps.size()), cluster.singleSided,
+             rangeSince(groups, shadow.groups.size()), rangeSince(leaves, shadow.leaves.size())});
     }
     return shadow;
 }

@@ -88,7 +88,8 @@ struct ShadowCluster {
     bool alphaTested = false; ///< some casters are not opaque
     std::uint32_t components = 1;
     RecordRange pairs, singles, caps;
-    RecordRange groups; ///< of PlanePairShadow::groups
+    std::uint32_t singleSided = 0; ///< how many of `caps`, which are the first, have no back to see
+    RecordRange groups;            ///< of PlanePairShadow::groups
     RecordRange leaves; ///< of PlanePairShadow::leaves: each holds the next leafTriangles caps
 };
 

@@ -47,14 +47,15 @@ void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
         settings.push_back({text, settingsFrom(options.settings, text), nullptr});
-    const LoadedScene loaded = options.load(shadingFor(settings, &BenchSetting::settings),
-                                            options.settings.render.shadows);
+    const LoadedScene loaded =
+        options.load(shadingFor(settings, &BenchSetting::settings), options.settings.render.shadows,
+                     drawOppositeVertices(settings, &BenchSetting::settings));
     CasterVariants variants(options.input, loaded);
     for (BenchSetting& setting : settings)
         setting.scene = variants.with(setting.settings.casters);
     BenchReport report;
     report.casters = loaded.settings;
-    report.scene = options.sceneJson();
+    report.scene = options.sceneJson(loaded.scene);
     report.warnings = loaded.scene.warnings.sentences();
     printWarnings(report.warnings);
 

@@ -16,6 +16,7 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
     LoadedScene other = loadScene(path_, wanted, own_.document->memory.limits(), {}, own_.looks);
     other.images = own_.images; // the same pixels, kept once
     other.cutoutsCast = own_.cutoutsCast;
+    other.scene.culls = own_.scene.culls;
     if (own_.time) poseScene(other, *own_.time, own_.animation);
     if (own_.ground) addGround(other, *own_.ground);
     return others_.emplace_back(std::make_shared<const LoadedScene>(std::move(other)));

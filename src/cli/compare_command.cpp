@@ -91,7 +91,8 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     std::vector<DrawSettings> settings = {options.settings};
     for (const std::string& text : options.against)
         settings.push_back(settingsFrom(options.settings, text));
-    const LoadedScene loaded = options.load(shadingFor(settings), options.settings.render.shadows);
+    const LoadedScene loaded = options.load(shadingFor(settings), options.settings.render.shadows,
+                                            drawOppositeVertices(settings));
     printWarnings(loaded.scene.warnings.sentences());
 
     lab::CompareTask task;
@@ -113,7 +114,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         Json json = resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
                                task.views);
         json["settings"]["gl-limits"] = glLimitsName(options.glLimits);
-        json["settings"].update(options.sceneJson());
+        json["settings"].update(options.sceneJson(loaded.scene));
         return json;
     };
     Json json = jsonOf(0);

@@ -58,6 +58,16 @@ Shading shadingFor(const Items& items, Member settingsOf = {}) {
     return std::ranges::any_of(items, isFull, settingsOf) ? Shading::full : Shading::base;
 }
 
+/// Whether some of them draw volumes from opposite-vertex records. `settingsOf`: as above.
+template <class Items, class Member = std::identity>
+bool drawOppositeVertices(const Items& items, Member settingsOf = {}) {
+    const auto does = [](const DrawSettings& one) {
+        const auto records = one.render.records();
+        return records && records->volumes == VolumeLayout::oppositeVertices;
+    };
+    return std::ranges::any_of(items, does, settingsOf);
+}
+
 /// The layout that the choice means in this context.
 SidesLayout layoutFor(InstancingChoice choice, const gl::Capabilities& capabilities);
 

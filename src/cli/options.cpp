@@ -179,6 +179,11 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
                   "looked up: in primitive maps, exactly, and in shadow maps; volumes count none "
                   "of it")
         ->excludes("--cast-masked");
+    addChoice(verb, "--cull", options.culls, cullNames,
+              "auto: surfaces of materials that aren't double-sided are seen from their front "
+              "alone, and cast from either side; off: all are seen from both sides. auto does not "
+              "go with --layout published (" +
+                  std::string(cullsByDefault ? "auto" : "off") + ")");
     verb.add_option_function<std::string>(
             "--ground",
             [&](const std::string& text) {
@@ -194,9 +199,14 @@ void addSceneOptions(CLI::App& verb, SceneOptions& options) {
     addLimitOptions(verb, options.limits);
 }
 
-LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows) const {
+LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppositeVertices) const {
+    if (oppositeVertices && culls.value_or(false))
+        throw Error(ExitStatus::usage,
+                    "--cull auto does not go with --layout published, whose records don't say "
+                    "which side of a triangle is its front; adapted can.");
     LoadedScene loaded = loadScene(input, casters.wanted(), limits, {}, {variant, shading});
     loaded.cutoutsCast = cutoutsCast;
+    loaded.scene.culls = culls.value_or(cullsByDefault && !oppositeVertices);
     if (cutoutsCast && shadows == ShadowMethod::volumes)
         loaded.scene.warnings.add("--cast-cutouts: volumes count no cutouts; --shadows "
                                   "primitive-map has them, exactly, auto, and map.");
@@ -208,9 +218,10 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows) const {
     return loaded;
 }
 
-nlohmann::ordered_json SceneOptions::sceneJson() const {
+nlohmann::ordered_json SceneOptions::sceneJson(const Scene& scene) const {
     nlohmann::ordered_json json = {{"ground", textOf(typedGround())},
-                                   {"cast-cutouts", cutoutsCast}};
+                                   {"cast-cutouts", cutoutsCast},
+                                   {"cull", scene.culls ? "auto" : "off"}};
     if (time) json["time"] = *time;
     if (!animation.empty()) json["animation"] = animation;
     return json;

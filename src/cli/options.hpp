@@ -61,17 +61,20 @@ struct SceneOptions {
     gl::Limits glLimits = gl::Limits::device;
     std::string variant;                ///< of its materials; empty: the file's own
     bool cutoutsCast = false;           ///< MASK surfaces cast by lookups
+    std::optional<bool> culls;          ///< Scene's, as typed; nothing: cullsByDefault
     std::optional<double> time;         ///< of the animation, seconds; nothing: at rest
     std::string animation;              ///< its name or index; empty: the first
     std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
-    /// {"ground", "cast-cutouts", "time"}, the last one if it was typed: what reports say besides
-    /// of the settings.
-    nlohmann::ordered_json sceneJson() const;
+    /// {"ground", "cast-cutouts", "cull", "time"}, the last one if it was typed: what reports say
+    /// besides of the settings. `scene`: as it was loaded.
+    nlohmann::ordered_json sceneJson(const Scene& scene) const;
     /// At the time and with the ground that were typed; warns where there is no animation, and
-    /// where `shadows` leave out what was asked to cast.
-    LoadedScene load(Shading shading, ShadowMethod shadows) const;
+    /// where `shadows` leave out what was asked to cast. `oppositeVertices`: some of its volumes
+    /// are drawn from such records. Throws Error(usage) where these were typed with '--cull auto';
+    /// InputError.
+    LoadedScene load(Shading shading, ShadowMethod shadows, bool oppositeVertices) const;
 };
 
 /// "WxH", both 1 to 65536. Throws CLI::ValidationError that names the option.
@@ -86,6 +89,9 @@ void addCasterChanges(CLI::App& verb, CasterChanges& changes);
 void addReportOption(CLI::App& verb, std::string& path);
 void addSamplesOption(CLI::App& verb, int& samples);
 void addSceneOptions(CLI::App& verb, SceneOptions& options);
+
+/// The words of `--cull`.
+inline const Choices<bool> cullNames = {{"auto", true}, {"off", false}};
 
 /// The word that the option has for them.
 std::string glLimitsName(gl::Limits limits);

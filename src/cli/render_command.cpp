@@ -112,7 +112,8 @@ void tintVolumes(GpuScene& scene, const FrameView& view, const Renderer& rendere
 void render(const RenderOptions& options) {
     Stopwatch watch;
     const LoadedScene loaded =
-        options.load(options.settings.render.shading, options.settings.render.shadows);
+        options.load(options.settings.render.shading, options.settings.render.shadows,
+                     drawOppositeVertices(std::array{options.settings}));
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     FrameRequest request = requestFor(options.view, loaded.scene);
@@ -168,7 +169,7 @@ void render(const RenderOptions& options) {
         {"warnings", warnings},
     };
     report["settings"].update({{"samples", capabilities.samples}, {"mask", options.mask}});
-    report["settings"].update(options.sceneJson());
+    report["settings"].update(options.sceneJson(loaded.scene));
     if (options.mask) {
         const auto [visible, lit] = countMask(pixels);
         report["visible_pixels"] = visible;

@@ -30,7 +30,8 @@ std::string summaryOf(const PackReport& report) {
     row("triangles") << grouped(report.triangles) << ", casting " << grouped(casters.triangles);
     if (report.settings.casterError > 0.0)
         text << ", simplified from " << grouped(report.castingSurfaceTriangles);
-    text << ", degenerate " << grouped(casters.degenerateTriangles) << "\n";
+    text << ", degenerate " << grouped(casters.degenerateTriangles) << ", single-sided "
+         << grouped(report.singleSidedTriangles) << "\n";
     row("edges") << grouped(casters.edges) << "\n";
     for (const auto& [n, count] : casters.edgesByOppositeCount)
         row("  with " + std::to_string(n) + (n == 1 ? " triangle" : " triangles"))

@@ -17,6 +17,7 @@
 #include "src/plot/trade_plot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <sstream>
 #endif
@@ -87,6 +88,7 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
     const std::string sceneOptions =
         (options.cutoutsCast ? std::string(" --cast-cutouts") : std::string()) +
         (options.ground ? " --ground '" + textOf(*options.ground) + "'" : "") +
+        (options.culls ? std::string(" --cull ") + (*options.culls ? "auto" : "off") : "") +
         (options.time ? " --time " + Json(*options.time).dump() : "") +
         (options.animation.empty() ? "" : " --animation " + Json(options.animation).dump());
     const gl::HeadlessContext context({16, 16, 0, options.glLimits});
@@ -95,6 +97,10 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
         Row row;
         row.setting = setting;
         row.settings = settingsFrom(DrawSettings(), setting.text);
+        if (loaded.scene.culls && drawOppositeVertices(std::array{row.settings})) {
+            warnings.push_back(setting.name + " is left out: --cull auto does not go with it.");
+            continue;
+        }
         RenderSettings render = row.settings.render;
         render.layout = layoutFor(row.settings.instancing, context.capabilities());
         try {
@@ -230,7 +236,8 @@ std::string limitsOf(const TradeoffOptions& options) {
 
 void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
-    const LoadedScene loaded = options.load(Shading::full, ShadowMethod::automatic);
+    const LoadedScene loaded =
+        options.load(Shading::full, ShadowMethod::automatic, !options.culls.value_or(false));
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     std::vector<Row> rows = possibleRows(options, loaded, warnings);
     const bool demanding = options.budgetMs || options.maxWrongPercent;

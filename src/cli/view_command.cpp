@@ -79,6 +79,8 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
 }
 
 void view(const WindowOptions& options) {
+    if (options.culls.value_or(false) && drawOppositeVertices(std::array{options.settings}))
+        throw Error(ExitStatus::usage, "--cull auto does not go with --layout published.");
     if (options.view.orthoHeight)
         throw Error(ExitStatus::usage, "The window's camera is in perspective: --ortho is for "
                                        "render, compare and bench.");
@@ -86,6 +88,7 @@ void view(const WindowOptions& options) {
         LoadedScene loaded =
             loadScene(path, options.casters.wanted(), options.limits, {}, {variant});
         loaded.cutoutsCast = options.cutoutsCast;
+        loaded.scene.culls = options.culls.value_or(cullsByDefault);
         printWarnings(loaded.scene.warnings.sentences());
         return loaded;
     };

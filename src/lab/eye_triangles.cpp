@@ -6,10 +6,22 @@
 
 namespace edgeshade::lab {
 
+namespace {
+
+/// Whether the eye, homogeneous and relative to the frustum's position, is behind the triangle.
+bool isSeenFromBehind(const EyeTriangle& triangle, const glm::dvec4& eye, bool mirrored) {
+    const double side = glm::dot(normalOf(triangle), glm::dvec3(eye) - triangle.a * eye.w);
+    return (mirrored ? -side : side) < 0.0;
+}
+
+} // namespace
+
 std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked,
                                       bool cutoutsCast) {
     std::vector<EyeTriangle> triangles;
     triangles.reserve(scene.triangleCount());
+    const glm::dvec4 eyePlace = frustum.eye();
+    const glm::dvec4 eye(glm::dvec3(eyePlace) - frustum.position() * eyePlace.w, eyePlace.w);
     for (std::uint32_t b = 0; b < scene.batches.size(); ++b) {
         const Batch& batch = scene.batches[b];
         if (batch.ground && !isAboveGround(frustum, batch)) continue;
@@ -19,15 +31,21 @@ std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum
             return glm::dvec3(eyeFromBatch *
                               glm::dvec4(batch.positions[batch.indices[index]], 1.0));
         };
+        const bool mirrored = glm::determinant(glm::dmat3(eyeFromBatch)) < 0.0;
         for (const SurfaceGroup& group : batch.groups) {
             const Material& material = scene.materials[group.material];
             for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount;
-                 i += 3)
-                triangles.push_back({corner(i), corner(i + 1), corner(i + 2), b, i,
-                                     static_cast<std::uint32_t>(group.material),
-                                     material.casts(castMasked) ||
-                                         (cutoutsCast && material.alphaMode == AlphaMode::mask),
-                                     material.alphaMode != AlphaMode::blend});
+                 i += 3) {
+                EyeTriangle& triangle = triangles.emplace_back(
+                    EyeTriangle{corner(i), corner(i + 1), corner(i + 2), b, i,
+                                static_cast<std::uint32_t>(group.material),
+                                material.casts(castMasked) ||
+                                    (cutoutsCast && material.alphaMode == AlphaMode::mask),
+                                material.alphaMode != AlphaMode::blend});
+                if (scene.culls && !material.doubleSided &&
+                    isSeenFromBehind(triangle, eye, mirrored))
+                    triangle.visible = false;
+            }
         }
     }
     return triangles;

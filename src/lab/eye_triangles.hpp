@@ -16,7 +16,7 @@ struct EyeTriangle {
     std::uint32_t firstIndex = 0; ///< of its corners in Batch::indices
     std::uint32_t material = 0;
     bool casts = true;   ///< blocks light
-    bool visible = true; ///< can be seen: everything but BLEND
+    bool visible = true; ///< can be seen: everything but BLEND and backs that the scene culls
 };
 
 /// Its normal, by the order of its corners; as long as twice its area.

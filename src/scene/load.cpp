@@ -37,6 +37,7 @@ LoadedScene readScene(const std::filesystem::path& path,
     loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
     if (onStage) onStage(LoadStage::flatten);
     loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, looks);
+    loaded.scene.culls = cullsByDefault;
     if (const std::size_t lights = loaded.scene.lights.size(); lights > mostLights)
         loaded.scene.warnings.add("'" + path.string() + "' has " + std::to_string(lights) +
                                   " lights, but a picture has " + std::to_string(mostLights) +

@@ -15,6 +15,9 @@ namespace edgeshade {
 
 struct GltfDocument;
 
+/// Scene::culls where nobody says.
+inline constexpr bool cullsByDefault = true;
+
 /// A scene on the CPU, ready for the GPU.
 struct LoadedScene {
     std::shared_ptr<const GltfDocument> document; ///< null: the scene comes from no file

@@ -5,14 +5,15 @@
 namespace edgeshade::viewer {
 namespace {
 
-/// The ray's parameter at a triangle, from either side (Moeller and Trumbore 1997); infinity where
-/// it misses.
-double distanceTo(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+/// The ray's parameter at a triangle (Moeller and Trumbore 1997), from either side or from its
+/// front alone; infinity where it misses.
+double distanceTo(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                  bool frontAlone) {
     constexpr double miss = std::numeric_limits<double>::infinity();
     const glm::dvec3 ab = b - a, ac = c - a;
     const glm::dvec3 p = glm::cross(ray.direction, ac);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0.0) return miss;
+    const double determinant = glm::dot(ab, p); // above 0 where the ray meets the front
+    if (determinant == 0.0 || (frontAlone && determinant < 0.0)) return miss;
     const glm::dvec3 offset = ray.from - a;
     const double u = glm::dot(offset, p) / determinant;
     if (u < 0.0 || u > 1.0) return miss;
@@ -33,10 +34,15 @@ std::optional<glm::dvec3> firstHit(const Scene& scene, const Ray& ray) {
         // The direction keeps its length through the transform, so parameters stay distances.
         const Ray local{glm::dvec3(batchFromWorld * glm::dvec4(ray.from, 1.0)),
                         glm::dvec3(batchFromWorld * glm::dvec4(ray.direction, 0.0))};
-        for (std::size_t i = 0; i + 2 < batch.indices.size(); i += 3)
-            nearest = std::min(nearest, distanceTo(local, batch.positions[batch.indices[i]],
-                                                   batch.positions[batch.indices[i + 1]],
-                                                   batch.positions[batch.indices[i + 2]]));
+        for (const SurfaceGroup& group : batch.groups) {
+            const bool frontAlone = scene.culls && !scene.materials[group.material].doubleSided;
+            const std::uint32_t end = group.firstIndex + group.indexCount;
+            for (std::uint32_t i = group.firstIndex; i + 2 < end; i += 3)
+                nearest = std::min(nearest,
+                                   distanceTo(local, batch.positions[batch.indices[i]],
+                                              batch.positions[batch.indices[i + 1]],
+                                              batch.positions[batch.indices[i + 2]], frontAlone));
+        }
     }
     if (nearest == std::numeric_limits<double>::infinity()) return std::nullopt;
     return ray.from + nearest * ray.direction;

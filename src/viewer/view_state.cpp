@@ -21,6 +21,7 @@ constexpr Words<MultiplicityMethod, 4> multiplicityWords = {
      {"three-edge", MultiplicityMethod::threeEdge},
      {"single-edge", MultiplicityMethod::singleEdge}}};
 constexpr Words<Shading, 2> shadingWords = {{{"full", Shading::full}, {"base", Shading::base}}};
+constexpr Words<bool, 2> cullWords = {{{"auto", true}, {"off", false}}};
 constexpr Words<DebugView, 2> debugWords = {
     {{"none", DebugView::none}, {"volumes", DebugView::volumes}}};
 
@@ -125,6 +126,7 @@ Json toJson(const ViewState& state) {
             {"background", toJson(state.background)},
             {"ground", textOf(state.ground)},
             {"cast_cutouts", state.castCutouts},
+            {"cull", wordOf(cullWords, state.culls)},
             {"left", toJson(state.left)},
             {"right", toJson(state.right)},
             {"split", state.split},
@@ -164,6 +166,8 @@ ViewState changed(const ViewState& base, const Json& changes) {
             state.ground = groundFrom(value);
         else if (key == "cast_cutouts")
             state.castCutouts = value.boolean();
+        else if (key == "cull")
+            state.culls = value.oneOf(cullWords);
         else if (key == "left")
             state.left = sideFrom(value, state.left);
         else if (key == "right")

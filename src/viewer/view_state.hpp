@@ -3,6 +3,7 @@
 #include "preprocess/scene/animation.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/scene/ground_text.hpp"
+#include "src/scene/load.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -41,7 +42,8 @@ struct ViewState {
     glm::vec3 background = RenderSettings().background; ///< behind the scene, sRGB 0..1
     GroundChoice ground;                                ///< beneath the scene
     bool castCutouts = false;                           ///< LoadedScene::cutoutsCast
-    SideSettings left; ///< of the whole picture where there is no split
+    bool culls = cullsByDefault; ///< Scene's, while no side is drawn from opposite-vertex records
+    SideSettings left;           ///< of the whole picture where there is no split
     SideSettings right{ShadowMethod::map};
     bool split = false;
     double splitAt = 0.5; ///< share of the width, 0..1
@@ -56,7 +58,7 @@ struct ViewState {
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
 ///  "chosen_light": 0, "shading": "full|base",
 ///  "ambient": 0.45, "exposure": 0, "background": [r,g,b], "ground": "off|catcher|#rrggbb",
-///  "cast_cutouts": false,
+///  "cast_cutouts": false, "cull": "auto|off",
 ///  "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity":
 ///  "plane", "mask_scale": 1|2|4}, "right": {…}, "split": false, "split_at": 0.5, "debug":
 ///  "none|volumes", "show_lights": true, "animation": 0, "playing": false, "speed": 1, "time": 0}

@@ -98,6 +98,7 @@ struct Viewer::Parts {
     void applyPose();
     void applyGround();
     void applyCutouts();
+    void applyCulling();
     void sceneMoved();
     void advanceMaps(double now);
     void draw();
@@ -158,6 +159,7 @@ void Viewer::Parts::adopt(const ViewState& next) {
     if (rechosen) chooseAnimation(known);
     if (grounded) applyGround();
     if (cutOut) applyCutouts();
+    applyCulling();
     if (posed) applyPose();
     dirty = true;
 }
@@ -214,6 +216,17 @@ void Viewer::Parts::applyCutouts() {
     if (!gpu || !gpu->scene) return;
     gpu->scene->cutoutsCast = state.castCutouts;
     gpu->scene->primitiveMaps.clear();
+}
+
+/// Opposite-vertex records don't tell front from back: while they are drawn from, all is seen from
+/// both sides.
+void Viewer::Parts::applyCulling() {
+    if (!loaded) return;
+    const auto tellsFronts = [](const SideSettings& side) {
+        return !mayCount(side) || volumeLayoutOf(side.multiplicity) == VolumeLayout::planePairs;
+    };
+    loaded->scene.culls =
+        state.culls && tellsFronts(state.left) && (!state.split || tellsFronts(state.right));
 }
 
 /// Forgets what was worked out for the batches where they were.
@@ -363,6 +376,7 @@ void Viewer::show(LoadedScene scene) {
     parts.state.playing = false;
     parts.state.ground = ground;
     parts.state.castCutouts = parts.loaded->cutoutsCast;
+    parts.state.culls = parts.loaded->scene.culls;
     if (parts.gpu) {
         parts.gpu->scene = std::move(uploaded);
         parts.addVolumesFor(parts.state, *parts.gpu);
@@ -377,6 +391,7 @@ void Viewer::show(LoadedScene scene) {
     parts.state = framed(parts.state, parts.stage);
     if (parts.animation) parts.applyPose();
     parts.applyGround();
+    parts.applyCulling();
 }
 
 bool Viewer::hasScene() const {

@@ -17,9 +17,11 @@ PROGRAM = os.environ.get("EDGESHADE", str(ROOT / "build" / "release" / "edgeshad
 
 def report(*words):
     """The JSON report of one call, in base shading where scenes are drawn and no other is asked
-    for: nearly all tables are of it."""
+    for, and of all surfaces from both sides: nearly all tables are of that."""
     if words[0] in ("bench", "compare") and not {"--synthetic", "--shading"} & set(words):
         words += ("--shading", "base")
+    if words[0] in ("bench", "compare") and not {"--synthetic", "--cull"} & set(words):
+        words += ("--cull", "off")
     done = subprocess.run([PROGRAM, *map(str, words), "--report", "-"], check=True,
                           stdout=subprocess.PIPE)
     return json.loads(done.stdout)

@@ -34,7 +34,7 @@ TEST(Help, EveryVerbNamesItsOptions) {
           "--map-bias",    "--pcf",          "--mask-scale", "--multiplicity",
           "--instancing",  "--depth-slices", "--samples",    "--report",
           "--silhouette",  "--explain",      "--debug",      "--primitive-map-memory",
-          "--ground",      "--cast-cutouts"})
+          "--ground",      "--cast-cutouts", "--cull"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

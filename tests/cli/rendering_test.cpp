@@ -199,6 +199,19 @@ TEST(Rendering, BaseShadingIsAsItWas) {
     EXPECT_EQ(image.rgba[i + 1], 0);
 }
 
+TEST(Rendering, CullShowsSingleSidedMaterialsFromTheirFrontAlone) {
+    const TempFolder folder;
+    const auto fromWithin = [&](bool doubleSided, const std::string& cull) {
+        GltfBuilder gltf;
+        gltf.addMaterial({{"doubleSided", doubleSided}});
+        gltf.addShapeNode(box({1, 1, 1}), {{"material", 0}});
+        return pictureOf(folder.write("box.glb", gltf.glb()),
+                         {"--cull", cull, "--camera-from", "0,0,0.5", "--camera-to", "0,0,0"});
+    };
+    EXPECT_NE(fromWithin(false, "auto"), fromWithin(false, "off"));
+    EXPECT_EQ(fromWithin(true, "auto"), fromWithin(true, "off"));
+}
+
 TEST(Rendering, ProposedSilhouettesDrawWhatAllDo) {
     for (const char* kind : {"picture", "mask"}) {
         std::vector<std::string> all = {"--silhouette", "all"},

@@ -60,6 +60,27 @@ TEST(Oracle, CoincidentSheetsDoNotShadeEachOther) {
     EXPECT_TRUE(lab::judgeExactly(oracle, 50.3, 50.7).coincident);
 }
 
+TEST(Oracle, WhatASceneCullsIsNotSeenAndBlocks) {
+    // A lid that shows the eye its back hides nothing, and shades the floor under it.
+    const SceneBuilder builder =
+        SceneBuilder().floor(4).quad({-1, 2, -1}, {1, 2, -1}, {1, 2, 1}, {-1, 2, 1});
+    for (const bool mirrored : {false, true}) {
+        SceneBuilder placed = builder;
+        if (mirrored) placed.placedBy(glm::dmat4(glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, 1)));
+        Scene scene = placed.scene();
+        for (const bool culls : {false, true}) {
+            scene.culls = culls;
+            const Oracle oracle(above(scene, 5.0, 100, pointLight({0.1, 8, 0.2})), solid);
+            for (const auto& [x, answer] : {std::pair(50.2, Answer{true, culls ? 0u : 1u}),
+                                            std::pair(80.2, Answer{true, 1})}) {
+                EXPECT_EQ(oracle.at(x, 50.3), answer);
+                EXPECT_EQ(lab::judgeExactly(oracle, x, 50.3).answer, answer);
+            }
+            EXPECT_EQ(oracle.surfacesAt(50.2, 50.3).size(), culls ? 1u : 2u);
+        }
+    }
+}
+
 TEST(Oracle, EveryLightHasItsBit) {
     const Scene scene = SceneBuilder().floor(6).box({-1, 2, -1}, {1, 4, 1}).scene();
     lab::Question question = above(scene, 5.0, 100, pointLight({0, 8, 0}));

@@ -12,7 +12,8 @@ using test::SceneBuilder;
 const Frustum lookingAlongMinusZ = frustumOf({{0, 0, 0}, {0, 0, -1}, 90.0}, 1.0);
 
 double depthOf(const SceneBuilder& builder) {
-    return visiblePart(builder.scene().batches[0], lookingAlongMinusZ).depth.nearest;
+    return visiblePart(builder.scene(), builder.scene().batches[0], lookingAlongMinusZ)
+        .depth.nearest;
 }
 
 TEST(NearPlane, IsTheDepthOfAQuadAhead) {
@@ -56,7 +57,7 @@ TEST(VisibleDepth, EndsAtTheFarthest) {
     const auto two = SceneBuilder()
                          .quad({-1, -1, -5}, {1, -1, -5}, {1, 1, -5}, {-1, 1, -5})
                          .quad({-1, -1, -9}, {1, -1, -9}, {1, 1, -9}, {-1, 1, -9});
-    const VisiblePart part = visiblePart(two.scene().batches[0], lookingAlongMinusZ);
+    const VisiblePart part = visiblePart(two.scene(), two.scene().batches[0], lookingAlongMinusZ);
     const DepthRange& range = part.depth;
     EXPECT_NEAR(range.nearest, 5.0, 1e-6);
     EXPECT_NEAR(range.farthest, 9.0, 1e-6);

@@ -9,6 +9,14 @@ struct WorldTriangle {
     glm::dvec3 a, b, c;
     bool casts;
     bool visible;
+    bool frontAlone; ///< seen from its front alone
+    bool mirrored;   ///< what places it turns its winding over
+
+    /// Whether a ray along the direction meets its back, which nobody sees.
+    bool isCulled(const glm::dvec3& direction) const {
+        const double along = glm::dot(glm::cross(b - a, c - a), direction);
+        return frontAlone && (mirrored ? along < 0.0 : along > 0.0);
+    }
 };
 
 std::vector<WorldTriangle> worldTriangles(const Scene& scene, bool castMasked) {
@@ -25,8 +33,9 @@ std::vector<WorldTriangle> worldTriangles(const Scene& scene, bool castMasked) {
                     p[c] = glm::dvec3(
                         batch.worldFromBatch *
                         glm::dvec4(batch.positions[batch.indices[group.firstIndex + i + c]], 1.0));
-                triangles.push_back(
-                    {p[0], p[1], p[2], !batch.ground && (opaque || castMasked), opaque || solid});
+                triangles.push_back({p[0], p[1], p[2], !batch.ground && (opaque || castMasked),
+                                     opaque || solid, scene.culls && !material.doubleSided,
+                                     glm::determinant(glm::dmat3(batch.worldFromBatch)) < 0.0});
             }
         }
     return triangles;
@@ -93,7 +102,8 @@ std::vector<Answer> castMask(const Scene& scene, const Frustum& frustum, const L
             double nearest = INFINITY;
             std::size_t own = 0;
             for (std::size_t i = 0; i < triangles.size(); ++i) {
-                const double t = triangles[i].visible ? hit(triangles[i], origin, direction) : -1.0;
+                const bool seen = triangles[i].visible && !triangles[i].isCulled(direction);
+                const double t = seen ? hit(triangles[i], origin, direction) : -1.0;
                 if (t >= near && t < nearest) {
                     nearest = t;
                     own = i;

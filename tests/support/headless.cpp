@@ -23,12 +23,25 @@ gl::HeadlessContext::Request testPicture(int width, int height, int samples) {
     return {width, height, samples, testLimits()};
 }
 
+namespace {
+
+/// Records of casters that are taken for double-sided.
+std::vector<std::shared_ptr<const PlanePairShadow>> uncullable(Scene scene, bool castMasked) {
+    for (Material& material : scene.materials)
+        material.doubleSided = true;
+    return buildPlanePairs(scene, castMasked);
+}
+
+} // namespace
+
 std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
                                     RenderSettings settings, bool castMasked) {
     const gl::HeadlessContext context(testPicture(test.width, test.height));
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
     const LoadedScene loaded{
-        {}, scene, {}, buildPlanePairs(scene, castMasked), {}, {0.0, castMasked}};
+        {}, scene,
+        {}, test.culledCaps ? buildPlanePairs(scene, castMasked) : uncullable(scene, castMasked),
+        {}, {0.0, castMasked}};
     FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
                                    {test.seen(), test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;

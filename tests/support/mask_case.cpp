@@ -24,11 +24,12 @@ Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>
 
 } // namespace
 
-Outcome run(const Case& test, RenderSettings settings, bool nearDiscard) {
+Outcome run(const Case& test, RenderSettings settings, bool nearDiscard, bool culledCaps) {
     TestView view{test.camera, {test.light}, maskWidth, maskHeight, true};
     if (test.near > 0.0) view.depth.near = test.near;
     view.depth.slices = test.slices;
     view.nearDiscard = nearDiscard;
+    view.culledCaps = culledCaps;
     view.frustum = test.seen();
     return compare(drawScene(test.scene, view, settings, test.castMasked),
                    castMask(test.scene, standingBack(test.seen(), worldBounds(test.scene)),

@@ -30,8 +30,9 @@ struct Outcome {
     int shadow = 0;
 };
 
-/// Draws the mask. `nearDiscard`: see TestView.
-Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true);
+/// Draws the mask. `nearDiscard`, `culledCaps`: see TestView.
+Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true,
+            bool culledCaps = true);
 
 /// Expects every pixel away from a boundary to be right, by every robust method and layout, and by
 /// a primitive map.

@@ -7,7 +7,7 @@ namespace edgeshade::test {
 PlanePairProbe::PlanePairProbe()
     : pairsProgram_(makePlanePairSidesProgram({true, false}, {"PROBE"}, {"a_pixel"})),
       singlesProgram_(makePlanePairSidesProgram({false, false}, {"PROBE"}, {"a_pixel"})),
-      capsProgram_(makePlanePairCapsProgram(false, false, {"PROBE"}, {"a_pixel"})) {}
+      capsProgram_(makePlanePairCapsProgram({}, {"PROBE"}, {"a_pixel"})) {}
 
 void PlanePairProbe::upload(const PlanePairShadow& shadow) {
     pairCount_ = shadow.pairs.size();

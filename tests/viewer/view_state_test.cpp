@@ -22,6 +22,7 @@ ViewState someState() {
     state.background = {0.1f, 0.2f, 0.3f};
     state.ground = Ground{GroundMaterial::surface, glm::vec3(1.0f, 0.0f, 1.0f)};
     state.castCutouts = true;
+    state.culls = !cullsByDefault;
     state.left = {ShadowMethod::map, 512, MultiplicityMethod::threeEdge};
     state.right = {ShadowMethod::none, 64, MultiplicityMethod::singleEdge, 4};
     state.split = true;

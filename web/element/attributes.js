@@ -7,7 +7,7 @@ const whole = new Set(['map-size', 'mask-scale']);
 
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'shadows', 'map-size', 'multiplicity',
+  'camera', 'light', 'sun', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
   'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
   'speed', 'time',
 ];
@@ -82,6 +82,7 @@ export function changesFromAttributes(get) {
   if (has('exposure')) changes.exposure = number('exposure');
   if (has('ground')) changes.ground = get('ground');
   if (has('cast-cutouts')) changes.cast_cutouts = get('cast-cutouts') !== 'off';
+  if (has('cull')) changes.cull = get('cull');
   if (has('split')) changes.split = get('split') !== 'off';
   if (has('split-at')) changes.split_at = number('split-at');
   if (has('debug')) changes.debug = get('debug');

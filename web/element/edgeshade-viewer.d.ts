@@ -61,6 +61,8 @@ export interface ViewState {
   ground: string;
   /** MASK surfaces cast what their alpha leaves, where shadow is looked up. */
   cast_cutouts: boolean;
+  /** auto: surfaces of materials that aren't double-sided are seen from their front alone. */
+  cull: 'auto' | 'off';
   left: SideSettings;
   right: SideSettings;
   split: boolean;
@@ -165,6 +167,8 @@ export interface EdgeshadeViewerEventMap {
  *               scene has no floor) or a colour #rrggbb
  *   cast-cutouts  on: MASK surfaces (leaves) cast what their alpha leaves, where shadow is looked up:
  *               of lights at rest, and in shadow maps
+ *   cull        auto (the default): surfaces of materials that aren't double-sided are seen from their
+ *               front alone, and cast from either side; off: all are seen from both sides
  *   shadows     auto (the default), volumes, primitive-map, map or none; map-size: of a map, in
  *               texels; multiplicity; mask-scale: 1, 2 or 4, pixels along the edge of those that
  *               volumes are counted once for

@@ -96,6 +96,7 @@ export function connectControls(viewer) {
     ground: groundChoice((ground) => viewer.change({ ground })),
     lights: check('show-lights', (on) => viewer.change({ show_lights: on })),
     cutouts: check('cast-cutouts', (on) => viewer.change({ cast_cutouts: on })),
+    backs: check('backs', (on) => viewer.change({ cull: on ? 'off' : 'auto' })),
     split: check('split', (on) => viewer.change({ split: on })),
     debug: check('debug', (on) => viewer.change({ debug: on ? 'volumes' : 'none' })),
     time: slider('time', (v) => `${v.toFixed(1)} s`, (time) => viewer.change({ time, playing: false })),
@@ -147,6 +148,7 @@ export function connectControls(viewer) {
       $(`${side}-map`).hidden = state[side].shadows !== 'map';
     }
     show.cutouts(state.cast_cutouts);
+    show.backs(state.cull === 'off');
     show.split(state.split);
     $('right-side').hidden = !state.split;
     document.querySelector('.left-title').textContent = state.split ? 'Left' : 'Method';

@@ -20,6 +20,7 @@ export function hashOf(model, state) {
   if (state.exposure) put('exposure', short(state.exposure));
   put('ground', state.ground);
   if (state.cast_cutouts) put('cast-cutouts', 'on');
+  if (state.cull === 'off') put('cull', state.cull);
   put('shadows', state.left.shadows);
   if (state.left.shadows === 'map') put('map-size', state.left.map_size);
   if (state.left.mask_scale > 1) put('mask-scale', state.left.mask_scale);
@@ -96,6 +97,7 @@ export function readHash(hash) {
   take('ambient', (text) => { changes.ambient = one('ambient')(text); });
   take('exposure', (text) => { changes.exposure = one('exposure')(text); });
   take('cast-cutouts', (text) => { changes.cast_cutouts = text !== 'off'; });
+  take('cull', (text) => { changes.cull = text; });
   take('ground', (text) => { changes.ground = text; });
   take('shadows', () => { changes.left = sideOf(words, '', 'shadows'); });
   take('right', () => { changes.right = sideOf(words, 'right-', 'right'); });

@@ -23,6 +23,7 @@ const view = {
   ambient: 0.25,
   ground: '#8090a0',
   cast_cutouts: true,
+  cull: 'off',
   left: { shadows: 'volumes', mask_scale: 2 },
   right: { shadows: 'map', map_size: 512 },
   split: true,

@@ -14,6 +14,7 @@ BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthS
     result.normalFromObject = glm::mat3(glm::inverseTranspose(glm::dmat3(batch.worldFromBatch)));
     result.planes = viewPlanes(view, slice, batch.worldFromBatch);
     result.mirrored = batch.mirrored();
+    result.culls = view.culls;
     return result;
 }
 

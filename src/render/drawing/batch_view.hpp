@@ -17,6 +17,7 @@ struct BatchView {
     /// Its chunks' triangles for a primitive map's light; null where there is none.
     const std::vector<SidedChunk>* sided = nullptr;
     bool mirrored = false;
+    bool culls = false; ///< see Scene
 };
 
 /// Where the view's camera sees a batch from, drawn with the slice's depth range.

@@ -1,9 +1,11 @@
 // Renderer's see-through surfaces.
 
+#include "src/render/drawing/cull_scope.hpp"
 #include "src/render/frame/frame.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
+#include <optional>
 
 namespace edgeshade {
 namespace {
@@ -13,18 +15,6 @@ double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
     return frustum.orthographic ? depthOf(frustum, point)
                                 : glm::distance(frustum.position(), point);
 }
-
-/// Leaves out one side of all triangles, for as long as it lives.
-class CullScope {
-  public:
-    explicit CullScope(GLenum side) {
-        glEnable(GL_CULL_FACE);
-        glCullFace(side);
-    }
-    ~CullScope() { glDisable(GL_CULL_FACE); }
-    CullScope(const CullScope&) = delete;
-    CullScope& operator=(const CullScope&) = delete;
-};
 
 } // namespace
 
@@ -53,13 +43,16 @@ void Renderer::drawBlended(const SlicePass& pass) {
     glEnable(GL_BLEND);
     for (const Item& item : items) {
         const Material& material = pass.scene.materials[item.chunk->material];
+        const bool mirrored = item.batch->mirrored();
         if (!sum_.full) {
+            std::optional<CullScope> frontAlone;
+            if (pass.view.culls && !material.doubleSided)
+                frontAlone.emplace(mirrored ? GL_FRONT : GL_BACK);
             drawAsInFullLight(pass, *item.batch, *item.chunk);
             continue;
         }
         // In what order triangles are drawn says nothing of their depth: first what of them is seen
         // from behind, if they have that side, then what faces the eye.
-        const bool mirrored = item.batch->mirrored();
         for (const bool fromBehind : {true, false}) {
             if (fromBehind && !material.doubleSided) continue;
             const CullScope leftOut(fromBehind == mirrored ? GL_BACK : GL_FRONT);

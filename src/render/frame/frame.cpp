@@ -19,13 +19,18 @@ namespace {
 constexpr double sliceOverlap = 1.0001;
 
 /// Opposite-vertex records are counted behind surfaces alone, where a far plane at a finite depth
-/// cuts volumes (docs/method.md, C33).
+/// cuts volumes and every caster must be in the depth buffer (docs/method.md, C33 and C39).
 void requireCountable(const RenderSettings& settings, const FrameView& view) {
     const auto records = settings.records();
-    if (view.frustum.orthographic && records && records->volumes == VolumeLayout::oppositeVertices)
+    if (!records || records->volumes != VolumeLayout::oppositeVertices) return;
+    if (view.frustum.orthographic)
         throw Error(ExitStatus::unavailable,
                     "Opposite-vertex records can't be counted in an orthographic picture; "
                     "'--multiplicity plane' can.");
+    if (view.culls)
+        throw Error(ExitStatus::unavailable,
+                    "Opposite-vertex records don't say which side of a triangle is its front, so "
+                    "that culled casters can't be counted; '--multiplicity plane' can.");
 }
 
 /// Where lines of sight come from, from the camera's position.
@@ -83,7 +88,7 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
-      surfaces_(capabilities, settings.map.pcf) {
+      counter_(capabilities), surfaces_(capabilities, settings.map.pcf) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
@@ -126,7 +131,7 @@ void Renderer::prepareSum(const GpuScene& scene, const FrameView& view) {
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
     plan_ = planned(scene, view, clock);
     glViewport(0, 0, view.width, view.height);
-    glDisable(GL_CULL_FACE); // every caster must be in the depth buffer, from both sides
+    glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {

@@ -2,6 +2,7 @@
 
 #include "shaders_es2.hpp"
 #include "src/render/drawing/attributes.hpp"
+#include "src/render/drawing/cull_scope.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
@@ -324,9 +325,14 @@ std::size_t SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, cons
                               const glm::dvec3& eye, const SurfaceShading& shading,
                               AlphaMode kind) {
     std::size_t runs = 0;
-    for (const SurfaceChunk& chunk : batch.surfaces)
-        if (scene.materials[chunk.material].alphaMode == kind)
-            runs += drawChunk(scene, chunk, view, eye, shading);
+    for (const SurfaceChunk& chunk : batch.surfaces) {
+        const Material& material = scene.materials[chunk.material];
+        if (material.alphaMode != kind) continue;
+        std::optional<CullScope> frontAlone;
+        if (view.culls && !material.doubleSided)
+            frontAlone.emplace(view.mirrored ? GL_FRONT : GL_BACK);
+        runs += drawChunk(scene, chunk, view, eye, shading);
+    }
     return runs;
 }
 

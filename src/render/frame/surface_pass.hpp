@@ -57,7 +57,8 @@ struct SurfaceShading {
 BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                         const DepthSlice& slice, const SurfaceShading& shading);
 
-/// Draws visible surfaces from both sides; depth, stencil and blending are the caller's state.
+/// Draws visible surfaces, from both sides but where the scene culls single-sided ones; depth,
+/// stencil and blending are the caller's state.
 /// Those of unlit materials have their own colour whatever the light; masks show where it falls on
 /// them.
 class SurfacePass {
@@ -72,7 +73,8 @@ class SurfacePass {
     std::size_t draw(const GpuScene& scene, const GpuBatch& batch, const BatchView& view,
                      const glm::dvec3& eye, const SurfaceShading& shading, AlphaMode kind);
 
-    /// Draws one chunk unless it certainly isn't in view. Returns vertex runs.
+    /// Draws one chunk, of the sides that the caller doesn't cull, unless it certainly isn't in
+    /// view. Returns vertex runs.
     std::size_t drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                           const glm::dvec3& eye, const SurfaceShading& shading);
 

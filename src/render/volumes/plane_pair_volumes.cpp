@@ -60,7 +60,15 @@ std::vector<std::string> joined(std::vector<std::string> words,
 }
 
 glm::vec2 rangeOf(Counted counted) {
-    return counted == Counted::all ? glm::vec2(-1.0f, 1.0f) : glm::vec2(0.0f, 1.0f);
+    switch (counted) {
+    case Counted::lightFacing:
+        return {0.0f, 1.0f};
+    case Counted::facingAway:
+        return {-1.0f, 0.0f};
+    case Counted::all:
+        break;
+    }
+    return {-1.0f, 1.0f};
 }
 
 /// Of the program that draws sides or fans.
@@ -69,8 +77,10 @@ PlanePairSidesVariant variantOf(const VolumeDraw& draw) {
     return {.pair = draw.isPair(), .directional = !fans && draw.isTriangle(), .cap = fans};
 }
 
-std::pair<bool, bool> capsVariantOf(const VolumeDraw& draw) {
-    return {draw.nearDiscard, draw.alphaTested.has_value()};
+PlanePairCapsVariant capsVariantOf(const VolumeDraw& draw) {
+    return {.nearDiscard = draw.nearDiscard,
+            .alphaTest = draw.alphaTested.has_value(),
+            .culled = draw.culled};
 }
 
 } // namespace
@@ -90,13 +100,14 @@ gl::Program makePlanePairSidesProgram(const PlanePairSidesVariant& variant,
                    extraAttributes)};
 }
 
-gl::Program makePlanePairCapsProgram(bool nearDiscard, bool alphaTest,
+gl::Program makePlanePairCapsProgram(const PlanePairCapsVariant& variant,
                                      const std::vector<std::string>& extraDefines,
                                      const std::vector<std::string>& extraAttributes) {
     std::vector<std::string> defines = extraDefines;
     std::vector<std::string> attributes = {"a_corner", "a_capA", "a_capB", "a_capC", "a_plane"};
-    if (nearDiscard) defines.push_back("NEAR_DISCARD");
-    if (alphaTest) {
+    if (variant.nearDiscard) defines.push_back("NEAR_DISCARD");
+    if (variant.culled) defines.push_back("CULLED");
+    if (variant.alphaTest) {
         defines.push_back("ALPHA_TEST");
         attributes.insert(attributes.end(), {"a_alphaCornerA", "a_alphaCornerB", "a_alphaCornerC"});
     }
@@ -134,7 +145,7 @@ CountPlan PlanePairVolumes::plan(const GpuScene& scene, const CasterGroupInSlice
         placed.push_back({i, volumes.planePairs->shadow(), scene.batches[i].worldFromBatch});
     }
     return planCount(placed, scene.materials, casters.view, casters.slice, casters.light,
-                     {mantissaBits_, silhouettes_ ? &*silhouettes_ : nullptr});
+                     {mantissaBits_, silhouettes_ ? &*silhouettes_ : nullptr, &solids_});
 }
 
 void PlanePairVolumes::prepare(const CountPlan& plan, GpuScene& scene,
@@ -170,10 +181,9 @@ void PlanePairVolumes::upload(const VolumeDraw& draw, const BatchPlan& plan,
 
 void PlanePairVolumes::makeProgram(const VolumeDraw& draw) {
     if (draw.shape == VolumeDraw::Shape::caps) {
-        const auto variant = capsVariantOf(draw);
+        const PlanePairCapsVariant variant = capsVariantOf(draw);
         if (!caps_.contains(variant))
-            caps_.emplace(variant,
-                          makePlanePairCapsProgram(variant.first, variant.second, defines_));
+            caps_.emplace(variant, makePlanePairCapsProgram(variant, defines_));
         return;
     }
     const PlanePairSidesVariant variant = variantOf(draw);
@@ -271,6 +281,7 @@ void PlanePairVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch)
     program.set("u_light", batch.plan.light);
     program.set("u_counted", rangeOf(draw.counted));
     program.set("u_clipFromObject", batch.clipFromObject);
+    if (draw.culled) program.set("u_eye", batch.plan.eye);
     if (tints_) program.set("u_tint", tints_->of(draw));
     if (!draw.alphaTested) {
         drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, false);
@@ -281,6 +292,7 @@ void PlanePairVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch)
         program.set("u_frontCapAtInfinity", 1.0f);
         drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, true);
     }
+    if (draw.culled) return;
     program.set("u_frontCapAtInfinity", 0.0f);
     drawCapRecords(caps, buffers.copied(), draw.range, CapFaces::front, true);
 }

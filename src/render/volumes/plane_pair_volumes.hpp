@@ -23,11 +23,19 @@ struct PlanePairSidesVariant {
     auto operator<=>(const PlanePairSidesVariant&) const = default;
 };
 
+struct PlanePairCapsVariant {
+    bool nearDiscard = false;
+    bool alphaTest = false;
+    bool culled = false; ///< front caps of casters that show their backs, where they are
+
+    auto operator<=>(const PlanePairCapsVariant&) const = default;
+};
+
 /// The programs. `extraDefines` and `extraAttributes` are for tests and debug views.
 gl::Program makePlanePairSidesProgram(const PlanePairSidesVariant& variant,
                                       const std::vector<std::string>& extraDefines = {},
                                       const std::vector<std::string>& extraAttributes = {});
-gl::Program makePlanePairCapsProgram(bool nearDiscard, bool alphaTest,
+gl::Program makePlanePairCapsProgram(const PlanePairCapsVariant& variant,
                                      const std::vector<std::string>& extraDefines = {},
                                      const std::vector<std::string>& extraAttributes = {});
 
@@ -74,13 +82,14 @@ class PlanePairVolumes : public VolumeRenderer {
     std::optional<VolumeTints> tints_;
     std::vector<std::string> defines_;
     std::optional<PotentialSilhouettes> silhouettes_;
+    KeptSolids solids_;
     SilhouetteBuffers gathered_;
     gl::Buffer quadCorners_;     ///< instanced: 0..3
     gl::Buffer capCorners_;      ///< instanced: 0..5
     gl::Buffer quadIndices_;     ///< of one quad; not instanced: of as many as 16 bits reach
     gl::Buffer triangleIndices_; ///< the same of their first triangles
     std::map<PlanePairSidesVariant, gl::Program> sides_;
-    std::map<std::pair<bool, bool>, gl::Program> caps_; ///< by near discard, alpha test
+    std::map<PlanePairCapsVariant, gl::Program> caps_;
 };
 
 } // namespace edgeshade

@@ -2,7 +2,37 @@
 
 #include "src/render/volumes/stencil_count.hpp"
 
+#include <cmath>
+#include <GLES2/gl2.h>
+#include <optional>
+
 namespace edgeshade {
+namespace {
+
+/// Moves culled casters' caps away from the eye, for as long as it lives: behind a surface that
+/// they coincide with, as the point that is asked for lies before it (docs/method.md, C39).
+class CulledCapOffset {
+  public:
+    CulledCapOffset(float slopes, float units) {
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(slopes, units);
+    }
+    ~CulledCapOffset() {
+        glPolygonOffset(0.0f, 0.0f);
+        glDisable(GL_POLYGON_OFFSET_FILL);
+    }
+    CulledCapOffset(const CulledCapOffset&) = delete;
+    CulledCapOffset& operator=(const CulledCapOffset&) = delete;
+};
+
+/// What rounding may add to a depth on its way through a rasteriser's floats: 2 to this power.
+constexpr int depthRoundingBits = -23;
+
+} // namespace
+
+VolumeCounter::VolumeCounter(const gl::Capabilities& capabilities)
+    : offsetSlopes_(std::ldexp(1.0f, -capabilities.subpixelBits)),
+      offsetUnits_(std::ldexp(1.0f, capabilities.depthBits + depthRoundingBits)) {}
 
 void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
                           const GpuScene& scene, const CasterGroupInSlice& casters) const {
@@ -10,6 +40,8 @@ void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
         forEachDraw(draws, plan, volumes, scene, casters,
                     [&](const VolumeDraw& draw, const DrawnBatch& batch) {
                         countByOne(draw.zFail, batch.mirrored);
+                        std::optional<CulledCapOffset> offset;
+                        if (draw.culled) offset.emplace(offsetSlopes_, offsetUnits_);
                         volumes.draw(draw, batch);
                     });
     };

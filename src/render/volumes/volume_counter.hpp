@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/gl/capabilities.hpp"
 #include "src/render/drawing/batch_view.hpp"
 #include "src/render/drawing/whole_picture.hpp"
 #include "src/render/volumes/volume_renderer.hpp"
@@ -10,6 +11,8 @@ namespace edgeshade {
 /// in: 0 where they are lit. What of them is drawn, and in which order, is the plan's.
 class VolumeCounter {
   public:
+    explicit VolumeCounter(const gl::Capabilities& capabilities);
+
     /// Counts in a stencil that was cleared to plan.start. `volumes` must have prepared the plan.
     /// Colour and depth masks, the depth test and its function (less) and the stencil's test and
     /// function (always) are the caller's state.
@@ -18,6 +21,9 @@ class VolumeCounter {
 
   private:
     WholePicture picture_;
+    // How far caps of culled casters are moved away: a step of the grid that vertices are put on,
+    // by what their depth changes over it, and rounding, in units of the depth buffer.
+    float offsetSlopes_, offsetUnits_;
 };
 
 /// Calls use(draw, batch) for some draws of a plan, in order.

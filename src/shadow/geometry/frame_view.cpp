@@ -85,6 +85,7 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
     for (const Light& light : request.lights)
         view.lights.push_back({light, {}, true, cutAt(light, view.frustum, bounds)});
     view.bounds = bounds;
+    view.culls = scene.culls;
     DepthRange range;
     for (const Batch& batch : scene.batches) {
         if (batch.ground) {
@@ -94,7 +95,7 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
                 continue;
             }
         }
-        const VisiblePart part = visiblePart(batch, view.frustum);
+        const VisiblePart part = visiblePart(scene, batch, view.frustum);
         const DepthRange& own = part.depth;
         view.nearestDepths.push_back(own.nearest);
         if (own.nearest > own.farthest) continue;

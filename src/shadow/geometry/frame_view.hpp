@@ -64,6 +64,7 @@ struct FrameView {
     bool mask = false;       ///< the lit mask of the first light, not a picture
     bool drawBlended = true; ///< BLEND surfaces are drawn
     bool ground = false;     ///< the ground is
+    bool culls = false;      ///< Scene's
 
     double near() const { return slices.back().near; }
     /// Divides the depth range anew, see divideDepth(). An orthographic picture stays whole.

@@ -91,9 +91,30 @@ class SlopeBounds {
     Slopes slopes_;
 };
 
+/// Whether a triangle of a picture's camera space certainly shows its back. `mirrored`: what places
+/// it there turns windings over; `error`: how far a GL may place its corners off.
+bool showsBack(const Polygon& triangle, bool orthographic, bool mirrored, double error) {
+    const glm::dvec3 &a = triangle.corners[0], &b = triangle.corners[1], &c = triangle.corners[2];
+    const glm::dvec3 ab = b - a, ac = c - a;
+    const glm::dvec3 towardsEye = orthographic ? glm::dvec3(0.0, 0.0, 1.0) : -a;
+    const double side = (mirrored ? -1.0 : 1.0) * glm::dot(glm::cross(ab, ac), towardsEye);
+    const double sides = glm::length(ab) + glm::length(ac) + error;
+    return side < -4.0 * error * sides * (sides + glm::length(towardsEye));
+}
+
+/// By corner of the batch's indices: whether its triangle is seen from its front alone.
+std::vector<std::uint8_t> culledWhereTurnedAway(const Scene& scene, const Batch& batch) {
+    if (!scene.culls) return {};
+    std::vector<std::uint8_t> culled(batch.indices.size(), 0);
+    for (const SurfaceGroup& group : batch.groups)
+        std::fill_n(culled.begin() + group.firstIndex, group.indexCount,
+                    !scene.materials[group.material].doubleSided);
+    return culled;
+}
+
 } // namespace
 
-VisiblePart visiblePart(const Batch& batch, const Frustum& given) {
+VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& given) {
     const Frustum frustum = widened(given);
     const std::array<Side, 5> sides = sidesOf(frustum);
     const glm::dmat4 viewFromBatch = frustum.viewFromWorld * batch.worldFromBatch;
@@ -107,7 +128,10 @@ VisiblePart visiblePart(const Batch& batch, const Frustum& given) {
         return glm::dvec3(worldFromView * glm::dvec4(point, 1.0));
     };
     VisiblePart part;
-    SlopeBounds slopes(frustum, placingErrorOf(batch.positions, viewFromBatch));
+    const double error = placingErrorOf(batch.positions, viewFromBatch);
+    SlopeBounds slopes(frustum, error);
+    const std::vector<std::uint8_t> culled = culledWhereTurnedAway(scene, batch);
+    const bool mirrored = glm::determinant(glm::dmat3(viewFromBatch)) < 0.0;
     for (std::size_t i = 0; i + 2 < batch.indices.size(); i += 3) {
         Polygon polygon;
         DepthRange whole;
@@ -122,6 +146,9 @@ VisiblePart visiblePart(const Batch& batch, const Frustum& given) {
                             return slopes.hold(corner) && part.box.holds(inWorld(corner));
                         });
         if (known) continue;
+        if (!culled.empty() && culled[i] &&
+            showsBack(polygon, frustum.orthographic, mirrored, error))
+            continue;
         for (const Side& side : sides) {
             polygon = clipped(polygon, side.normal, side.offset);
             if (polygon.count == 0) break;

@@ -33,9 +33,10 @@ struct VisiblePart {
     Slopes slopes; ///< with what a GL's floats may add
 };
 
-/// Where the batch's surfaces are within the frustum, a little widened. Exact but for rounding:
-/// triangles are clipped to it.
-VisiblePart visiblePart(const Batch& batch, const Frustum& frustum);
+/// Where surfaces of one of the scene's batches are within the frustum, a little widened. Exact but
+/// for rounding: triangles are clipped to it, and left out where the scene culls them, if that is
+/// beyond doubt.
+VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& frustum);
 
 /// Whether the picture's eye, which may be at infinity, is above the ground: else it isn't seen.
 bool isAboveGround(const Frustum& frustum, const Batch& ground);

@@ -7,10 +7,11 @@
 
 namespace edgeshade {
 
-/// What of one batch is drawn. The last three are those of plane-pair records.
+/// What of one batch is drawn. The eye and the last three are those of plane-pair records.
 struct BatchPlan {
     std::size_t batch = 0; ///< its index in the scene
     glm::vec4 light{0.0f}; ///< in its space
+    glm::vec4 eye{0.0f};   ///< likewise, homogeneous
     std::shared_ptr<const PlanePairShadow> shadow = nullptr;
     VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
     /// Where draws take their pairs from; null: from all, or nothing is drawn. Holds until the next

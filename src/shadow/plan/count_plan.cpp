@@ -19,10 +19,13 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
     for (const PlacedShadow& caster : casters) {
         places.push_back(
             planView(view, slice, source, caster.worldFromBatch, settings.mantissaBits));
+        std::span<const std::uint8_t> solids;
+        if (view.culls && settings.solids) solids = settings.solids->of(caster.shadow);
         plan.batches.push_back({.batch = caster.batch,
                                 .light = lightInObject(source, caster.worldFromBatch),
+                                .eye = glm::vec4(places.back().eye),
                                 .shadow = caster.shadow,
-                                .volumes = planVolumes(*caster.shadow, places.back())});
+                                .volumes = planVolumes(*caster.shadow, places.back(), solids)});
         plan.start.add(plan.batches.back().volumes);
         plan.fullyShadowed =
             plan.fullyShadowed || plan.batches.back().volumes.fullyShadowedBy.has_value();

@@ -95,6 +95,29 @@ class ClusterDraws {
         }
     }
 
+    void appendCulledCaps(const std::vector<Material>& materials,
+                          std::vector<VolumeDraw>& draws) const {
+        if (!how_.culledCaps) return;
+        for (std::uint32_t c = how_.clusters.first; c < how_.clusters.end(); ++c) {
+            const ShadowCluster& cluster = shadow_.clusters[c];
+            if (cluster.singleSided == 0) continue;
+            if (!cluster.alphaTested) {
+                appendCulledCaps(c, {0, cluster.singleSided}, std::nullopt, draws);
+                continue;
+            }
+            for (std::uint32_t g = cluster.groups.first; g < cluster.groups.end(); ++g) {
+                const MaterialCasters& group = shadow_.groups[g];
+                const Material& material = materials[group.material];
+                // BLEND casters are in no depth buffer anyway: their caps are where they are.
+                if (material.doubleSided || material.alphaMode == AlphaMode::blend) continue;
+                std::optional<std::size_t> alphaTested;
+                if (material.alphaMode == AlphaMode::mask) alphaTested = group.material;
+                appendCulledCaps(c, {group.firstCap - cluster.caps.first, group.capCount},
+                                 alphaTested, draws);
+            }
+        }
+    }
+
   private:
     bool cutoutsAlone() const { return how_.caps == CapsNeeded::cutoutsAlone; }
     bool hasCaps() const {
@@ -115,6 +138,21 @@ class ClusterDraws {
         draw.cluster = cluster;
         draw.nearDiscard = how_.nearDiscard;
         draw.alphaTested = alphaTested;
+    }
+
+    void appendCulledCaps(std::uint32_t cluster, const RecordRange& range,
+                          std::optional<std::size_t> alphaTested,
+                          std::vector<VolumeDraw>& draws) const {
+        VolumeDraw& draw = draws.emplace_back(like_);
+        draw.shape = Shape::caps;
+        draw.records = Records::caps;
+        draw.range = range;
+        draw.verticesPerRecord = verticesPerCap;
+        draw.cluster = cluster;
+        draw.zFail = false;
+        draw.faces = CapFaces::front;
+        draw.alphaTested = alphaTested;
+        draw.culled = true;
     }
 
     /// The records among which the sides are that count so often.
@@ -180,6 +218,7 @@ void appendDraws(const BatchPlan& batch, std::size_t index, const PlanView& view
         draws.appendSides(Times::once, list.once);
         draws.appendFans(Times::once, list.once);
         draws.appendCaps(materials, list.once);
+        draws.appendCulledCaps(materials, list.once);
     }
 }
 

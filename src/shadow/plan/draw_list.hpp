@@ -18,7 +18,7 @@ struct DrawList {
 ///
 /// Caps: where ClusterPlan::fannedCaps allows it and fewer vertices are needed for them, fans of
 /// the potential silhouettes; else those triangles that cast, only those that may face the light
-/// where that is known.
+/// where that is known. Those of ClusterPlan::culledCaps come besides, of single-sided casters.
 void appendDraws(const BatchPlan& batch, std::size_t index, const PlanView& view,
                  const std::vector<Material>& materials, DrawList& draws);
 

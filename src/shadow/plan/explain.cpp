@@ -25,6 +25,9 @@ const char* wordsFor(Counted counted) {
     switch (counted) {
     case Counted::lightFacing:
         return "light-facing triangles alone: closed, and around eye and light alike";
+    case Counted::facingAway:
+        return "triangles that face away from the light alone: closed, around eye and light alike, "
+               "and partly culled";
     case Counted::all:
         break;
     }
@@ -94,16 +97,17 @@ std::string offered(const CountPlan& plan) {
 /// What the draws of one range of clusters take to the vertex shader: "; 12 records of sides, 3
 /// fans, 40 caps".
 std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice) {
-    std::size_t sides = 0, twice = 0, fans = 0, caps = 0, tested = 0;
+    std::size_t sides = 0, twice = 0, fans = 0, caps = 0, tested = 0, culled = 0;
     for (const auto* draws : {&plan.draws.twice, &plan.draws.once})
         for (const VolumeDraw& draw : *draws) {
             if (draw.batch != batch || draw.choice != choice) continue;
             const bool isSides = draw.shape == VolumeDraw::Shape::sides;
             (isSides                                 ? sides
              : draw.shape == VolumeDraw::Shape::fans ? fans
+             : draw.culled                           ? culled
                                                      : caps) += draw.range.count;
             if (isSides && draw.times == Times::twice) twice += draw.range.count;
-            if (draw.alphaTested) tested += draw.range.count;
+            if (draw.alphaTested && !draw.culled) tested += draw.range.count;
         }
     std::ostringstream text;
     text << "; " << counted(sides, "record") << " of sides";
@@ -111,6 +115,9 @@ std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice
     if (fans > 0) text << ", " << fans << " of fans that are caps";
     if (caps > 0) text << ", " << counted(caps, "cap");
     if (tested > 0) text << ", " << tested << " of them alpha-tested";
+    if (culled > 0)
+        text << ", " << counted(culled, "cap")
+             << " more, of single-sided triangles: where they are";
     return text.str();
 }
 

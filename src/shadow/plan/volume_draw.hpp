@@ -53,6 +53,9 @@ struct VolumeDraw {
     /// drawn twice then, at infinity where they are solid, and in the cutouts where they are.
     std::optional<std::size_t> alphaTested;
     bool cutoutsAlone = false; ///< of these: in the cutouts alone, front caps
+    /// Of caps: front caps of casters that show their backs, where they are, counted before
+    /// surfaces (z-pass); of alpha-tested ones where they are solid.
+    bool culled = false;
 
     bool isPair() const { return shape != Shape::caps && records != Records::singles; }
     /// Whether sides are triangles: those of a directional light end at infinity in one point.

@@ -79,14 +79,34 @@ bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
     return isOutsideOf(cluster, view.eye) && isOutsideOf(cluster, view.light);
 }
 
-/// How the cluster's triangles count, by winding numbers at eye and light (docs/method.md, C8).
-/// They are 0 outside of its bounds; else their difference is told by the triangles on the way from
-/// near rectangle to light, `touched`. Nothing where that is not 0: everything visible is in its
-/// shadow.
+/// Whether the eye may see through backs of the cluster: some single-sided triangle of it may be
+/// turned away from the eye, by the shaders' dot product, and be in the picture.
+bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, const PlanView& view,
+                 bool solid) {
+    if (!view.culls || cluster.singleSided == 0) return false;
+    // A front is met first then.
+    if (solid && isOutsideOf(cluster, view.eye) &&
+        !anyCapTouches(view.beforeNearest, cluster, shadow))
+        return false;
+    const auto aside = [&](const glm::dvec4& plane) { return isOutside(cluster.bounds, plane); };
+    if (std::any_of(view.planes.begin(), view.planes.begin() + 4, aside)) return false;
+    const auto first = shadow.caps.begin() + cluster.caps.first;
+    return std::any_of(first, first + cluster.singleSided, [&](const CapRecord& cap) {
+        const glm::dvec4 terms = glm::dvec4(cap.plane) * view.eye;
+        const glm::dvec4 sizes = glm::abs(terms);
+        return terms.x + terms.y + terms.z + terms.w <=
+               view.rounding * (sizes.x + sizes.y + sizes.z + sizes.w);
+    });
+}
+
+/// How the cluster's triangles count, by winding numbers at eye and light (docs/method.md, C8 and
+/// C39). They are 0 outside of its bounds; else their difference is told by the triangles on the
+/// way from near rectangle to light, `touched`. Nothing where everything visible is in its shadow.
 std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
-                                 const PlanView& view, const Touched& touched) {
+                                 const PlanView& view, const Touched& touched, bool culled) {
     if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
-    if (touched.caps.empty() || areOutside(cluster, view)) return Counted::lightFacing;
+    const Counted half = culled ? Counted::facingAway : Counted::lightFacing;
+    if (touched.caps.empty() || areOutside(cluster, view)) return half;
     if (touched.tooMany) return Counted::all;
     const auto crossings =
         crossingsFromSomePoint(view.fromNearest, touched.caps, shadow, view.rounding);
@@ -96,8 +116,10 @@ std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairSh
     const bool sumTells =
         cluster.components == 1 || crossings->outwards == 0 || crossings->inwards == 0;
     if (!sumTells) return Counted::all;
-    if (crossings->outwards != crossings->inwards) return std::nullopt;
-    return Counted::lightFacing;
+    if (crossings->outwards == crossings->inwards) return half;
+    // Backs that the eye sees through lessen the winding number, and never add to it.
+    if (culled && crossings->outwards > crossings->inwards) return Counted::all;
+    return std::nullopt;
 }
 
 /// Whether the cluster needs caps, and where not the count at which the whole near rectangle
@@ -126,7 +148,9 @@ void decideCaps(const ShadowCluster& cluster, const PlanePairShadow& shadow, con
         crossingsFromSomePoint(view.fromNear, touched.caps, shadow, view.rounding);
     if (!crossings) return;
     draw.caps = CapsNeeded::no;
-    draw.start = draw.counted == Counted::all ? crossings->all() : crossings->lightFacing;
+    draw.start = draw.counted == Counted::all          ? crossings->all()
+                 : draw.counted == Counted::facingAway ? crossings->facingAway
+                                                       : crossings->lightFacing;
 }
 
 /// Adds a plane if the light is on its inside, where dot(plane, (p, 1)) > 0.
@@ -247,6 +271,7 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     const glm::dmat4 batchFromView = glm::inverse(viewFromBatch);
     PlanView result;
     result.rounding = dotRounding(mantissaBits);
+    result.culls = view.culls;
     result.light = glm::inverse(worldFromBatch) * light.position;
     if (light.hasRange()) result.range = rangeInObject(light.range, worldFromBatch);
     if (light.isSpot())
@@ -268,7 +293,8 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
                         : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
 }
 
-VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view) {
+VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
+                       std::span<const std::uint8_t> solids) {
     const bool oneNear = view.fromNear.corners == view.fromNearest.corners;
     VolumePlan plan;
     for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
@@ -280,9 +306,10 @@ VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view) {
         const Touched touched = capsTouching(view.fromNear, cluster, shadow);
         ClusterPlan draw;
         draw.clusters = {i, 1};
+        const bool culled = mayBeCulled(cluster, shadow, view, !solids.empty() && solids[i] != 0);
         const auto counted =
             countedOf(cluster, shadow, view,
-                      oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow));
+                      oneNear ? touched : capsTouching(view.fromNearest, cluster, shadow), culled);
         if (!counted) {
             VolumePlan shadowed;
             shadowed.fullyShadowedBy = i;
@@ -301,6 +328,7 @@ VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view) {
         draw.nearDiscard = draw.zFail() && draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         draw.fannedCaps = draw.zFail() && !cluster.alphaTested && !draw.nearDiscard &&
                           (!draw.backCaps || isOutsideOf(cluster, view.light));
+        draw.culledCaps = culled && inView;
         appendDraw(plan.drawn, draw);
     }
     return plan;

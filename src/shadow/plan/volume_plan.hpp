@@ -6,6 +6,7 @@
 #include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/silhouette/light_facings.hpp"
 
+#include <span>
 #include <vector>
 
 namespace edgeshade {
@@ -14,6 +15,7 @@ namespace edgeshade {
 enum class Counted {
     all,         ///< every triangle: always right
     lightFacing, ///< of a closed cluster around which eye and light have the same winding numbers
+    facingAway,  ///< the same, where some of it may be culled before what is visible
 };
 
 /// Why volumes are drawn with caps and counted behind surfaces (z-fail).
@@ -37,11 +39,16 @@ struct ClusterPlan {
     bool backCaps = true;    ///< with z-fail: at infinity, some of its shadow may be in the view
     bool nearDiscard = true; ///< with front caps: some casters may cross the near plane
     bool fannedCaps = false; ///< with z-fail: caps may be fans, see planVolumes()
+    /// Front caps of single-sided casters that show their backs are counted once more, before
+    /// surfaces: what the eye doesn't see of casters may be before what it sees (docs/method.md,
+    /// C39).
+    bool culledCaps = false;
 
     bool drawnLike(const ClusterPlan& other) const {
         return counted == other.counted && caps == other.caps && end == other.end &&
                frontCaps == other.frontCaps && backCaps == other.backCaps &&
-               nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps;
+               nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps &&
+               culledCaps == other.culledCaps;
     }
     bool zFail() const { return caps != CapsNeeded::no && caps != CapsNeeded::cutoutsAlone; }
 };
@@ -81,6 +88,7 @@ struct PlanView {
     /// is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
     std::vector<glm::dvec4> ends;
     double rounding = dotRounding(23); ///< of the shaders' dot products with the light
+    bool culls = false;                ///< see Scene
 };
 
 /// The view of a batch placed by `worldFromBatch`, which must be invertible. `mantissaBits`: of the
@@ -109,7 +117,11 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 ///   near plane; alpha-tested casters take none;
 /// - light-facing triangles alone where the cluster is closed, no triangle of it is between the eye
 ///   and the nearest near plane, and eye and light have the same winding numbers (docs/method.md,
-///   C8). Where these certainly differ, the cluster seals the eye off from the light.
+///   C8). Where these certainly differ, the cluster seals the eye off from the light;
+/// - where casters are culled that may be before what is visible (those of solids with the eye
+///   outside are not), with their caps counted where they
+///   are, and triangles that face away from the light in place of the light-facing ones
+///   (docs/method.md, C39).
 ///
 /// The far plane of an orthographic picture is no infinity: what of a volume is behind it is lost,
 /// and may not be counted behind surfaces. But none of its casters is before the near plane. So
@@ -117,6 +129,8 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 /// cutouts of casters, and those that lead towards the viewer behind them, if need be
 /// (docs/method.md, C33). Throws Error(unavailable) where the light stands among a cluster's depths
 /// and it is in need.
-VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view);
+/// `solids`: what findSolids() says of the shadow's clusters; nothing: none is known.
+VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
+                       std::span<const std::uint8_t> solids = {});
 
 } // namespace edgeshade

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+
+/// Leaves out one side of all triangles, for as long as it lives.
+class CullScope {
+  public:
+    explicit CullScope(GLenum side) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(side);
+    }
+    ~CullScope() { glDisable(GL_CULL_FACE); }
+    CullScope(const CullScope&) = delete;
+    CullScope& operator=(const CullScope&) = delete;
+};
+
+} // namespace edgeshade
