@@ -27,6 +27,20 @@ struct Deforming {
     }
 };
 
+/// Caps are where the surfaces' triangles are.
+void expectCornersOfSurfaces(const PlanePairShadow& posed, const Batch& batch,
+                             const std::vector<Material>& materials) {
+    const Casters casters = castersOf(batch, materials, true);
+    const CasterMesh mesh = weldForRecords(batch, casters);
+    ASSERT_EQ(posed.caps.size(), mesh.welded.triangles.size());
+    for (std::size_t i = 0; i < posed.caps.size(); ++i) {
+        const std::size_t of = 3 * mesh.welded.source[posed.capTriangles[i]];
+        EXPECT_EQ(posed.caps[i].a, batch.positions[casters.indices[of]]);
+        EXPECT_EQ(posed.caps[i].b, batch.positions[casters.indices[of + 1]]);
+        EXPECT_EQ(posed.caps[i].c, batch.positions[casters.indices[of + 2]]);
+    }
+}
+
 std::vector<glm::vec4> lightsFor(const Batch& batch, Random& random, int count) {
     std::vector<glm::vec4> lights = {{0, 1, 0, 0}, {0.3f, 0.8f, 0.4f, 0}, {0, 3, 0, 1}};
     for (int i = 0; i < count; ++i) { // at vertices too
@@ -102,11 +116,36 @@ TEST(PosedPlanePairs, PlanesAndBoxesAreThePoses) {
                                 EXPECT_GE(box->high[c], corner[c]);
                             }
                 }
-            // The corners are the surfaces'.
-            const Casters casters = castersOf(*batch, ball.scene.materials, true);
-            const CasterMesh mesh = weldForRecords(*batch, casters);
-            ASSERT_EQ(posed.caps.size(), mesh.welded.triangles.size());
+            expectCornersOfSurfaces(posed, *batch, ball.scene.materials);
         }
+}
+
+TEST(PosedPlanePairs, WhatTouchesAtRestComesApart) {
+    // Two triangles with an edge in common, one of which a target moves away.
+    GltfBuilder gltf;
+    Shape shape;
+    shape.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+    shape.normals.assign(6, {0, 0, 1});
+    shape.indices = {0, 1, 2, 3, 4, 5};
+    Json primitive = gltf.primitiveOf(shape);
+    primitive["targets"] = {
+        {{"POSITION", gltf.addVectors(std::vector<glm::vec3>{
+                          {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}})}}};
+    const int node = gltf.addNode({{"mesh", gltf.addMesh(primitive)}});
+    gltf.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", "weights"}}}}}},
+         {"samplers",
+          {{{"input", gltf.addArray<float>({0, 1}, 1, {{"min", {0.0}}, {"max", {1.0}}})},
+            {"output", gltf.addArray<float>({0, 1}, 1)}}}}}};
+    Deforming torn(gltf);
+    ASSERT_EQ(torn.batches.size(), 1u);
+    auto& [batch, shadow] = torn.batches[0];
+    EXPECT_TRUE(shadow.pairs.empty());
+    EXPECT_EQ(shadow.singles.size(), 6u) << "two triangles, each with a border of its own";
+    BatchShape shape1 = batch->shape;
+    shape1.weights[0][0] = 1.0;
+    ASSERT_TRUE(poseBatch(*batch, shape1));
+    expectCornersOfSurfaces(posedPlanePairs(shadow, *batch), *batch, torn.scene.materials);
 }
 
 TEST(PosedPlanePairs, StayClosedInRandomPosesWildOnesToo) {

@@ -86,7 +86,7 @@ TEST(LightState, NamesSayWhatAnArrayCanNot) {
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 19u);
+    EXPECT_EQ(json.size(), 20u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }
