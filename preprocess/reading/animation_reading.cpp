@@ -71,29 +71,21 @@ class AnimationReader {
         for (const tinygltf::AnimationChannel& channel : source.channels) {
             const bool ofWeights = movesWeights(document_, channel);
             if (!ofWeights && !movesNode(channel)) continue;
+            const int node = channel.target_node;
+            const std::string& path = channel.target_path;
+            std::optional<Keyframes>& keyframes =
+                ofWeights ? animation.weights[node]
+                          : keyframesOf(motionOf(animation, node, field), path);
+            if (keyframes)
+                throw InputError(document_.where(field) + " moves nodes[" + std::to_string(node) +
+                                 "]." + path + " by two channels.");
             const std::string samplerField =
                 field + ".samplers[" + std::to_string(channel.sampler) + "]";
             const tinygltf::AnimationSampler& sampler = source.samplers.at(channel.sampler);
-            const int node = channel.target_node;
-            const std::string& path = channel.target_path;
-            bool isFirst = true;
-            const Keyframes* read = nullptr;
-            if (ofWeights) {
-                isFirst = !animation.weights.contains(node);
-                if (isFirst)
-                    read = &(animation.weights[node] = readWeights(sampler, node, samplerField));
-            } else {
-                auto& keyframes = keyframesOf(motionOf(animation, node, field), path);
-                isFirst = !keyframes;
-                if (isFirst)
-                    read =
-                        &keyframes.emplace(readSampler(sampler, path == "rotation", samplerField));
-            }
-            if (!isFirst)
-                throw InputError(document_.where(field) + " moves nodes[" + std::to_string(node) +
-                                 "]." + path + " by two channels.");
+            keyframes = ofWeights ? readWeights(sampler, node, samplerField)
+                                  : readSampler(sampler, path == "rotation", samplerField);
             animation.duration =
-                std::max(animation.duration, static_cast<double>(read->times->back()));
+                std::max(animation.duration, static_cast<double>(keyframes->times->back()));
         }
         return animation;
     }

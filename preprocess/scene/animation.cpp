@@ -150,9 +150,10 @@ BatchShape shapeAt(const Batch& batch, const Animation& animation, const Places&
                                       joint.place.animatedFromNode * joint.jointFromMesh);
     for (const DeformedPart& part : batch.deformation->parts) {
         const auto weights = animation.weights.find(part.node);
-        shape.weights.push_back(weights == animation.weights.end()
-                                    ? part.restWeights
-                                    : weightsAt(weights->second, part.restWeights.size(), seconds));
+        shape.weights.push_back(
+            weights == animation.weights.end()
+                ? part.restWeights
+                : weightsAt(*weights->second, part.restWeights.size(), seconds));
     }
     return shape;
 }

@@ -41,7 +41,8 @@ struct NodeMotion {
 struct Animation {
     double duration = 0.0;             ///< seconds, from 0 to the last keyframe of all
     std::map<int, NodeMotion> motions; ///< by glTF node
-    std::map<int, Keyframes> weights;  ///< of the morph targets of a glTF node's mesh
+    /// Of the morph targets of a glTF node's mesh, by node; never null.
+    std::map<int, std::optional<Keyframes>> weights;
 };
 
 /// Where a scene's parts are at one time of an animation.

@@ -40,7 +40,7 @@ std::optional<Command> commandForCharacter(unsigned character) {
         return Command::toggleGround;
     case ' ':
         return Command::togglePlaying;
-    case 'a':
+    case 'x':
         return Command::nextAnimation;
     case '[':
         return Command::slower;
@@ -91,7 +91,7 @@ std::string helpText() {
            "S / , .\ttwo kinds side by side / move the line\n"
            "V\tshow the volumes\n"
            "G\tground beneath the scene\n"
-           "Space / [ ] / A\tplay / slower, faster / next animation\n"
+           "Space / [ ] / X\tplay / slower, faster / next animation\n"
            "K\tnext variant of materials\n"
            "C\tnext of the file's cameras\n"
            "I\tfigures\n"

@@ -23,9 +23,24 @@ void readShadowData(const GltfDocument& document) {
     buildPlanePairs(scene, header->settings.castMasked, header->settings.flatTolerance);
 }
 
-void readAnimationOf(const GltfDocument& document) {
+/// Every animation, and what deforms in a few of its poses.
+void readAnimationsOf(const GltfDocument& document) {
     Warnings warnings;
     readAnimation(document, warnings);
+    Scene scene = flattenScene(document, 0.0);
+    auto shadows = buildPlanePairs(scene, true);
+    for (const AnimationTitle& title : animationTitles(document)) {
+        const auto animation = readAnimation(document, warnings, title.index);
+        if (!animation) continue;
+        for (const double share : {0.0, 0.4, 1.0}) {
+            const std::vector<Placed> placed =
+                place(scene, poseAt(*animation, scene, share * animation->duration));
+            for (std::size_t b = 0; b < placed.size(); ++b)
+                if (placed[b].reshaped)
+                    shadows[b] = std::make_shared<const PlanePairShadow>(
+                        posedPlanePairs(*shadows[b], scene.batches[b]));
+        }
+    }
 }
 
 void readImages(const GltfDocument& document) {
@@ -49,7 +64,7 @@ bool readEverything(std::span<const std::uint8_t> bytes) {
     std::optional<GltfDocument> document;
     if (!accepted([&] { document = parseGltf(bytes, fuzzedPath, smallLimits()); })) return false;
     bool all = accepted([&] { readShadowData(*document); });
-    all &= accepted([&] { readAnimationOf(*document); });
+    all &= accepted([&] { readAnimationsOf(*document); });
     all &= accepted([&] { readImages(*document); });
     all &= accepted([&] { packAgain(std::move(*document)); });
     return all;

@@ -3,6 +3,7 @@
 #include "src/image/png.hpp"
 #include "tests/support/draco_encoding.hpp"
 #include "tests/support/meshopt_encoding.hpp"
+#include "tests/support/moving_scenes.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/webp_encoding.hpp"
 
@@ -180,7 +181,8 @@ Seeds gltfSeeds() {
         {"tetrahedron.glb", plain.glb()},        {"tetrahedron.gltf", bytesOfText(plain.gltf())},
         {"textured.glb", texturedScene().glb()}, {"modes.glb", modesScene().glb()},
         {"sparse.glb", sparseScene().glb()},     {"skinned.glb", skinnedScene().glb()},
-        {"varied.glb", variedScene().glb()}};
+        {"varied.glb", variedScene().glb()},     {"figure.glb", walkingFigure(3, 2).glb()},
+        {"ball.glb", morphingBall(3, 2).glb()}};
 }
 
 Seeds compressionSeeds() {

@@ -35,7 +35,7 @@ export const keys = [
   { key: 'v', command: 'toggleDebug', does: 'Show the shadow volumes' },
   { key: 'g', command: 'toggleGround', does: 'Ground beneath the scene' },
   { key: 'h', command: 'toggleLights', does: 'Show the lights' },
-  { key: 'a', command: 'nextAnimation', does: 'Next animation' },
+  { key: 'x', command: 'nextAnimation', does: 'Next animation' },
   { key: ' ', command: 'togglePlaying', does: 'Play or pause' },
   { key: ',', command: 'slower', does: 'Slower' },
   { key: '.', command: 'faster', does: 'Faster' },

@@ -152,7 +152,7 @@ test('a figure with a skin walks, and waves when that clip is chosen', async () 
   await page.waitForFunction(() => /animation=1/.test(location.hash) && /time=0.7/.test(location.hash));
   assert.ok((await page.evaluate(() => document.querySelector('#viewer').stats)).pose_ms > 0);
   await page.evaluate(() => document.querySelector('#viewer').focus());
-  await page.keyboard.press('a');
+  await page.keyboard.press('x');
   assert.equal((await stateOf(page)).animation, 2);
   await assert.rejects(change(page, { animation: 3 }), /animation is 3, but the scene has 3 animations/);
   await shared.check(page);
