@@ -41,13 +41,18 @@ void transfer(Archive& archive, Maybe<RecordVertices> auto& vertices) {
 }
 
 template <class Archive>
-void transfer(Archive& archive, Maybe<Batch> auto& batch) {
-    archive(batch.node, batch.worldFromBatch, batch.origin, batch.positions, batch.normals,
-            batch.texcoords, batch.colors, batch.tangents, batch.indices, batch.groups,
-            batch.simplifiedCasters, batch.deformation, batch.shape.batchFromMesh,
-            batch.shape.weights);
-    for (auto& texcoords : batch.moreTexcoords)
+void transfer(Archive& archive, Maybe<Geometry> auto& geometry) {
+    archive(geometry.positions, geometry.normals, geometry.texcoords, geometry.colors,
+            geometry.tangents, geometry.indices, geometry.groups, geometry.simplifiedCasters);
+    for (auto& texcoords : geometry.moreTexcoords)
         archive(texcoords);
+}
+
+/// All but its geometry.
+template <class Archive>
+void transfer(Archive& archive, Maybe<Batch> auto& batch) {
+    archive(batch.node, batch.worldFromBatch, batch.nodeFromBatch, batch.deformation,
+            batch.shape.batchFromMesh, batch.shape.weights);
 }
 
 template <class Archive>
@@ -109,8 +114,13 @@ Bytes toTransfer(const LoadedScene& loaded) {
     writer(loaded.document->path.string(), documentFor(loaded), loaded.scene.batches,
            loaded.scene.animatedNodes, loaded.scene.materials, loaded.scene.cameras,
            loaded.scene.lights, loaded.scene.culls, loaded.settings);
-    for (const auto& shadow : loaded.planePairs)
-        transfer(writer, *shadow);
+    const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
+    writer(first);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] != i) continue;
+        transfer(writer, *loaded.scene.batches[i].geometry);
+        transfer(writer, *loaded.planePairs[i]);
+    }
     writer(loaded.images.size());
     for (const auto& [index, image] : loaded.images)
         writer(index, image->width, image->height, image->rgba);
@@ -128,7 +138,18 @@ LoadedScene fromTransfer(std::span<const std::uint8_t> bytes) {
     std::size_t images = 0, warnings = 0;
     reader(path, document, loaded.scene.batches, loaded.scene.animatedNodes, loaded.scene.materials,
            loaded.scene.cameras, loaded.scene.lights, loaded.scene.culls, loaded.settings);
-    for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
+    std::vector<std::size_t> first;
+    reader(first);
+    std::vector<Batch>& batches = loaded.scene.batches;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] != i) {
+            batches[i].geometry = batches[first[i]].geometry;
+            loaded.planePairs.push_back(loaded.planePairs[first[i]]);
+            continue;
+        }
+        Geometry geometry;
+        transfer(reader, geometry);
+        batches[i].geometry = CopyOnWrite(std::move(geometry));
         PlanePairShadow shadow;
         transfer(reader, shadow);
         loaded.planePairs.push_back(std::make_shared<const PlanePairShadow>(std::move(shadow)));

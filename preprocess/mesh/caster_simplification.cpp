@@ -23,7 +23,7 @@ std::vector<std::uint32_t> verticesOf(const WeldedMesh& mesh, const Casters& cas
 }
 
 std::vector<std::uint32_t> simplified(const Batch& batch, const Casters& casters, double error) {
-    const WeldedMesh mesh = weld(batch.positions, casters.indices);
+    const WeldedMesh mesh = weld(batch.geometry->positions, casters.indices);
     if (mesh.triangles.empty()) return {};
     const std::uint32_t* corners = mesh.triangles.front().data();
     const std::size_t cornerCount = 3 * mesh.triangles.size();
@@ -43,11 +43,21 @@ std::vector<std::uint32_t> simplified(const Batch& batch, const Casters& casters
 
 void simplifyCasters(Scene& scene, double error) {
     if (error <= 0.0) return;
-    for (Batch& batch : scene.batches)
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    std::vector<double> longest(first.size(), 0.0); // of all places of a geometry
+    for (std::size_t i = 0; i < first.size(); ++i)
+        longest[first[i]] =
+            std::max(longest[first[i]], longestAxis(scene.batches[i].worldFromBatch));
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        Batch& batch = scene.batches[i];
+        if (first[i] != i) {
+            batch.geometry = scene.batches[first[i]].geometry;
+            continue;
+        }
         if (!batch.deforms()) // else what is near in one pose is far in another
-            batch.simplifiedCasters =
-                simplified(batch, castingSurfacesOf(batch, scene.materials, false),
-                           error / longestAxis(batch.worldFromBatch));
+            batch.geometry.edit().simplifiedCasters = simplified(
+                batch, castingSurfacesOf(batch, scene.materials, false), error / longest[i]);
+    }
 }
 
 } // namespace edgeshade

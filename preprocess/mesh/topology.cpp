@@ -19,24 +19,24 @@ void add(Casters& casters, std::size_t material, std::span<const std::uint32_t> 
 Casters castingSurfacesOf(const Batch& batch, const std::vector<Material>& materials,
                           bool castMasked) {
     Casters casters;
-    for (const SurfaceGroup& group : batch.groups)
+    for (const SurfaceGroup& group : batch.geometry->groups)
         if (materials[group.material].casts(castMasked))
             add(casters, group.material,
-                std::span(batch.indices).subspan(group.firstIndex, group.indexCount));
+                std::span(batch.geometry->indices).subspan(group.firstIndex, group.indexCount));
     return casters;
 }
 
 Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bool castMasked) {
-    if (!batch.simplifiedCasters) return castingSurfacesOf(batch, materials, castMasked);
+    if (!batch.geometry->simplifiedCasters) return castingSurfacesOf(batch, materials, castMasked);
     Casters casters;
-    for (const SurfaceGroup& group : batch.groups) {
+    for (const SurfaceGroup& group : batch.geometry->groups) {
         const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
         // One group stands for all opaque ones: their materials make no difference.
         if (opaque && casters.groups.empty())
-            add(casters, group.material, *batch.simplifiedCasters);
+            add(casters, group.material, *batch.geometry->simplifiedCasters);
         else if (!opaque && castMasked)
             add(casters, group.material,
-                std::span(batch.indices).subspan(group.firstIndex, group.indexCount));
+                std::span(batch.geometry->indices).subspan(group.firstIndex, group.indexCount));
     }
     return casters;
 }
@@ -61,19 +61,20 @@ CasterMesh grouped(WeldedMesh welded, const Casters& casters) {
 } // namespace
 
 CasterMesh weldCasters(const Batch& batch, const Casters& casters) {
-    return grouped(weld(batch.positions, casters.indices), casters);
+    return grouped(weld(batch.geometry->positions, casters.indices), casters);
 }
 
 CasterMesh weldForRecords(const Batch& batch, const Casters& casters) {
     if (!batch.deforms()) return weldCasters(batch, casters);
-    return grouped(weldAlike(batch.positions, alikeVertices(batch), casters.indices), casters);
+    return grouped(weldAlike(batch.geometry->positions, alikeVertices(batch), casters.indices),
+                   casters);
 }
 
 std::uint64_t positionsHash(const Batch& batch, const Casters& surfaces) {
     std::uint64_t hash = 0xCBF29CE484222325u;
     for (const std::uint32_t index : surfaces.indices)
         for (glm::length_t c = 0; c < 3; ++c) {
-            const std::uint32_t bits = glm::floatBitsToUint(batch.positions[index][c]);
+            const std::uint32_t bits = glm::floatBitsToUint(batch.geometry->positions[index][c]);
             for (int shift = 0; shift < 32; shift += 8)
                 hash = (hash ^ (bits >> shift & 0xFFu)) * 0x100000001B3u;
         }

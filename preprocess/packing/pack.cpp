@@ -26,6 +26,9 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         {"diagonal", report.diagonal},
         {"triangles", report.triangles},
         {"single_sided_triangles", report.singleSidedTriangles},
+        {"batches", report.batches},
+        {"shared_meshes", report.sharedMeshes},
+        {"shared_places", report.sharedPlaces},
         {"degenerate_triangles", casters.degenerateTriangles},
         {"casting_surface_triangles", report.castingSurfaceTriangles},
         {"casting_triangles", casters.triangles}, // of what casts, simplified or not, as all below
@@ -58,7 +61,8 @@ nlohmann::ordered_json toJson(const PackReport& report) {
          {{"weld-tolerance", report.settings.weldTolerance},
           {"cast-masked", report.settings.castMasked},
           {"caster-error", report.settings.casterError},
-          {"flat-tolerance", report.settings.flatTolerance}}},
+          {"flat-tolerance", report.settings.flatTolerance},
+          {"instances", nameOf(report.settings.instances)}}},
         {"variants", report.variants},
         {"animations", partsJson(report.animations)},
         {"cameras", partsJson(report.cameras)},
@@ -66,6 +70,50 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         {"warnings", report.warnings},
     };
 }
+
+namespace {
+
+/// What batches are made of: casters for every place, records once for all places of a mesh.
+void countBatches(PackInput& input, const CasterSettings& settings) {
+    PackReport& report = input.report;
+    const auto& materials = input.scene.materials;
+    const std::vector<std::size_t> first = firstOfGeometry(input.scene.batches);
+    std::vector<PlanePairCosts> costs(first.size());
+    std::vector<MeshStatistics> casters(first.size());
+    std::vector<std::size_t> places(first.size(), 0);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const BatchTopology& topology = *input.topology[i];
+        const Batch& batch = input.scene.batches[i];
+        for (const SurfaceGroup& group : batch.geometry->groups) {
+            const Material& material = materials[group.material];
+            if (material.casts(settings.castMasked))
+                report.castingSurfaceTriangles += group.indexCount / 3;
+            if (!material.doubleSided) report.singleSidedTriangles += group.indexCount / 3;
+        }
+        if (first[i] == i) {
+            casters[i] = meshStatistics(topology.mesh.welded, topology.edges);
+            costs[i] = costsOf(
+                batch.deforms()
+                    ? buildPlanePairs(batch, castersOf(batch, materials, settings.castMasked),
+                                      materials, settings.flatTolerance)
+                    : buildPlanePairs(topology.mesh, topology.edges, materials,
+                                      settings.flatTolerance));
+            report.planePairs += costs[i];
+        } else {
+            report.planePairs += costs[first[i]].runsAlone();
+        }
+        report.casters += casters[first[i]];
+        ++places[first[i]];
+    }
+    report.batches = first.size();
+    for (const std::size_t count : places)
+        if (count > 1) {
+            ++report.sharedMeshes;
+            report.sharedPlaces += count;
+        }
+}
+
+} // namespace
 
 PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings,
                          const ReadingLimits& limits) {
@@ -81,7 +129,7 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
     Stopwatch watch;
     PackInput input;
     input.document = std::move(document);
-    input.scene = flattenScene(input.document, settings.weldTolerance);
+    input.scene = flattenScene(input.document, settings.weldTolerance, {}, settings.instances);
     PackReport& report = input.report;
     report.readSeconds = watch.lap();
     const auto header = readShadowHeader(input.document);
@@ -95,26 +143,8 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
     report.settings = settings;
     report.diagonal = worldBounds(input.scene).diagonal();
     report.triangles = input.scene.triangleCount();
-    for (const Batch& batch : input.scene.batches) {
-        report.castingSurfaceTriangles +=
-            castingSurfacesOf(batch, input.scene.materials, settings.castMasked).indices.size() / 3;
-        for (const SurfaceGroup& group : batch.groups)
-            if (!input.scene.materials[group.material].doubleSided)
-                report.singleSidedTriangles += group.indexCount / 3;
-    }
+    countBatches(input, settings);
     report.maxMultiplicity = sceneMultiplicity(input.topology);
-    const auto& materials = input.scene.materials;
-    for (std::size_t i = 0; i < input.topology.size(); ++i) {
-        const BatchTopology& topology = input.topology[i];
-        const Batch& batch = input.scene.batches[i];
-        report.casters += meshStatistics(topology.mesh.welded, topology.edges);
-        report.planePairs +=
-            costsOf(batch.deforms()
-                        ? buildPlanePairs(batch, castersOf(batch, materials, settings.castMasked),
-                                          materials, settings.flatTolerance)
-                        : buildPlanePairs(topology.mesh, topology.edges, materials,
-                                          settings.flatTolerance));
-    }
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;
     const auto fileBytes = std::filesystem::file_size(input.document.path, error);

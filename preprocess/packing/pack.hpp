@@ -10,7 +10,10 @@ namespace edgeshade {
 
 /// Figures about a scene's shadow data: the contract's keys of `pack` and `info`.
 struct PackReport {
-    double diagonal = 0.0;                   ///< of the scene's bounds, scene units
+    double diagonal = 0.0; ///< of the scene's bounds, scene units
+    std::size_t batches = 0;
+    std::size_t sharedMeshes = 0;            ///< kept once for several places
+    std::size_t sharedPlaces = 0;            ///< of these
     std::size_t triangles = 0;               ///< of all surfaces, degenerate ones included
     std::size_t singleSidedTriangles = 0;    ///< of these, those of materials not double-sided
     std::size_t castingSurfaceTriangles = 0; ///< before casters are simplified, likewise
@@ -35,7 +38,7 @@ nlohmann::ordered_json toJson(const PackReport& report);
 struct PackInput {
     GltfDocument document;
     Scene scene;
-    std::vector<BatchTopology> topology;
+    Topologies topology;
     PackReport report;
 };
 

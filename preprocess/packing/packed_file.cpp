@@ -145,9 +145,8 @@ void removeRepeatedNames(Json& json) {
     }
 }
 
-Bytes packedChecked(const GltfDocument& document, const Scene& scene,
-                    const std::vector<BatchTopology>& topology, Encoding encoding,
-                    const CasterSettings& settings, Warnings& warnings) {
+Bytes packedChecked(const GltfDocument& document, const Scene& scene, const Topologies& topology,
+                    Encoding encoding, const CasterSettings& settings, Warnings& warnings) {
     Json json = document.json;
     eraseDanglingIndices(json);
     cutViews(document, json);
@@ -170,9 +169,8 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene,
 
 } // namespace
 
-Bytes packedGlb(const GltfDocument& document, const Scene& scene,
-                const std::vector<BatchTopology>& topology, Encoding encoding,
-                const CasterSettings& settings, Warnings& warnings) {
+Bytes packedGlb(const GltfDocument& document, const Scene& scene, const Topologies& topology,
+                Encoding encoding, const CasterSettings& settings, Warnings& warnings) {
     return withJsonErrors(document.path, [&] {
         return packedChecked(document, scene, topology, encoding, settings, warnings);
     });

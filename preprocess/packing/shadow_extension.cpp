@@ -37,6 +37,14 @@ Encoding encodingOf(const JsonField& field) {
     field.fail(" is '" + name + "', which is not known");
 }
 
+InstanceChoice instancesOf(const JsonField& field) {
+    const std::string name = field.text();
+    for (const InstanceChoice candidate :
+         {InstanceChoice::automatic, InstanceChoice::shared, InstanceChoice::repeated})
+        if (name == nameOf(candidate)) return candidate;
+    field.fail(" is '" + name + "', which is not known");
+}
+
 } // namespace
 
 const char* nameOf(Encoding encoding) {
@@ -94,6 +102,10 @@ std::optional<ShadowHeader> readShadowHeader(const GltfDocument& document) {
     if (header.settings.flatTolerance >= flatToleranceEnd)
         flat.fail(" is " + std::to_string(header.settings.flatTolerance) + ", not below 45");
     header.settings.castMasked = extension.member("castMasked").boolean();
+    header.settings.instances = InstanceChoice::repeated;
+    extension.ifPresent("instances", [&](const JsonField& instances) {
+        header.settings.instances = instancesOf(instances);
+    });
     extension.member("batches").forEachItem(checkBatch);
     return header;
 }

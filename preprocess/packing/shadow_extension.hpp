@@ -18,8 +18,10 @@ namespace edgeshade {
 ///   "maxMultiplicity": 1..5,        opposite vertices a record
 ///   "weldTolerance": number >= 0, "castMasked": boolean, "casterError": number >= 0,
 ///   "flatTolerance": number >= 0, < 45; of plane-pair records, which are made at load
-///   "batches": [{                   in the order of flattenScene()
-///     "node": index,                absent: the static nodes
+///   "instances": "auto" | "shared" | "repeated", how meshes of several places are kept; absent in
+///       older files, which repeat them
+///   "batches": [{                   in the order of flattenScene(), one for all places of a mesh
+///     "node": index,                of the first place; absent: it is static
 ///     "positionsHash": "16 hex digits",     of the surfaces that cast, not simplified
 ///     "simplifiedTriangles": number >= 0,                                    (casterError > 0)
 ///     "simplifiedCasters": accessor of unsigned integers, three a triangle, which vertices of
@@ -67,8 +69,7 @@ void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene
 
 /// The shadow data that the document holds, made ready for drawing. `scene`: with its casters, by
 /// readCasters(). Checks every offset, count and index. Throws InputError.
-std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
-                                     const Scene& scene);
+Shadows readShadows(const GltfDocument& document, const ShadowHeader& header, const Scene& scene);
 
 /// Bytes of shadow data that a packed document stores; 0 if it isn't packed. Throws InputError.
 std::size_t storedShadowBytes(const GltfDocument& document);
@@ -76,7 +77,7 @@ std::size_t storedShadowBytes(const GltfDocument& document);
 /// Appends buffer views, accessors and the extension, which `json` must not have, to `json`, and
 /// the bytes to `binary`, which is buffer 0.
 void appendShadowExtension(nlohmann::ordered_json& json, Bytes& binary, const Scene& scene,
-                           const std::vector<BatchTopology>& topology, Encoding encoding,
+                           const Topologies& topology, Encoding encoding,
                            const CasterSettings& settings);
 
 /// Takes an earlier extension out again, which must be sound: what appendShadowExtension() added,

@@ -175,41 +175,56 @@ class BatchReader {
 } // namespace
 
 void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene& scene) {
-    const Json& batches = (*shadowExtensionOf(document.json))["batches"];
-    if (batches.size() != scene.batches.size())
+    const Json& entries = (*shadowExtensionOf(document.json))["batches"];
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    std::size_t geometries = 0;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        geometries += first[i] == i ? 1 : 0;
+    if (entries.size() != geometries)
         throw InputError(document.where(shadowExtensionName) + ".batches has " +
-                         std::to_string(batches.size()) + " entries, but the scene has " +
-                         std::to_string(scene.batches.size()) + " batches. Pack the file again.");
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+                         std::to_string(entries.size()) + " entries, but the scene has " +
+                         std::to_string(geometries) + " batches. Pack the file again.");
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
         Batch& batch = scene.batches[i];
-        const BatchReader reader(document, i);
+        if (first[i] != i) {
+            batch.geometry = scene.batches[first[i]].geometry;
+            continue;
+        }
+        const BatchReader reader(document, entry++);
         reader.requireNode(batch.node);
         reader.requireHash(positionsHash(
             batch, castingSurfacesOf(batch, scene.materials, header.settings.castMasked)));
         if (header.settings.casterError > 0.0 && !batch.deforms())
-            batch.simplifiedCasters =
-                reader.readSimplified(batch.positions.size(), batch.indices.size() / 3);
+            batch.geometry.edit().simplifiedCasters = reader.readSimplified(
+                batch.geometry->positions.size(), batch.geometry->indices.size() / 3);
     }
 }
 
-std::vector<BatchShadow> readShadows(const GltfDocument& document, const ShadowHeader& header,
-                                     const Scene& scene) {
-    std::vector<BatchShadow> shadows;
-    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+Shadows readShadows(const GltfDocument& document, const ShadowHeader& header, const Scene& scene) {
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    Shadows shadows;
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] != i) {
+            shadows.push_back(shadows[first[i]]);
+            continue;
+        }
         const Batch& batch = scene.batches[i];
-        const BatchReader reader(document, i);
+        const BatchReader reader(document, entry++);
         BatchTopology topology;
         topology.mesh =
             weldCasters(batch, castersOf(batch, scene.materials, header.settings.castMasked));
         if (header.encoding == Encoding::expanded) {
-            shadows.push_back(reader.readExpanded(
-                topology.mesh, topology.mesh.welded.triangles.size(), header.maxMultiplicity));
+            shadows.push_back(std::make_shared<const BatchShadow>(reader.readExpanded(
+                topology.mesh, topology.mesh.welded.triangles.size(), header.maxMultiplicity)));
             continue;
         }
         topology.edges = header.encoding == Encoding::indexed
                              ? reader.readIndexed(topology.mesh.welded)
                              : buildEdges(topology.mesh.welded);
-        shadows.push_back(buildShadow(topology, header.maxMultiplicity));
+        shadows.push_back(
+            std::make_shared<const BatchShadow>(buildShadow(topology, header.maxMultiplicity)));
     }
     return shadows;
 }

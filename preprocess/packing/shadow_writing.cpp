@@ -68,33 +68,40 @@ void appendIndexed(const EdgeList& edges, AccessorWriter& writer, Json& batch) {
 } // namespace
 
 void appendShadowExtension(Json& json, Bytes& binary, const Scene& scene,
-                           const std::vector<BatchTopology>& topology, Encoding encoding,
+                           const Topologies& topology, Encoding encoding,
                            const CasterSettings& settings) {
     const int maxMultiplicity = sceneMultiplicity(topology);
     Json batches = Json::array();
     AccessorWriter writer(json, binary);
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
     for (std::size_t i = 0; i < topology.size(); ++i) {
+        if (first[i] != i) continue;
+        const BatchTopology& of = *topology[i];
         Json batch = Json::object();
         if (scene.batches[i].node >= 0) batch["node"] = scene.batches[i].node;
-        batch["positionsHash"] = hashText(topology[i].hash);
-        if (const auto& casters = scene.batches[i].simplifiedCasters) {
+        batch["positionsHash"] = hashText(of.hash);
+        if (const auto& casters = scene.batches[i].geometry->simplifiedCasters) {
             batch["simplifiedTriangles"] = casters->size() / 3;
             if (!casters->empty()) batch["simplifiedCasters"] = writer.add(*casters);
         }
-        if (!topology[i].edges.edges.empty() && encoding == Encoding::indexed)
-            appendIndexed(topology[i].edges, writer, batch);
-        if (!topology[i].edges.edges.empty() && encoding == Encoding::expanded) {
-            const BatchShadow shadow = buildShadow(topology[i], maxMultiplicity);
+        if (!of.edges.edges.empty() && encoding == Encoding::indexed)
+            appendIndexed(of.edges, writer, batch);
+        if (!of.edges.edges.empty() && encoding == Encoding::expanded) {
+            const BatchShadow shadow = buildShadow(of, maxMultiplicity);
             batch["sides"] = writer.add(shadow.sides.records);
             batch["caps"] = writer.add(shadow.caps.records);
         }
         batches.push_back(std::move(batch));
     }
-    json["extensions"][shadowExtensionName] = {
-        {"version", shadowExtensionVersion},       {"encoding", nameOf(encoding)},
-        {"maxMultiplicity", maxMultiplicity},      {"weldTolerance", settings.weldTolerance},
-        {"castMasked", settings.castMasked},       {"casterError", settings.casterError},
-        {"flatTolerance", settings.flatTolerance}, {"batches", std::move(batches)}};
+    json["extensions"][shadowExtensionName] = {{"version", shadowExtensionVersion},
+                                               {"encoding", nameOf(encoding)},
+                                               {"maxMultiplicity", maxMultiplicity},
+                                               {"weldTolerance", settings.weldTolerance},
+                                               {"castMasked", settings.castMasked},
+                                               {"casterError", settings.casterError},
+                                               {"flatTolerance", settings.flatTolerance},
+                                               {"instances", nameOf(settings.instances)},
+                                               {"batches", std::move(batches)}};
     json["extensionsUsed"].push_back(shadowExtensionName);
 }
 

@@ -37,15 +37,15 @@ glm::dvec3 localOrigin(const std::vector<Piece>& pieces) {
 class PieceAppender {
   public:
     PieceAppender(const GltfDocument& document, const glm::dvec3& origin, const Material& material,
-                  Batch& batch)
-        : document_(document), origin_(origin), material_(material), batch_(batch) {}
+                  Geometry& geometry)
+        : document_(document), origin_(origin), material_(material), geometry_(geometry) {}
 
     /// Returns which vertex of the primitive each new one is, where triangles have vertices of
     /// their own; else they are the primitive's, and nothing is returned.
     std::vector<std::uint32_t> append(const Piece& piece) {
         const Primitive& primitive = *piece.primitive;
         const bool mirrored = glm::determinant(glm::dmat3(matrixOf(piece, 0))) < 0.0;
-        if (batch_.positions.size() + primitive.indices.size() > 0xFFFFFFF0u)
+        if (geometry_.positions.size() + primitive.indices.size() > 0xFFFFFFF0u)
             throw InputError("'" + document_.path.string() + "' has too many vertices.");
         if (primitive.normals.empty()) return appendFlat(piece, mirrored);
         appendShared(piece, mirrored);
@@ -54,7 +54,7 @@ class PieceAppender {
 
   private:
     void appendShared(const Piece& piece, bool mirrored) {
-        const auto base = static_cast<std::uint32_t>(batch_.positions.size());
+        const auto base = static_cast<std::uint32_t>(geometry_.positions.size());
         for (std::size_t v = 0; v < piece.primitive->positions.size(); ++v) {
             const glm::dmat4 matrix = matrixOf(piece, v);
             appendVertex(
@@ -63,9 +63,9 @@ class PieceAppender {
         }
         const auto& indices = piece.primitive->indices;
         for (std::size_t i = 0; i < indices.size(); i += 3) {
-            batch_.indices.push_back(base + indices[i]);
-            batch_.indices.push_back(base + indices[i + (mirrored ? 2 : 1)]);
-            batch_.indices.push_back(base + indices[i + (mirrored ? 1 : 2)]);
+            geometry_.indices.push_back(base + indices[i]);
+            geometry_.indices.push_back(base + indices[i + (mirrored ? 2 : 1)]);
+            geometry_.indices.push_back(base + indices[i + (mirrored ? 1 : 2)]);
         }
     }
 
@@ -81,7 +81,7 @@ class PieceAppender {
                 points[c] = position(piece, corners[c], matrixOf(piece, corners[c]));
             const glm::vec3 normal = faceNormal(points[0], points[1], points[2]);
             for (int c = 0; c < 3; ++c) {
-                batch_.indices.push_back(static_cast<std::uint32_t>(batch_.positions.size()));
+                geometry_.indices.push_back(static_cast<std::uint32_t>(geometry_.positions.size()));
                 appendVertex(piece, corners[c], points[c], normal);
                 sources.push_back(corners[c]);
             }
@@ -101,18 +101,18 @@ class PieceAppender {
     void appendVertex(const Piece& piece, std::size_t vertex, const glm::vec3& point,
                       const glm::vec3& normal) {
         const Primitive& primitive = *piece.primitive;
-        batch_.positions.push_back(point);
-        batch_.normals.push_back(normal);
-        batch_.texcoords.push_back(texcoord(primitive, vertex, 0));
+        geometry_.positions.push_back(point);
+        geometry_.normals.push_back(normal);
+        geometry_.texcoords.push_back(texcoord(primitive, vertex, 0));
         for (int channel = 1; channel < material_.texcoordChannels; ++channel)
-            put(batch_.moreTexcoords[channel - 1], texcoord(primitive, vertex, channel));
+            put(geometry_.moreTexcoords[channel - 1], texcoord(primitive, vertex, channel));
         if (!primitive.tangents.empty()) {
             const glm::vec4& tangent = primitive.tangents[vertex];
-            put(batch_.tangents, transformedTangent(glm::dmat3(matrixOf(piece, vertex)),
-                                                    glm::dvec3(tangent), tangent.w));
+            put(geometry_.tangents, transformedTangent(glm::dmat3(matrixOf(piece, vertex)),
+                                                       glm::dvec3(tangent), tangent.w));
         }
-        batch_.colors.push_back(primitive.colors.empty() ? glm::vec4(1.0f)
-                                                         : primitive.colors[vertex]);
+        geometry_.colors.push_back(primitive.colors.empty() ? glm::vec4(1.0f)
+                                                            : primitive.colors[vertex]);
     }
 
     glm::vec2 texcoord(const Primitive& primitive, std::size_t vertex, int channel) const {
@@ -124,14 +124,14 @@ class PieceAppender {
     /// As that of the vertex last added; what came before it has none.
     template <class T>
     void put(std::vector<T>& values, const T& value) {
-        values.resize(batch_.positions.size() - 1);
+        values.resize(geometry_.positions.size() - 1);
         values.push_back(value);
     }
 
     const GltfDocument& document_;
     const glm::dvec3 origin_;
     const Material& material_;
-    Batch& batch_;
+    Geometry& geometry_;
 };
 
 /// Collects what poses a batch.
@@ -162,35 +162,80 @@ class DeformationBuilder {
     std::map<const Primitive*, std::size_t> meshOf_;
 };
 
-Batch makeBatch(const GltfDocument& document, const Mover& mover,
-                const glm::dmat4& worldFromAnimated, std::vector<Piece> pieces,
-                const std::vector<Material>& materials) {
+void sortByMaterial(std::vector<Piece>& pieces, const std::vector<Material>& materials) {
     std::stable_sort(pieces.begin(), pieces.end(), [&](const Piece& a, const Piece& b) {
         return std::pair(materials[a.material].alphaMode, a.material) <
                std::pair(materials[b.material].alphaMode, b.material);
     });
+}
+
+/// `pieces`: sorted by material. `deformation`: where they deform, what is told of each.
+Geometry geometryOf(const GltfDocument& document, const std::vector<Piece>& pieces,
+                    const glm::dvec3& origin, const std::vector<Material>& materials,
+                    DeformationBuilder* deformation) {
+    Geometry geometry;
+    for (const Piece& piece : pieces) {
+        if (geometry.groups.empty() || geometry.groups.back().material != piece.material)
+            geometry.groups.push_back(
+                {piece.material, static_cast<std::uint32_t>(geometry.indices.size()), 0});
+        const std::size_t firstVertex = geometry.positions.size();
+        std::vector<std::uint32_t> corners =
+            PieceAppender(document, origin, materials[piece.material], geometry).append(piece);
+        if (deformation) deformation->add(piece, firstVertex, std::move(corners));
+        SurfaceGroup& group = geometry.groups.back();
+        group.indexCount = static_cast<std::uint32_t>(geometry.indices.size()) - group.firstIndex;
+    }
+    for (auto& texcoords : geometry.moreTexcoords)
+        if (!texcoords.empty()) texcoords.resize(geometry.positions.size());
+    if (!geometry.tangents.empty()) geometry.tangents.resize(geometry.positions.size());
+    return geometry;
+}
+
+Batch makeBatch(const GltfDocument& document, const Mover& mover,
+                const glm::dmat4& worldFromAnimated, std::vector<Piece> pieces,
+                double weldTolerance, const std::vector<Material>& materials) {
+    sortByMaterial(pieces, materials);
     const glm::dvec3 origin = localOrigin(pieces);
     Batch batch;
     batch.node = mover.animatedNode;
-    batch.worldFromBatch = glm::translate(worldFromAnimated, origin);
-    batch.origin = origin;
+    batch.nodeFromBatch = glm::translate(glm::dmat4(1.0), origin);
+    batch.worldFromBatch = worldFromAnimated * batch.nodeFromBatch;
     DeformationBuilder deformation;
-    for (const Piece& piece : pieces) {
-        if (batch.groups.empty() || batch.groups.back().material != piece.material)
-            batch.groups.push_back(
-                {piece.material, static_cast<std::uint32_t>(batch.indices.size()), 0});
-        const std::size_t firstVertex = batch.positions.size();
-        std::vector<std::uint32_t> corners =
-            PieceAppender(document, origin, materials[piece.material], batch).append(piece);
-        if (mover.deforms) deformation.add(piece, firstVertex, std::move(corners));
-        SurfaceGroup& group = batch.groups.back();
-        group.indexCount = static_cast<std::uint32_t>(batch.indices.size()) - group.firstIndex;
-    }
-    for (auto& texcoords : batch.moreTexcoords)
-        if (!texcoords.empty()) texcoords.resize(batch.positions.size());
-    if (!batch.tangents.empty()) batch.tangents.resize(batch.positions.size());
+    Geometry geometry =
+        geometryOf(document, pieces, origin, materials, mover.deforms ? &deformation : nullptr);
+    if (weldTolerance > 0.0 && !mover.deforms) snapPositions(geometry.positions, weldTolerance);
+    batch.geometry = CopyOnWrite(std::move(geometry));
     if (mover.deforms) batch.deformation = deformation.built(origin);
     return batch;
+}
+
+/// How far a transform draws lengths out at most, but for shears.
+double longestAxis(const glm::dmat4& matrix) {
+    const glm::dmat3 axes(matrix);
+    return std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+}
+
+/// A batch for each place.
+void appendShared(const GltfDocument& document, const NodeWalk& walk, SharedMesh mesh,
+                  double weldTolerance, Scene& scene) {
+    sortByMaterial(mesh.pieces, scene.materials);
+    const glm::dvec3 origin = localOrigin(mesh.pieces);
+    Geometry geometry = geometryOf(document, mesh.pieces, origin, scene.materials, nullptr);
+    double scale = 0.0;
+    for (const NodePlace& place : mesh.places)
+        scale = std::max(scale, longestAxis(place.animatedFromNode));
+    if (weldTolerance > 0.0 && scale > 0.0)
+        snapPositions(geometry.positions, weldTolerance / scale);
+    const CopyOnWrite<Geometry> shared(std::move(geometry));
+    for (const NodePlace& place : mesh.places) {
+        Batch& batch = scene.batches.emplace_back();
+        batch.node = place.animatedNode;
+        batch.nodeFromBatch = glm::translate(place.animatedFromNode, origin);
+        batch.worldFromBatch = place.animatedNode < 0
+                                   ? batch.nodeFromBatch
+                                   : walk.worldFromNode[place.animatedNode] * batch.nodeFromBatch;
+        batch.geometry = shared;
+    }
 }
 
 /// What deforms takes its place at rest as any other pose.
@@ -204,7 +249,8 @@ void poseAtRest(const GltfDocument& document, Scene& scene) {
 
 } // namespace
 
-Scene flattenScene(const GltfDocument& document, double weldTolerance, const Looks& looks) {
+Scene flattenScene(const GltfDocument& document, double weldTolerance, const Looks& looks,
+                   InstanceChoice instances) {
     Scene scene;
     scene.warnings = document.warnings;
     scene.materials = readMaterials(document, scene.warnings);
@@ -214,16 +260,16 @@ Scene flattenScene(const GltfDocument& document, double weldTolerance, const Loo
     scene.animatedNodes = walk.animatedNodes;
     scene.cameras = readCameras(document, walk, scene.warnings);
     scene.lights = readLights(document, walk, scene.warnings);
-    PiecesByMover piecesByMover =
-        gatherPieces(document, walk, findVariant(document, looks.variant, scene.warnings), scene);
-    for (auto& [mover, pieces] : piecesByMover) {
+    GatheredPieces gathered = gatherPieces(
+        document, walk, findVariant(document, looks.variant, scene.warnings), instances, scene);
+    for (auto& [mover, pieces] : gathered.byMover) {
         const glm::dmat4 worldFromAnimated =
             mover.animatedNode < 0 ? glm::dmat4(1.0) : walk.worldFromNode[mover.animatedNode];
-        scene.batches.push_back(
-            makeBatch(document, mover, worldFromAnimated, std::move(pieces), scene.materials));
-        if (weldTolerance > 0.0 && !mover.deforms)
-            snapPositions(scene.batches.back().positions, weldTolerance);
+        scene.batches.push_back(makeBatch(document, mover, worldFromAnimated, std::move(pieces),
+                                          weldTolerance, scene.materials));
     }
+    for (SharedMesh& mesh : gathered.shared)
+        appendShared(document, walk, std::move(mesh), weldTolerance, scene);
     poseAtRest(document, scene);
     return scene;
 }

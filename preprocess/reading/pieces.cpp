@@ -8,6 +8,8 @@
 #include "preprocess/reading/variants.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -66,12 +68,13 @@ class PieceCounter {
 
     /// `instances`: how often the node has the primitive.
     void count(const Primitive& primitive, int node, std::uint64_t instances) {
-        const std::uint64_t most = memory_.limits().triangles;
-        triangles_ += instances * (primitive.indices.size() / 3);
+        addTriangles(primitive.indices.size() / 3, node, instances);
+        countVertices(primitive, node, instances);
+    }
+
+    /// What a shared mesh has once.
+    void countVertices(const Primitive& primitive, int node, std::uint64_t instances = 1) {
         const std::string field = document_.where("nodes[" + std::to_string(node) + "]");
-        if (triangles_ > most)
-            throw InputError(field + " brings the scene to " + std::to_string(triangles_) +
-                             " triangles, but the limit is " + std::to_string(most) + ".");
         const std::size_t vertices =
             primitive.normals.empty() ? primitive.indices.size() : primitive.positions.size();
         constexpr std::size_t plainBytes =
@@ -85,6 +88,12 @@ class PieceCounter {
         memory_.take(instances * primitive.indices.size(), sizeof(std::uint32_t), field);
     }
 
+    /// What places of a mesh of so many triangles become: a batch each.
+    void countPlaces(std::size_t triangles, int node, std::uint64_t places) {
+        addTriangles(triangles, node, places);
+        memory_.take(places, sizeof(Batch), document_.where("nodes[" + std::to_string(node) + "]"));
+    }
+
     /// What a piece that deforms keeps of its primitive: vertices, influences and targets.
     void countSource(const Primitive& primitive, int node) {
         const std::string field = document_.where("nodes[" + std::to_string(node) + "]");
@@ -95,6 +104,15 @@ class PieceCounter {
     }
 
   private:
+    void addTriangles(std::size_t triangles, int node, std::uint64_t times) {
+        const std::uint64_t most = memory_.limits().triangles;
+        triangles_ += times * triangles;
+        if (triangles_ > most)
+            throw InputError(document_.where("nodes[" + std::to_string(node) + "]") +
+                             " brings the scene to " + std::to_string(triangles_) +
+                             " triangles, but the limit is " + std::to_string(most) + ".");
+    }
+
     const GltfDocument& document_;
     MemoryBudget& memory_;
     std::uint64_t triangles_ = 0;
@@ -132,62 +150,165 @@ class Primitives {
         read_;
 };
 
-} // namespace
+/// The mesh of a node, read.
+struct MeshUse {
+    const PlacedNode* visit = nullptr;
+    const std::vector<std::shared_ptr<Primitive>>* primitives = nullptr;
+    std::vector<double> weights; ///< of morph targets
+    bool morphs = false;         ///< an animation can move them
+    std::shared_ptr<const Skin> skin;
 
-PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
-                           const std::optional<std::size_t>& variant, Scene& scene) {
-    MemoryBudget memory = document.memory;
-    PieceCounter counter(document, memory);
-    PiecesByMover pieces;
-    Skins skins(document, walk, memory);
-    Primitives read(document, variant, scene, memory);
-    const std::set<int> morphing = morphingNodes(document);
-    for (const PlacedNode& visit : walk.nodes) {
-        const tinygltf::Node& node = document.model->nodes[visit.node];
-        if (node.mesh < 0 || !visit.visible) continue;
-        if (static_cast<std::size_t>(node.mesh) >= document.model->meshes.size())
-            throw InputError(document.where("nodes[") + std::to_string(visit.node) + "].mesh is " +
+    bool isRigid() const { return !morphs && !skin; }
+    std::size_t triangles() const {
+        std::size_t count = 0;
+        for (const auto& primitive : *primitives)
+            count += primitive->indices.size() / 3;
+        return count;
+    }
+};
+
+/// Whether a mesh can be drawn from a space of its own: nothing is flattened there.
+bool isWellPlaced(const glm::dmat4& animatedFromMesh) {
+    constexpr double leastShare = 1e-6;
+    const glm::dmat3 axes(animatedFromMesh);
+    const double longest =
+        std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+    return std::abs(glm::determinant(axes)) >= leastShare * longest * longest * longest &&
+           longest > std::numeric_limits<float>::min() &&
+           longest < std::numeric_limits<float>::max();
+}
+
+/// Gathers the pieces of meshes.
+class PieceGatherer {
+  public:
+    PieceGatherer(const GltfDocument& document, const NodeWalk& walk,
+                  const std::optional<std::size_t>& variant, InstanceChoice instances, Scene& scene)
+        : document_(document), choice_(instances), scene_(scene), memory_(document.memory),
+          counter_(document, memory_), skins_(document, walk, memory_),
+          read_(document, variant, scene, memory_), morphing_(morphingNodes(document)) {}
+
+    /// Reads a node's mesh, if it has one that is seen.
+    void read(const PlacedNode& visit) {
+        const tinygltf::Node& node = document_.model->nodes[visit.node];
+        if (node.mesh < 0 || !visit.visible) return;
+        if (static_cast<std::size_t>(node.mesh) >= document_.model->meshes.size())
+            throw InputError(document_.where("nodes[") + std::to_string(visit.node) + "].mesh is " +
                              std::to_string(node.mesh) + ", but there are " +
-                             std::to_string(document.model->meshes.size()) + " meshes.");
-        const bool morphs = morphing.contains(visit.node);
-        std::vector<double> weights = morphWeights(document, node);
-        const auto& primitives =
-            read.of(node.mesh, {morphs, morphs ? std::vector<double>() : weights});
-        if (morphs) weights.resize(morphTargetCount(document, node.mesh));
-        const std::shared_ptr<const Skin> skin = node.skin >= 0 ? skins.of(node.skin) : nullptr;
-        const auto isSkinned = [&skin](const Primitive& primitive) {
-            return skin && !primitive.influences.empty();
+                             std::to_string(document_.model->meshes.size()) + " meshes.");
+        MeshUse& use = uses_.emplace_back();
+        use.visit = &visit;
+        use.morphs = morphing_.contains(visit.node);
+        use.weights = morphWeights(document_, node);
+        use.primitives =
+            &read_.of(node.mesh, {use.morphs, use.morphs ? std::vector<double>() : use.weights});
+        if (use.morphs) use.weights.resize(morphTargetCount(document_, node.mesh));
+        if (node.skin >= 0) use.skin = skins_.of(node.skin);
+        if (use.isRigid()) placesOf_[use.primitives] += instanceCount(document_, visit.node);
+    }
+
+    GatheredPieces gathered() {
+        for (const MeshUse& use : uses_)
+            if (use.isRigid() &&
+                sharingPays(choice_, use.triangles(), placesOf_.at(use.primitives)))
+                addShared(use);
+            else
+                addRepeated(use);
+        return std::move(gathered_);
+    }
+
+  private:
+    std::vector<Piece> piecesOf(const MeshUse& use, const glm::dmat4& batchFromMesh) const {
+        std::vector<Piece> pieces;
+        for (const auto& primitive : *use.primitives)
+            if (!primitive->indices.empty())
+                pieces.push_back({primitive, materialOf(document_, *primitive, scene_.materials),
+                                  batchFromMesh, nullptr, use.visit->node});
+        return pieces;
+    }
+
+    void addShared(const MeshUse& use) {
+        const auto [at, isNew] = sharedOf_.try_emplace(use.primitives, gathered_.shared.size());
+        if (isNew) {
+            for (const auto& primitive : *use.primitives)
+                counter_.countVertices(*primitive, use.visit->node);
+            gathered_.shared.push_back({piecesOf(use, glm::dmat4(1.0)), {}});
+        }
+        counter_.countPlaces(use.triangles(), use.visit->node,
+                             instanceCount(document_, use.visit->node));
+        const NodePlace& place = use.visit->place;
+        for (const glm::dmat4& nodeFromInstance :
+             readInstances(document_, use.visit->node, memory_)) {
+            const glm::dmat4 animatedFromMesh = place.animatedFromNode * nodeFromInstance;
+            if (isWellPlaced(animatedFromMesh)) {
+                gathered_.shared[at->second].places.push_back(
+                    {place.animatedNode, animatedFromMesh});
+                continue;
+            }
+            for (Piece& piece : piecesOf(use, animatedFromMesh)) {
+                counter_.countVertices(*piece.primitive, use.visit->node);
+                gathered_.byMover[{false, place.animatedNode}].push_back(std::move(piece));
+            }
+        }
+    }
+
+    void addRepeated(const MeshUse& use) {
+        const PlacedNode& visit = *use.visit;
+        const auto isSkinned = [&use](const Primitive& primitive) {
+            return use.skin && !primitive.influences.empty();
         };
-        const std::size_t count = instanceCount(document, visit.node);
-        for (const auto& primitive : primitives)
-            counter.count(*primitive, visit.node, isSkinned(*primitive) ? 1 : count);
-        const std::vector<glm::dmat4> instances = readInstances(document, visit.node, memory);
-        for (const auto& primitive : primitives) {
-            if (primitive->indices.empty()) continue;
-            Piece piece = {primitive, materialOf(document, *primitive, scene.materials),
-                           visit.place.animatedFromNode, nullptr, visit.node};
-            const bool moves = morphs && !primitive->targets.empty();
-            if (moves) piece.restWeights = weights;
-            if (moves || (isSkinned(*primitive) && skin->moves))
-                counter.countSource(*primitive, visit.node);
+        const std::size_t count = instanceCount(document_, visit.node);
+        for (const auto& primitive : *use.primitives)
+            counter_.count(*primitive, visit.node, isSkinned(*primitive) ? 1 : count);
+        const std::vector<glm::dmat4> instances = readInstances(document_, visit.node, memory_);
+        for (Piece& piece : piecesOf(use, visit.place.animatedFromNode)) {
+            const Primitive& primitive = *piece.primitive;
+            const bool moves = use.morphs && !primitive.targets.empty();
+            if (moves) piece.restWeights = use.weights;
+            if (moves || (isSkinned(primitive) && use.skin->moves))
+                counter_.countSource(primitive, visit.node);
             // A skin's joints place it in the world; its own node's transforms do not count.
-            if (isSkinned(*primitive)) {
-                requireJoints(document, *primitive, skin->joints.size());
-                piece.skin = skin;
+            if (isSkinned(primitive)) {
+                requireJoints(document_, primitive, use.skin->joints.size());
+                piece.skin = use.skin;
                 Mover mover;
-                mover.deforms = skin->moves || moves;
-                if (mover.deforms) mover.skin = node.skin;
-                pieces[mover].push_back(std::move(piece));
+                mover.deforms = use.skin->moves || moves;
+                if (mover.deforms) mover.skin = document_.model->nodes[visit.node].skin;
+                gathered_.byMover[mover].push_back(std::move(piece));
                 continue;
             }
             const Mover mover = {moves, visit.place.animatedNode, -1, moves ? visit.node : -1};
             for (const glm::dmat4& nodeFromInstance : instances) {
                 piece.batchFromMesh = visit.place.animatedFromNode * nodeFromInstance;
-                pieces[mover].push_back(piece);
+                gathered_.byMover[mover].push_back(piece);
             }
         }
     }
-    return pieces;
+
+    using PrimitivesOfMesh = const std::vector<std::shared_ptr<Primitive>>*;
+
+    const GltfDocument& document_;
+    const InstanceChoice choice_;
+    Scene& scene_;
+    MemoryBudget memory_;
+    PieceCounter counter_;
+    Skins skins_;
+    Primitives read_;
+    const std::set<int> morphing_;
+    std::vector<MeshUse> uses_;
+    std::map<PrimitivesOfMesh, std::size_t> placesOf_; ///< how often rigid ones stand somewhere
+    std::map<PrimitivesOfMesh, std::size_t> sharedOf_; ///< index in GatheredPieces::shared
+    GatheredPieces gathered_;
+};
+
+} // namespace
+
+GatheredPieces gatherPieces(const GltfDocument& document, const NodeWalk& walk,
+                            const std::optional<std::size_t>& variant, InstanceChoice instances,
+                            Scene& scene) {
+    PieceGatherer gatherer(document, walk, variant, instances, scene);
+    for (const PlacedNode& visit : walk.nodes)
+        gatherer.read(visit);
+    return gatherer.gathered();
 }
 
 glm::dmat4 matrixOf(const Piece& piece, std::size_t vertex) {

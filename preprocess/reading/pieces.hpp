@@ -2,6 +2,7 @@
 
 #include "preprocess/reading/node_walk.hpp"
 #include "preprocess/reading/primitive.hpp"
+#include "preprocess/scene/instance_choice.hpp"
 
 #include <compare>
 #include <map>
@@ -41,11 +42,25 @@ struct Mover {
 /// The pieces of each batch: static ones come first, then what nodes move, then what deforms.
 using PiecesByMover = std::map<Mover, std::vector<Piece>>;
 
+/// A mesh that is kept once.
+struct SharedMesh {
+    std::vector<Piece> pieces;     ///< in the mesh's own space
+    std::vector<NodePlace> places; ///< where it stands: `animatedFromNode` is animatedFromMesh
+};
+
+/// All that visible nodes have.
+struct GatheredPieces {
+    PiecesByMover byMover;
+    std::vector<SharedMesh> shared; ///< in the order of their first places
+};
+
 /// Gathers the pieces of all visible nodes, in the walk's order, with the materials of `variant`;
-/// warnings go to the scene's. Throws InputError, also for what passes the limits that the document
-/// was read with.
-PiecesByMover gatherPieces(const GltfDocument& document, const NodeWalk& walk,
-                           const std::optional<std::size_t>& variant, Scene& scene);
+/// warnings go to the scene's. A mesh that joints or weights deform is never shared, nor is a place
+/// that flattens it to less than a millionth. Throws InputError, also for what passes the limits
+/// that the document was read with.
+GatheredPieces gatherPieces(const GltfDocument& document, const NodeWalk& walk,
+                            const std::optional<std::size_t>& variant, InstanceChoice instances,
+                            Scene& scene);
 
 /// What takes a vertex to its batch at rest; to the world where joints place it.
 glm::dmat4 matrixOf(const Piece& piece, std::size_t vertex);

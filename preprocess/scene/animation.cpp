@@ -144,7 +144,7 @@ BatchShape shapeAt(const Batch& batch, const Animation& animation, const Places&
                    double seconds) {
     BatchShape shape;
     if (!batch.deforms()) return shape;
-    const glm::dmat4 batchFromWorld = glm::translate(glm::dmat4(1.0), -batch.origin);
+    const glm::dmat4 batchFromWorld = glm::inverse(batch.nodeFromBatch);
     for (const Joint& joint : batch.deformation->joints)
         shape.batchFromMesh.push_back(batchFromWorld * places.at(joint.place.animatedNode) *
                                       joint.place.animatedFromNode * joint.jointFromMesh);
@@ -193,7 +193,7 @@ Pose poseAt(const Animation& animation, const Scene& scene, double seconds) {
         pose.shapes.push_back(shapeAt(batch, animation, places, seconds));
         if (batch.node < 0) continue;
         auto& worldFromBatch = pose.worldFromBatch.back();
-        worldFromBatch = glm::translate(places.at(batch.node), batch.origin);
+        worldFromBatch = places.at(batch.node) * batch.nodeFromBatch;
         if (!isDrawable(*worldFromBatch)) worldFromBatch.reset();
     }
     for (SceneCamera& camera : pose.cameras)

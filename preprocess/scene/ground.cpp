@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 namespace edgeshade {
@@ -22,18 +23,18 @@ Material groundMaterial(const Ground& ground) {
     return material;
 }
 
-void addRing(Batch& batch, double radius, float alpha) {
+void addRing(Geometry& geometry, double radius, float alpha) {
     for (int i = 0; i < segments; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / segments;
-        batch.positions.emplace_back(radius * std::cos(angle), 0.0f, -radius * std::sin(angle));
-        batch.colors.emplace_back(1.0f, 1.0f, 1.0f, alpha);
+        geometry.positions.emplace_back(radius * std::cos(angle), 0.0f, -radius * std::sin(angle));
+        geometry.colors.emplace_back(1.0f, 1.0f, 1.0f, alpha);
     }
 }
 
 /// Of corners that run counter-clockwise as seen from above.
-void addTriangle(Batch& batch, int a, int b, int c) {
+void addTriangle(Geometry& geometry, int a, int b, int c) {
     for (const int corner : {a, b, c})
-        batch.indices.push_back(static_cast<std::uint32_t>(corner));
+        geometry.indices.push_back(static_cast<std::uint32_t>(corner));
 }
 
 /// Twice the area of the triangle as seen from above, less than 0 where it looks down.
@@ -49,23 +50,24 @@ bool addGround(Scene& scene, const Ground& ground) {
     const double radius = std::max(0.5 * box.diagonal(), 1e-9);
     Batch batch;
     batch.ground = true;
-    batch.origin = box.center();
-    batch.origin.y = box.low.y - below * radius;
-    batch.worldFromBatch[3] = glm::dvec4(batch.origin, 1.0);
-    batch.positions.emplace_back(0.0f);
-    batch.colors.emplace_back(1.0f);
-    addRing(batch, inner * radius, 1.0f);
-    addRing(batch, outer * radius, 0.0f);
+    glm::dvec3 origin = box.center();
+    origin.y = box.low.y - below * radius;
+    batch.worldFromBatch = batch.nodeFromBatch = glm::translate(glm::dmat4(1.0), origin);
+    Geometry& geometry = batch.geometry.edit();
+    geometry.positions.emplace_back(0.0f);
+    geometry.colors.emplace_back(1.0f);
+    addRing(geometry, inner * radius, 1.0f);
+    addRing(geometry, outer * radius, 0.0f);
     for (int i = 0; i < segments; ++i) {
         const int here = 1 + i, next = 1 + (i + 1) % segments;
-        addTriangle(batch, 0, here, next);
-        addTriangle(batch, here, here + segments, next + segments);
-        addTriangle(batch, here, next + segments, next);
+        addTriangle(geometry, 0, here, next);
+        addTriangle(geometry, here, here + segments, next + segments);
+        addTriangle(geometry, here, next + segments, next);
     }
-    batch.normals.assign(batch.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
-    batch.texcoords.assign(batch.positions.size(), glm::vec2(0.0f));
-    batch.groups.push_back(
-        {scene.materials.size(), 0, static_cast<std::uint32_t>(batch.indices.size())});
+    geometry.normals.assign(geometry.positions.size(), glm::vec3(0.0f, 1.0f, 0.0f));
+    geometry.texcoords.assign(geometry.positions.size(), glm::vec2(0.0f));
+    geometry.groups.push_back(
+        {scene.materials.size(), 0, static_cast<std::uint32_t>(geometry.indices.size())});
     scene.materials.push_back(groundMaterial(ground));
     scene.batches.push_back(std::move(batch));
     return true;
@@ -84,10 +86,11 @@ bool hasFloor(const Scene& scene) {
     for (const Batch& batch : scene.batches) {
         if (batch.ground) continue;
         const auto corner = [&](std::size_t i) {
-            return glm::dvec3(batch.worldFromBatch *
-                              glm::dvec4(batch.positions[batch.indices[i]], 1.0));
+            return glm::dvec3(
+                batch.worldFromBatch *
+                glm::dvec4(batch.geometry->positions[batch.geometry->indices[i]], 1.0));
         };
-        for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
+        for (std::size_t i = 0; i < batch.geometry->indices.size(); i += 3) {
             const glm::dvec3 a = corner(i), b = corner(i + 1), c = corner(i + 2);
             if (std::max({a.y, b.y, c.y}) <= top) area += std::max(areaFromAbove(a, b, c), 0.0);
         }

@@ -82,8 +82,7 @@ class PartPoser {
   public:
     PartPoser(const Batch& batch, const BatchShape& shape, std::size_t part)
         : part_(batch.deformation->parts[part]), mesh_(batch.deformation->meshes[part_.mesh]),
-          morph_(mesh_, shape.weights[part]), batchFromWorld_(1.0) {
-        batchFromWorld_[3] = glm::dvec4(-batch.origin, 1.0);
+          morph_(mesh_, shape.weights[part]), batchFromWorld_(glm::inverse(batch.nodeFromBatch)) {
         if (!mesh_.influences.empty())
             for (const glm::dmat4& matrix : shape.batchFromMesh)
                 joints_.emplace_back(matrix);
@@ -229,21 +228,22 @@ class Movement {
 } // namespace
 
 bool poseBatch(Batch& batch, const BatchShape& shape) {
-    Posed posed{std::vector<glm::vec3>(batch.positions.size()),
-                std::vector<glm::vec3>(batch.normals.size()),
-                std::vector<glm::vec4>(batch.tangents.size())};
+    Posed posed{std::vector<glm::vec3>(batch.geometry->positions.size()),
+                std::vector<glm::vec3>(batch.geometry->normals.size()),
+                std::vector<glm::vec4>(batch.geometry->tangents.size())};
     for (std::size_t part = 0; part < batch.deformation->parts.size(); ++part)
         if (!posePart(batch, shape, part, posed)) return false;
-    batch.positions = std::move(posed.positions);
-    batch.normals = std::move(posed.normals);
-    batch.tangents = std::move(posed.tangents);
+    Geometry& geometry = batch.geometry.edit();
+    geometry.positions = std::move(posed.positions);
+    geometry.normals = std::move(posed.normals);
+    geometry.tangents = std::move(posed.tangents);
     batch.shape = shape;
     return true;
 }
 
 std::vector<std::uint32_t> alikeVertices(const Batch& batch) {
     const Movement movement(*batch.deformation);
-    std::vector<std::uint32_t> first(batch.positions.size());
+    std::vector<std::uint32_t> first(batch.geometry->positions.size());
     std::unordered_multimap<std::uint64_t, std::pair<Movement::Vertex, std::uint32_t>> known;
     known.reserve(first.size());
     batch.deformation->forEachVertex(

@@ -1,12 +1,23 @@
 #include "preprocess/scene/scene.hpp"
 
+#include <map>
+
 namespace edgeshade {
+
+std::vector<std::size_t> firstOfGeometry(const std::vector<Batch>& batches) {
+    std::map<const Geometry*, std::size_t> known;
+    std::vector<std::size_t> first;
+    first.reserve(batches.size());
+    for (std::size_t i = 0; i < batches.size(); ++i)
+        first.push_back(known.emplace(&*batches[i].geometry, i).first->second);
+    return first;
+}
 
 Box worldBounds(const Scene& scene) {
     Box box;
     for (const Batch& batch : scene.batches) {
         if (batch.ground) continue;
-        for (const glm::vec3& position : batch.positions)
+        for (const glm::vec3& position : batch.geometry->positions)
             box.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
     }
     return box;

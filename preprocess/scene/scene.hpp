@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/base/box.hpp"
+#include "preprocess/base/copy_on_write.hpp"
 #include "preprocess/base/warnings.hpp"
 #include "preprocess/scene/deformation.hpp"
 #include "preprocess/scene/material.hpp"
@@ -31,15 +32,11 @@ struct AnimatedNode {
     glm::dmat4 parentFromAnimated{1.0}; ///< at rest
 };
 
-/// Triangles that move together: all static nodes are one batch, every animated node another; what
-/// an animated skin or animated morph weights deform are batches of their own.
+/// Triangles in a space of their own.
 ///
 /// Positions are floats relative to a local origin, so that survey coordinates keep their detail
 /// (docs/method.md, C6); what places them in the world is double.
-struct Batch {
-    int node = -1;                  ///< the glTF node that moves it; -1: none, it is static
-    glm::dmat4 worldFromBatch{1.0}; ///< at rest
-    glm::dvec3 origin{0.0}; ///< where 0 of `positions` is in the animated node, or in the world
+struct Geometry {
     std::vector<glm::vec3> positions; ///< no NaN, no infinity, no -0
     std::vector<glm::vec3> normals;   ///< unit length, or 0 for a triangle without area
     std::vector<glm::vec2> texcoords; ///< of the material's first channel
@@ -54,6 +51,16 @@ struct Batch {
     /// Corners of what casts in place of the opaque triangles, three a triangle, as
     /// simplifyCasters() found them; nothing: they cast themselves.
     std::optional<std::vector<std::uint32_t>> simplifiedCasters;
+};
+
+/// Triangles that move together: all static nodes are one batch, every animated node another; what
+/// an animated skin or animated morph weights deform are batches of their own. So is each place of
+/// a mesh that has many and is worth keeping once: these batches share their geometry.
+struct Batch {
+    int node = -1;                  ///< the glTF node that moves it; -1: none, it is static
+    glm::dmat4 worldFromBatch{1.0}; ///< at rest
+    glm::dmat4 nodeFromBatch{1.0};  ///< to the animated node, or to the world
+    CopyOnWrite<Geometry> geometry;
 
     /// It is the ground, which the program lays beneath a scene: no file has it, and it is seen
     /// from above alone.
@@ -82,10 +89,13 @@ struct Scene {
     std::size_t triangleCount() const {
         std::size_t count = 0;
         for (const Batch& batch : batches)
-            if (!batch.ground) count += batch.indices.size() / 3;
+            if (!batch.ground) count += batch.geometry->indices.size() / 3;
         return count;
     }
 };
+
+/// By batch: the first of those that have its geometry, which may be itself.
+std::vector<std::size_t> firstOfGeometry(const std::vector<Batch>& batches);
 
 /// The box of all vertices in the world, but for the ground's.
 Box worldBounds(const Scene& scene);

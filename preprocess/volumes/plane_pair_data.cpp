@@ -135,7 +135,7 @@ class Poser {
     Poser(const RecordVertices& vertices, const Batch& batch) : vertices_(vertices) {
         points_.reserve(vertices.inBatch.size());
         for (const std::uint32_t vertex : vertices.inBatch)
-            points_.push_back(batch.positions[vertex]);
+            points_.push_back(batch.geometry->positions[vertex]);
     }
 
     CapRecord cap(std::size_t i) const {
@@ -233,6 +233,13 @@ PlanePairCosts& PlanePairCosts::operator+=(const PlanePairCosts& other) {
     return *this;
 }
 
+PlanePairCosts PlanePairCosts::runsAlone() const {
+    PlanePairCosts costs;
+    costs.sideRuns = sideRuns;
+    costs.capRuns = capRuns;
+    return costs;
+}
+
 PlanePairCosts costsOf(const PlanePairShadow& shadow) {
     constexpr std::size_t quadVertices = 4, capPairVertices = 6;
     PlanePairCosts costs;
@@ -251,7 +258,13 @@ PlanePairCosts costsOf(const PlanePairShadow& shadow) {
 std::vector<std::shared_ptr<const PlanePairShadow>>
 buildPlanePairs(const Scene& scene, bool castMasked, double flatTolerance) {
     std::vector<std::shared_ptr<const PlanePairShadow>> shadows;
-    for (const Batch& batch : scene.batches) {
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] != i) {
+            shadows.push_back(shadows[first[i]]);
+            continue;
+        }
+        const Batch& batch = scene.batches[i];
         const Casters casters = castersOf(batch, scene.materials, castMasked);
         shadows.push_back(std::make_shared<const PlanePairShadow>(
             buildPlanePairs(batch, casters, scene.materials, flatTolerance)));

@@ -129,6 +129,8 @@ struct PlanePairCosts {
     std::size_t capRuns = 0; ///< of all caps; volumes that the eye is outside of are drawn without
 
     PlanePairCosts& operator+=(const PlanePairCosts& other);
+    /// What one place more costs of records that are there: vertices.
+    PlanePairCosts runsAlone() const;
 };
 PlanePairCosts costsOf(const PlanePairShadow& shadow);
 

@@ -6,26 +6,32 @@
 
 namespace edgeshade {
 
-std::vector<BatchTopology> buildTopology(const Scene& scene, bool castMasked,
-                                         BuildSeconds& seconds) {
-    std::vector<BatchTopology> topology;
-    for (const Batch& batch : scene.batches) {
+Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds) {
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    Topologies topology;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] != i) {
+            topology.push_back(topology[first[i]]);
+            continue;
+        }
         Stopwatch watch;
-        BatchTopology& built = topology.emplace_back();
+        const Batch& batch = scene.batches[i];
+        const auto built = std::make_shared<BatchTopology>();
         const Casters casters = castersOf(batch, scene.materials, castMasked);
-        built.hash = positionsHash(batch, castingSurfacesOf(batch, scene.materials, castMasked));
-        built.mesh = weldCasters(batch, casters);
+        built->hash = positionsHash(batch, castingSurfacesOf(batch, scene.materials, castMasked));
+        built->mesh = weldCasters(batch, casters);
         seconds.weld += watch.lap();
-        built.edges = buildEdges(built.mesh.welded);
+        built->edges = buildEdges(built->mesh.welded);
         seconds.edges += watch.lap();
+        topology.push_back(built);
     }
     return topology;
 }
 
-int sceneMultiplicity(const std::vector<BatchTopology>& topology) {
+int sceneMultiplicity(const Topologies& topology) {
     std::uint32_t largest = 0;
-    for (const BatchTopology& batch : topology)
-        largest = std::max(largest, batch.edges.largestOppositeCount());
+    for (const auto& batch : topology)
+        largest = std::max(largest, batch->edges.largestOppositeCount());
     return recordMultiplicityFor(largest);
 }
 
@@ -43,13 +49,16 @@ BatchShadow buildShadow(const Batch& batch, const std::vector<Material>& materia
     return buildShadow(topology, recordMultiplicityFor(topology.edges.largestOppositeCount()));
 }
 
-std::vector<BatchShadow> buildShadows(const Scene& scene, bool castMasked) {
+Shadows buildShadows(const Scene& scene, bool castMasked) {
     BuildSeconds seconds;
-    const auto topology = buildTopology(scene, castMasked, seconds);
+    const Topologies topology = buildTopology(scene, castMasked, seconds);
     const int maxMultiplicity = sceneMultiplicity(topology);
-    std::vector<BatchShadow> shadows;
-    for (const BatchTopology& batch : topology)
-        shadows.push_back(buildShadow(batch, maxMultiplicity));
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    Shadows shadows;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        shadows.push_back(first[i] != i ? shadows[first[i]]
+                                        : std::make_shared<const BatchShadow>(
+                                              buildShadow(*topology[i], maxMultiplicity)));
     return shadows;
 }
 

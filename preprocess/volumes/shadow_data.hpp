@@ -2,10 +2,12 @@
 
 #include "preprocess/mesh/mesh_statistics.hpp"
 #include "preprocess/mesh/topology.hpp"
+#include "preprocess/scene/instance_choice.hpp"
 #include "preprocess/scene/scene.hpp"
 #include "preprocess/volumes/published/caps_data.hpp"
 #include "preprocess/volumes/published/sides_data.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace edgeshade {
@@ -19,6 +21,7 @@ struct CasterSettings {
     bool castMasked = false;    ///< MASK and BLEND surfaces cast too
     double casterError = 0.0;   ///< scene units, see simplifyCasters()
     double flatTolerance = 0.0; ///< degrees, see growPatches(); plane-pair records alone
+    InstanceChoice instances = InstanceChoice::automatic;
 
     bool operator==(const CasterSettings&) const = default;
 };
@@ -45,12 +48,15 @@ struct BatchTopology {
     std::uint64_t hash = 0; ///< positionsHash()
 };
 
+/// One a batch; batches that share their geometry share these.
+using Topologies = std::vector<std::shared_ptr<const BatchTopology>>;
+using Shadows = std::vector<std::shared_ptr<const BatchShadow>>;
+
 /// Topology of every batch of the scene, in order.
-std::vector<BatchTopology> buildTopology(const Scene& scene, bool castMasked,
-                                         BuildSeconds& seconds);
+Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds);
 
 /// The one multiplicity of all records: `published` has a single maxMult for the scene.
-int sceneMultiplicity(const std::vector<BatchTopology>& topology);
+int sceneMultiplicity(const Topologies& topology);
 
 /// Sides and caps of one batch.
 BatchShadow buildShadow(const BatchTopology& topology, int maxMultiplicity);
@@ -60,6 +66,6 @@ BatchShadow buildShadow(const Batch& batch, const std::vector<Material>& materia
                         bool castMasked);
 
 /// The whole pipeline: weld, edges, sides and caps of every batch.
-std::vector<BatchShadow> buildShadows(const Scene& scene, bool castMasked);
+Shadows buildShadows(const Scene& scene, bool castMasked);
 
 } // namespace edgeshade

@@ -239,6 +239,7 @@ class Course {
         result.sideBytes = scene.groups.sideBytes();
         result.capBytes = scene.groups.capBytes();
         for (const GpuBatch& batch : scene.batches) {
+            if (!batch.owns) continue;
             result.sideBytes += batch.volumes.sideBytes();
             result.capBytes += batch.volumes.capBytes();
         }

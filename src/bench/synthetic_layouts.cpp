@@ -64,8 +64,8 @@ class PlanePairSubject : public SyntheticSubject {
         const std::size_t edges = mesh.edges.edges.size();
         pairsPerEdge_ = shadow.pairs.size() / edges;
         singlesPerEdge_ = shadow.singles.size() / edges;
-        buffers_.planePairs.emplace(std::make_shared<PlanePairShadow>(std::move(shadow)),
-                                    std::vector<glm::vec4>(), layout);
+        buffers_.planePairs = std::make_shared<PlanePairBuffers>(
+            std::make_shared<PlanePairShadow>(std::move(shadow)), std::vector<glm::vec4>(), layout);
         buffers_.planePairs->uploadAllPairs();
         for (const VolumeDraw& draw : draws(1))
             volumes_.makeProgram(draw);

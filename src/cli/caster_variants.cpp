@@ -26,7 +26,8 @@ nlohmann::ordered_json casterJson(const CasterSettings& settings) {
     return {{"weld-tolerance", settings.weldTolerance},
             {"flat-tolerance", settings.flatTolerance},
             {"caster-error", settings.casterError},
-            {"cast-masked", settings.castMasked}};
+            {"cast-masked", settings.castMasked},
+            {"instances", nameOf(settings.instances)}};
 }
 
 } // namespace edgeshade::cli

@@ -26,6 +26,10 @@ glm::dmat4 matrixFrom(const std::string& text, const std::string& option) {
 const Choices<gl::Limits> limitNames = {{"device", gl::Limits::device},
                                         {"es2-minimum", gl::Limits::es2Minimum}};
 
+const Choices<InstanceChoice> instanceNames = {{"auto", InstanceChoice::automatic},
+                                               {"shared", InstanceChoice::shared},
+                                               {"repeated", InstanceChoice::repeated}};
+
 template <class Use>
 void addTextOption(CLI::App& verb, const std::string& name, const std::string& type,
                    const std::string& help, Use use) {
@@ -115,6 +119,7 @@ CasterSettings CasterChanges::on(CasterSettings settings) const {
     settings.weldTolerance = weldTolerance.value_or(settings.weldTolerance);
     settings.flatTolerance = flatTolerance.value_or(settings.flatTolerance);
     settings.casterError = casterError.value_or(settings.casterError);
+    settings.instances = instances.value_or(settings.instances);
     return settings;
 }
 
@@ -137,6 +142,9 @@ void addCasterChanges(CLI::App& verb, CasterChanges& changes) {
     add("--caster-error", "D", changes.casterError, INFINITY,
         "Shadow volumes are those of simplified casters, about this far off, in scene units; what "
         "is drawn stays as it is (0: not simplified)");
+    addChoice(verb, "--instances", changes.instances, instanceNames,
+              "Meshes that stand at several places are kept once (shared), again for each place "
+              "(repeated), or once where that pays (auto)");
 }
 
 void addCasterOptions(CLI::App& verb, CasterOptions& options) {

@@ -32,11 +32,13 @@ struct ViewOptions {
     bool hasCamera() const { return from || to || cameraMatrix || camera; }
 };
 
-/// `--weld-tolerance`, `--flat-tolerance` and `--caster-error`, where they were typed.
+/// `--weld-tolerance`, `--flat-tolerance`, `--caster-error` and `--instances`, where they were
+/// typed.
 struct CasterChanges {
     std::optional<double> weldTolerance, flatTolerance, casterError;
+    std::optional<InstanceChoice> instances;
 
-    bool any() const { return weldTolerance || flatTolerance || casterError; }
+    bool any() const { return weldTolerance || flatTolerance || casterError || instances; }
     CasterSettings on(CasterSettings settings) const;
 };
 

@@ -83,6 +83,8 @@ std::string leftOptions(const CasterOptions& call, const CasterChanges& setting)
     add("--weld-tolerance", call.changes.weldTolerance, setting.weldTolerance);
     add("--flat-tolerance", call.changes.flatTolerance, setting.flatTolerance);
     add("--caster-error", call.changes.casterError, setting.casterError);
+    if (call.changes.instances && !setting.instances)
+        text << " --instances " << nameOf(*call.changes.instances);
     return text.str();
 }
 

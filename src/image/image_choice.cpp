@@ -12,7 +12,7 @@ namespace {
 std::set<std::size_t> usedMaterials(const Scene& scene) {
     std::set<std::size_t> used;
     for (const Batch& batch : scene.batches)
-        for (const SurfaceGroup& group : batch.groups)
+        for (const SurfaceGroup& group : batch.geometry->groups)
             used.insert(group.material);
     return used;
 }

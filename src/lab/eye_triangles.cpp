@@ -28,11 +28,12 @@ std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum
         const glm::dmat4 eyeFromBatch =
             glm::translate(glm::dmat4(1.0), -frustum.position()) * batch.worldFromBatch;
         const auto corner = [&](std::uint32_t index) {
-            return glm::dvec3(eyeFromBatch *
-                              glm::dvec4(batch.positions[batch.indices[index]], 1.0));
+            return glm::dvec3(
+                eyeFromBatch *
+                glm::dvec4(batch.geometry->positions[batch.geometry->indices[index]], 1.0));
         };
         const bool mirrored = glm::determinant(glm::dmat3(eyeFromBatch)) < 0.0;
-        for (const SurfaceGroup& group : batch.groups) {
+        for (const SurfaceGroup& group : batch.geometry->groups) {
             const Material& material = scene.materials[group.material];
             for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount;
                  i += 3) {

@@ -83,12 +83,12 @@ class AlphaSurface {
 
     const Material& material() const { return material_; }
     float factor(const glm::dvec2& place) const {
-        return material_.baseColorFactor.a * blended(batch_.colors, place).a;
+        return material_.baseColorFactor.a * blended(batch_.geometry->colors, place).a;
     }
     /// Within what whole numbers of texels can say.
     glm::dvec2 texcoord(const glm::dvec2& place) const {
         constexpr double farthest = 1e6;
-        const glm::dvec2 uv(blended(batch_.texcoords, place));
+        const glm::dvec2 uv(blended(batch_.geometry->texcoords, place));
         if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return glm::dvec2(0.0);
         return glm::clamp(uv, -farthest, farthest);
     }
@@ -96,7 +96,9 @@ class AlphaSurface {
   private:
     template <class Value>
     Value blended(const std::vector<Value>& values, const glm::dvec2& place) const {
-        const auto at = [&](std::uint32_t c) { return values[batch_.indices[firstIndex_ + c]]; };
+        const auto at = [&](std::uint32_t c) {
+            return values[batch_.geometry->indices[firstIndex_ + c]];
+        };
         return at(0) * static_cast<float>(1.0 - place.x - place.y) +
                at(1) * static_cast<float>(place.x) + at(2) * static_cast<float>(place.y);
     }

@@ -4,7 +4,7 @@
 #include "src/scene/shadow_buffers.hpp"
 
 #include <compare>
-#include <optional>
+#include <memory>
 
 namespace edgeshade {
 
@@ -23,10 +23,11 @@ struct VolumeRecords {
     auto operator<=>(const VolumeRecords&) const = default;
 };
 
-/// One batch's shadow data on the GPU, in one of the layouts or several.
+/// One batch's shadow data on the GPU, in one of the layouts or several; null where there are none.
+/// Batches that share their geometry share these.
 struct BatchVolumes {
-    std::optional<PlanePairBuffers> planePairs;
-    std::optional<ShadowBuffers> oppositeVertices;
+    std::shared_ptr<PlanePairBuffers> planePairs;
+    std::shared_ptr<ShadowBuffers> oppositeVertices;
 
     std::size_t sideBytes() const {
         return (planePairs ? planePairs->sideBytes() : 0) +

@@ -19,11 +19,17 @@ std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& bat
 }
 
 void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
+    const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
     for (std::size_t i = 0; i < gpu.batches.size(); ++i) {
+        auto& planePairs = gpu.batches[i].volumes.planePairs;
+        if (first[i] != i) {
+            planePairs = gpu.batches[first[i]].volumes.planePairs;
+            continue;
+        }
         const Batch& batch = loaded.scene.batches[i];
         const auto& shadow = loaded.planePairs[i];
         const auto source = holeSource(loaded, batch, weldForRecords);
-        gpu.batches[i].volumes.planePairs.emplace(
+        planePairs = std::make_shared<PlanePairBuffers>(
             shadow,
             source ? alphaCorners(batch, source->casters, source->mesh, *shadow)
                    : std::vector<glm::vec4>(),
@@ -31,22 +37,26 @@ void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout)
     }
 }
 
-ShadowBuffers uploadOppositeVertices(const LoadedScene& loaded, const Batch& batch,
-                                     const BatchShadow& shadow, SidesLayout layout) {
+std::shared_ptr<ShadowBuffers> uploadOppositeVertices(const LoadedScene& loaded, const Batch& batch,
+                                                      const BatchShadow& shadow,
+                                                      SidesLayout layout) {
     const auto source = holeSource(loaded, batch, weldCasters);
-    return uploadShadow(shadow,
-                        source ? alphaCorners(batch, source->casters, source->mesh)
-                               : std::vector<glm::vec4>(),
-                        layout);
+    return std::make_shared<ShadowBuffers>(uploadShadow(
+        shadow,
+        source ? alphaCorners(batch, source->casters, source->mesh) : std::vector<glm::vec4>(),
+        layout));
 }
 
 void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
-    std::vector<BatchShadow> made;
-    if (loaded.shadows.empty()) made = buildShadows(loaded.scene, loaded.settings.castMasked);
-    const std::vector<BatchShadow>& shadows = loaded.shadows.empty() ? made : loaded.shadows;
+    const Shadows shadows = loaded.shadows.empty()
+                                ? buildShadows(loaded.scene, loaded.settings.castMasked)
+                                : loaded.shadows;
+    const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
     for (std::size_t i = 0; i < gpu.batches.size(); ++i)
         gpu.batches[i].volumes.oppositeVertices =
-            uploadOppositeVertices(loaded, loaded.scene.batches[i], shadows[i], layout);
+            first[i] != i
+                ? gpu.batches[first[i]].volumes.oppositeVertices
+                : uploadOppositeVertices(loaded, loaded.scene.batches[i], *shadows[i], layout);
     gpu.oppositeVertexLayout = layout;
 }
 
@@ -72,7 +82,7 @@ const BatchVolumes& GpuScene::volumesOf(std::size_t batch, const FrameLight& lig
 std::size_t GpuScene::shadowBytes() const {
     std::size_t total = 0;
     for (const GpuBatch& batch : batches)
-        total += batch.volumes.bytes();
+        if (batch.owns) total += batch.volumes.bytes();
     return total + groups.sideBytes() + groups.capBytes();
 }
 
@@ -86,16 +96,21 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
                  Textures(loaded, capabilities),
                  loaded.settings.castMasked,
                  loaded.cutoutsCast};
-    for (const Batch& batch : scene.batches)
-        gpu.batches.push_back({batch.worldFromBatch,
-                               batch.isAnimated(),
-                               false,
-                               batch.ground,
-                               uploadSurfaces(batch, scene.materials),
-                               {}});
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        GpuBatch& made = gpu.batches.emplace_back();
+        made.worldFromBatch = batch.worldFromBatch;
+        made.animated = batch.isAnimated();
+        made.ground = batch.ground;
+        made.owns = first[i] == i;
+        made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(
+                                        uploadSurfaces(batch, scene.materials))
+                                  : gpu.batches[first[i]].surfaces;
+    }
     gpu.plain = true;
     for (const GpuBatch& batch : gpu.batches)
-        for (const SurfaceChunk& chunk : batch.surfaces) {
+        for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = gpu.materials[chunk.material];
             const bool blends = material.alphaMode == AlphaMode::blend;
             gpu.seeThrough = gpu.seeThrough || (blends && !material.unlit);
@@ -110,7 +125,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
 void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch) {
     GpuBatch& to = gpu.batches[batch];
     const Batch& from = loaded.scene.batches[batch];
-    uploadShape(from, gpu.materials, to.parts, to.surfaces);
+    uploadShape(from, gpu.materials, to.parts, *to.surfaces);
     BatchVolumes& volumes = to.volumes;
     if (volumes.planePairs) volumes.planePairs->take(loaded.planePairs[batch]);
     if (volumes.oppositeVertices)

@@ -16,7 +16,9 @@ struct GpuBatch {
     bool animated = false; ///< an animation can move it: it is in no primitive map
     bool hidden = false;   ///< not drawn and without a shadow: scaled to nothing
     bool ground = false;   ///< see Batch
-    std::vector<SurfaceChunk> surfaces;
+    /// Of its own, or of all places of a mesh that is kept once: the first of these owns it.
+    std::shared_ptr<std::vector<SurfaceChunk>> surfaces;
+    bool owns = true;
     BatchVolumes volumes;
     std::vector<SurfacePart> parts = {}; ///< of `surfaces`, where the batch deforms
 

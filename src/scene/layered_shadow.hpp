@@ -13,11 +13,10 @@ struct GroupTopology {
     EdgeList edges;
 };
 
-/// What is left of each batch's topology when all triangles but one group's are taken away: its
-/// shadow data are closed by themselves. `groupOf`: the group of each casting triangle, in the
-/// order of batches and their casters.
-std::vector<GroupTopology> groupTopology(const Scene& scene, bool castMasked,
-                                         std::span<const std::uint32_t> groupOf,
-                                         std::uint32_t group);
+/// What is left of a batch's topology when all triangles but one group's are taken away: its shadow
+/// data are closed by themselves. `groupOf`: the group of each of its casters.
+GroupTopology groupTopology(const Batch& batch, const std::vector<Material>& materials,
+                            bool castMasked, std::span<const std::uint32_t> groupOf,
+                            std::uint32_t group);
 
 } // namespace edgeshade

@@ -36,7 +36,8 @@ LoadedScene readScene(const std::filesystem::path& path,
     const auto header = readShadowHeader(*loaded.document);
     loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
     if (onStage) onStage(LoadStage::flatten);
-    loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, looks);
+    loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, looks,
+                                loaded.settings.instances);
     loaded.scene.culls = cullsByDefault;
     if (const std::size_t lights = loaded.scene.lights.size(); lights > mostLights)
         loaded.scene.warnings.add("'" + path.string() + "' has " + std::to_string(lights) +
@@ -78,7 +79,7 @@ void addGround(LoadedScene& loaded, const Ground& ground) {
     loaded.ground = ground;
     // It casts nothing.
     loaded.planePairs.push_back(std::make_shared<const PlanePairShadow>());
-    if (!loaded.shadows.empty()) loaded.shadows.emplace_back();
+    if (!loaded.shadows.empty()) loaded.shadows.push_back(std::make_shared<const BatchShadow>());
 }
 
 std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image) {
@@ -95,8 +96,8 @@ glm::vec4 alphaCornerAt(const Batch& batch, const Casters& casters, const Caster
                         std::size_t triangle, std::size_t corner) {
     const std::uint32_t vertex = casters.indices[3 * mesh.welded.source[triangle] + corner];
     // Rounded as the surfaces' colours are.
-    const float alpha = std::round(batch.colors[vertex].a * 255.0f) / 255.0f;
-    return {batch.texcoords[vertex], alpha, 0.0f};
+    const float alpha = std::round(batch.geometry->colors[vertex].a * 255.0f) / 255.0f;
+    return {batch.geometry->texcoords[vertex], alpha, 0.0f};
 }
 
 } // namespace

@@ -24,7 +24,7 @@ struct LoadedScene {
     Scene scene;
     SceneImages images; ///< of the materials' images those whose pixels are at hand
     std::vector<std::shared_ptr<const PlanePairShadow>> planePairs; ///< one a batch
-    std::vector<BatchShadow> shadows; ///< with opposite vertices, where the file has them; or empty
+    Shadows shadows; ///< with opposite vertices, where the file has them; or empty
     CasterSettings settings;
     Looks looks = {};                  ///< as they were asked for
     std::optional<double> time = {};   ///< of its animation, seconds; nothing: at rest

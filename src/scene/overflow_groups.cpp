@@ -4,77 +4,158 @@
 #include "src/shadow/geometry/cut_casters.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
 
 namespace edgeshade {
 namespace {
 
-/// Shadow data of every batch in its group, by the layout.
-std::vector<BatchVolumes> uploadGroup(const Scene& scene, const CasterSettings& settings,
-                                      const std::vector<GroupTopology>& topology,
-                                      VolumeRecords records) {
-    std::uint32_t largest = 0;
-    for (const GroupTopology& of : topology)
-        largest = std::max(largest, of.edges.largestOppositeCount());
-    std::vector<BatchVolumes> group;
-    for (std::size_t i = 0; i < topology.size(); ++i) {
-        const auto& [casters, mesh, edges] = topology[i];
-        const Batch& batch = scene.batches[i];
-        const bool alphaTested = settings.castMasked;
-        BatchVolumes& volumes = group.emplace_back();
-        if (records.volumes == VolumeLayout::planePairs) {
+/// Where a batch's casters are among all, in the order of batches.
+struct CasterRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+std::vector<CasterRange> casterRangesOf(const Scene& scene, bool castMasked) {
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    std::vector<CasterRange> ranges;
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const std::size_t count =
+            first[i] != i
+                ? ranges[first[i]].count
+                : castersOf(scene.batches[i], scene.materials, castMasked).indices.size() / 3;
+        ranges.push_back({end, count});
+        end += count;
+    }
+    return ranges;
+}
+
+/// Builds and uploads the groups of one light's casters. What is whole in one group, of a mesh that
+/// stands at several places, has the records of all of these.
+class GroupUpload {
+  public:
+    /// `groupOf`: of each caster of the scene; all three must outlive this.
+    GroupUpload(const Scene& scene, const CasterSettings& settings,
+                std::span<const std::uint32_t> groupOf, VolumeRecords records)
+        : scene_(scene), settings_(settings), groupOf_(groupOf), records_(records),
+          first_(firstOfGeometry(scene.batches)),
+          ranges_(casterRangesOf(scene, settings.castMasked)), places_(first_.size(), 0),
+          whole_(first_.size()) {
+        for (const std::size_t first : first_)
+            ++places_[first];
+    }
+
+    GroupedShadow upload(std::size_t groupCount) {
+        GroupedShadow groups;
+        for (std::uint32_t group = 0; group < groupCount; ++group)
+            groups.push_back(uploadGroup(group));
+        return groups;
+    }
+
+  private:
+    using Topology = std::shared_ptr<const GroupTopology>;
+
+    std::vector<BatchVolumes> uploadGroup(std::uint32_t group) {
+        std::vector<Topology> topology;
+        std::uint32_t largest = 0;
+        for (std::size_t i = 0; i < first_.size(); ++i) {
+            topology.push_back(topologyOf(i, group));
+            largest = std::max(largest, topology.back()->edges.largestOppositeCount());
+        }
+        std::vector<BatchVolumes> uploads;
+        std::map<Topology, BatchVolumes> again; // of those that several batches have
+        for (std::size_t i = 0; i < first_.size(); ++i) {
+            const bool repeats = topology[i].use_count() > 2;
+            const auto found = repeats ? again.find(topology[i]) : again.end();
+            uploads.push_back(found != again.end() ? found->second
+                                                   : uploaded(i, *topology[i], largest));
+            if (repeats) again.emplace(topology[i], uploads.back());
+        }
+        return uploads;
+    }
+
+    Topology topologyOf(std::size_t batch, std::uint32_t group) {
+        const auto of = groupOf_.subspan(ranges_[batch].first, ranges_[batch].count);
+        const bool together =
+            std::adjacent_find(of.begin(), of.end(), std::not_equal_to()) == of.end();
+        if (places_[first_[batch]] == 1 || !together) return partOf(batch, of, group);
+        if (of.empty() || of.front() != group) return nothing_;
+        Topology& whole = whole_[first_[batch]];
+        if (!whole) whole = partOf(batch, of, group);
+        return whole;
+    }
+
+    Topology partOf(std::size_t batch, std::span<const std::uint32_t> groupOf,
+                    std::uint32_t group) const {
+        return std::make_shared<const GroupTopology>(groupTopology(
+            scene_.batches[batch], scene_.materials, settings_.castMasked, groupOf, group));
+    }
+
+    BatchVolumes uploaded(std::size_t batchIndex, const GroupTopology& topology,
+                          std::uint32_t largest) const {
+        const auto& [casters, mesh, edges] = topology;
+        const Batch& batch = scene_.batches[batchIndex];
+        const bool alphaTested = settings_.castMasked;
+        BatchVolumes volumes;
+        if (records_.volumes == VolumeLayout::planePairs) {
             auto shadow = std::make_shared<const PlanePairShadow>(
-                buildPlanePairs(mesh, edges, scene.materials, settings.flatTolerance));
-            volumes.planePairs.emplace(shadow,
-                                       alphaTested ? alphaCorners(batch, casters, mesh, *shadow)
-                                                   : std::vector<glm::vec4>(),
-                                       records.layout);
+                buildPlanePairs(mesh, edges, scene_.materials, settings_.flatTolerance));
+            volumes.planePairs = std::make_shared<PlanePairBuffers>(
+                shadow,
+                alphaTested ? alphaCorners(batch, casters, mesh, *shadow)
+                            : std::vector<glm::vec4>(),
+                records_.layout);
         } else {
             const BatchShadow shadow{
                 buildSides(mesh.welded.positions, edges, recordMultiplicityFor(largest)),
                 buildCaps(mesh.welded), mesh.groups};
-            volumes.oppositeVertices = uploadShadow(
+            volumes.oppositeVertices = std::make_shared<ShadowBuffers>(uploadShadow(
                 shadow, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(),
-                records.layout);
+                records_.layout));
         }
+        return volumes;
     }
-    return group;
-}
 
-/// `groupOf`: of each caster of `scene`.
-GroupedShadow uploadGroups(const Scene& scene, const CasterSettings& settings,
-                           std::span<const std::uint32_t> groupOf, std::size_t groupCount,
-                           VolumeRecords records) {
-    GroupedShadow groups;
-    for (std::uint32_t g = 0; g < groupCount; ++g)
-        groups.push_back(uploadGroup(
-            scene, settings, groupTopology(scene, settings.castMasked, groupOf, g), records));
-    return groups;
-}
+    const Scene& scene_;
+    const CasterSettings& settings_;
+    std::span<const std::uint32_t> groupOf_;
+    VolumeRecords records_;
+    std::vector<std::size_t> first_; ///< firstOfGeometry()
+    std::vector<CasterRange> ranges_;
+    std::vector<std::size_t> places_; ///< of a geometry, by the first batch
+    std::vector<Topology> whole_;     ///< likewise
+    const Topology nothing_ = std::make_shared<const GroupTopology>();
+};
 
 GroupedShadow uploadGroups(const LoadedScene& loaded, const FrameLight& light,
                            VolumeRecords records) {
     const LayerBound& layers = light.layers;
     if (!light.cut)
-        return uploadGroups(loaded.scene, loaded.settings, layers.groupOf, layers.groupCount,
-                            records);
+        return GroupUpload(loaded.scene, loaded.settings, layers.groupOf, records)
+            .upload(layers.groupCount);
     const CutCasters cut = cutCasters(loaded.scene, loaded.settings.castMasked, *light.cut);
     std::vector<std::uint32_t> groupOf;
     for (std::size_t i = 0; i < cut.from.size(); ++i) {
         const std::uint32_t group = layers.groupCount > 1 ? layers.groupOf[cut.from[i]] : 0;
         groupOf.push_back(2 * group + (cut.inside[i] ? 1 : 0));
     }
-    return uploadGroups(cut.scene, loaded.settings, groupOf, light.groupCount(), records);
+    return GroupUpload(cut.scene, loaded.settings, groupOf, records).upload(light.groupCount());
 }
 
 /// The sum of `bytesOf` over all batches of all groups.
 template <class Kept, class BytesOf>
 std::size_t sumOver(const std::vector<Kept>& kept, BytesOf bytesOf) {
     std::size_t total = 0;
+    std::set<std::pair<const void*, const void*>> counted; // what several batches have
     for (const Kept& light : kept)
         for (const auto& [layout, groups] : light.groups)
             for (const auto& group : groups)
                 for (const BatchVolumes& volumes : group)
-                    total += bytesOf(volumes);
+                    if (counted.emplace(volumes.planePairs.get(), volumes.oppositeVertices.get())
+                            .second)
+                        total += bytesOf(volumes);
     return total;
 }
 

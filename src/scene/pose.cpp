@@ -10,10 +10,10 @@ void removeTriangles(LoadedScene& loaded, std::size_t batch) {
     Batch empty;
     empty.node = of.node;
     empty.worldFromBatch = of.worldFromBatch;
-    empty.origin = of.origin;
+    empty.nodeFromBatch = of.nodeFromBatch;
     of = empty;
     loaded.planePairs[batch] = std::make_shared<const PlanePairShadow>();
-    if (!loaded.shadows.empty()) loaded.shadows[batch] = {};
+    if (!loaded.shadows.empty()) loaded.shadows[batch] = std::make_shared<const BatchShadow>();
 }
 
 } // namespace

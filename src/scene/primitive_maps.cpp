@@ -22,9 +22,10 @@ bool othersReceive(const LoadedScene& loaded) {
     return std::any_of(scene.batches.begin(), scene.batches.end(), [&](const Batch& batch) {
         if (batch.ground) return loaded.showsGround;
         return batch.isAnimated() ||
-               std::any_of(batch.groups.begin(), batch.groups.end(), [&](const SurfaceGroup& g) {
-                   return !scene.materials[g.material].casts(false);
-               });
+               std::any_of(batch.geometry->groups.begin(), batch.geometry->groups.end(),
+                           [&](const SurfaceGroup& g) {
+                               return !scene.materials[g.material].casts(false);
+                           });
     });
 }
 
@@ -34,7 +35,9 @@ std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabiliti
     if (!gl::hasFloatTables(capabilities)) return "the GL looks up no floats";
     if (loaded.cutoutsCast && capabilities.textureUnits < 6)
         return "the GL has too few textures for cutouts";
-    const auto simplified = [](const Batch& batch) { return batch.simplifiedCasters.has_value(); };
+    const auto simplified = [](const Batch& batch) {
+        return batch.geometry->simplifiedCasters.has_value();
+    };
     const auto& batches = loaded.scene.batches;
     if (std::any_of(batches.begin(), batches.end(), simplified)) return "casters are simplified";
     if (!batches.empty() && std::all_of(batches.begin(), batches.end(),

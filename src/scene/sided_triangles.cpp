@@ -13,7 +13,7 @@ namespace {
 /// Of each triangle whether the light sees it counter-clockwise.
 std::vector<bool> facingOf(const Batch& batch, const SurfacePart& part, const glm::dvec4& light) {
     const auto corner = [&](std::size_t i) {
-        return glm::dvec3(batch.positions[part.vertices[part.indices[i]]]);
+        return glm::dvec3(batch.geometry->positions[part.vertices[part.indices[i]]]);
     };
     std::vector<bool> facing;
     facing.reserve(part.indices.size() / 3);

@@ -19,19 +19,19 @@ bool isWhite(const SurfaceVertex& vertex) {
 /// What the batch has of it; zeros for the rest.
 SurfaceDetail detailOf(const Batch& batch, std::uint32_t index) {
     SurfaceDetail detail{};
-    if (!batch.tangents.empty()) detail.tangent = batch.tangents[index];
-    for (std::size_t channel = 0; channel < batch.moreTexcoords.size(); ++channel)
-        if (!batch.moreTexcoords[channel].empty())
-            detail.texcoords[channel] = batch.moreTexcoords[channel][index];
+    if (!batch.geometry->tangents.empty()) detail.tangent = batch.geometry->tangents[index];
+    for (std::size_t channel = 0; channel < batch.geometry->moreTexcoords.size(); ++channel)
+        if (!batch.geometry->moreTexcoords[channel].empty())
+            detail.texcoords[channel] = batch.geometry->moreTexcoords[channel][index];
     return detail;
 }
 
 /// Whether all of these vertices have a tangent that the material asks for.
 bool haveTangents(const Batch& batch, const Material& material,
                   const std::vector<std::uint32_t>& vertices) {
-    return material.hasNormalTexture() && !batch.tangents.empty() &&
+    return material.hasNormalTexture() && !batch.geometry->tangents.empty() &&
            std::all_of(vertices.begin(), vertices.end(),
-                       [&](std::uint32_t v) { return batch.tangents[v].w != 0.0f; });
+                       [&](std::uint32_t v) { return batch.geometry->tangents[v].w != 0.0f; });
 }
 
 /// Whether some triangle's vertices have other normals than it has itself.
@@ -39,13 +39,13 @@ bool isSmooth(const Batch& batch, const SurfacePart& part) {
     constexpr float parallel = 0.9999f; // the cosine of less than a degree
     for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
         const auto vertex = [&](std::size_t c) { return part.vertices[part.indices[i + c]]; };
-        const glm::vec3& a = batch.positions[vertex(0)];
-        const glm::vec3 across =
-            glm::cross(batch.positions[vertex(1)] - a, batch.positions[vertex(2)] - a);
+        const glm::vec3& a = batch.geometry->positions[vertex(0)];
+        const glm::vec3 across = glm::cross(batch.geometry->positions[vertex(1)] - a,
+                                            batch.geometry->positions[vertex(2)] - a);
         const float size = glm::length(across);
         if (!(size > 0.0f)) continue;
         for (std::size_t c = 0; c < 3; ++c)
-            if (glm::dot(across, batch.normals[vertex(c)]) < parallel * size) return true;
+            if (glm::dot(across, batch.geometry->normals[vertex(c)]) < parallel * size) return true;
     }
     return false;
 }
@@ -83,10 +83,10 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
 } // namespace
 
 SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index) {
-    const glm::vec4 color = srgbFromLinear(batch.colors[index]);
-    return {batch.positions[index],
-            batch.normals[index],
-            batch.texcoords[index],
+    const glm::vec4 color = srgbFromLinear(batch.geometry->colors[index]);
+    return {batch.geometry->positions[index],
+            batch.geometry->normals[index],
+            batch.geometry->texcoords[index],
             {byteOf(color.r), byteOf(color.g), byteOf(color.b), byteOf(color.a)}};
 }
 

@@ -12,7 +12,7 @@ constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 class PartBuilder {
   public:
     PartBuilder(const Batch& batch, std::vector<SurfacePart>& parts)
-        : parts_(parts), local_(batch.positions.size(), unused) {}
+        : parts_(parts), local_(batch.geometry->positions.size(), unused) {}
 
     void addTriangle(const std::uint32_t* corners) {
         if (part_.indices.size() == mostIndices) finish();
@@ -48,10 +48,10 @@ class PartBuilder {
 std::vector<SurfacePart> surfacePartsOf(const Batch& batch) {
     std::vector<SurfacePart> parts;
     PartBuilder builder(batch, parts);
-    for (const SurfaceGroup& group : batch.groups) {
+    for (const SurfaceGroup& group : batch.geometry->groups) {
         builder.material = group.material;
         for (std::uint32_t i = 0; i + 2 < group.indexCount; i += 3)
-            builder.addTriangle(&batch.indices[group.firstIndex + i]);
+            builder.addTriangle(&batch.geometry->indices[group.firstIndex + i]);
         builder.finish();
     }
     return parts;

@@ -34,14 +34,16 @@ std::optional<glm::dvec3> firstHit(const Scene& scene, const Ray& ray) {
         // The direction keeps its length through the transform, so parameters stay distances.
         const Ray local{glm::dvec3(batchFromWorld * glm::dvec4(ray.from, 1.0)),
                         glm::dvec3(batchFromWorld * glm::dvec4(ray.direction, 0.0))};
-        for (const SurfaceGroup& group : batch.groups) {
+        for (const SurfaceGroup& group : batch.geometry->groups) {
             const bool frontAlone = scene.culls && !scene.materials[group.material].doubleSided;
             const std::uint32_t end = group.firstIndex + group.indexCount;
             for (std::uint32_t i = group.firstIndex; i + 2 < end; i += 3)
-                nearest = std::min(nearest,
-                                   distanceTo(local, batch.positions[batch.indices[i]],
-                                              batch.positions[batch.indices[i + 1]],
-                                              batch.positions[batch.indices[i + 2]], frontAlone));
+                nearest = std::min(
+                    nearest,
+                    distanceTo(local, batch.geometry->positions[batch.geometry->indices[i]],
+                               batch.geometry->positions[batch.geometry->indices[i + 1]],
+                               batch.geometry->positions[batch.geometry->indices[i + 2]],
+                               frontAlone));
         }
     }
     if (nearest == std::numeric_limits<double>::infinity()) return std::nullopt;

@@ -73,7 +73,7 @@ TEST(Bench, OnlyVolumesHaveRecordsAndOnlyMapsHaveMaps) {
     const Report report = measure(loaded, task, ignore);
     const Result &planePairs = report.results[0], &map = report.results[1],
                  &none = report.results[2], &volumes = report.results[3];
-    const BatchShadow shadow = buildShadows(loaded.scene, false).front();
+    const BatchShadow shadow = *buildShadows(loaded.scene, false).front();
     const auto side = static_cast<std::size_t>(shadow.sides.maxMultiplicity) * 6;
     EXPECT_EQ(volumes.vertexRuns %
                   (shadow.sides.recordCount() * side + shadow.caps.recordCount() * 6),

@@ -132,7 +132,7 @@ int main(int count, char** words) {
     }
     std::size_t deforming = 0;
     for (const Batch& batch : loaded.scene.batches)
-        if (batch.deforms()) deforming += batch.indices.size() / 3;
+        if (batch.deforms()) deforming += batch.geometry->indices.size() / 3;
     Json told = {{"triangles", loaded.scene.triangleCount()},
                  {"deforming_triangles", deforming},
                  {"animation", title->name},

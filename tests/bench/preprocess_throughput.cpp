@@ -64,7 +64,7 @@ Json ours(const Subject& subject, const Scene& scene) {
 /// meshoptimizer's: one vertex for each position, then the opposite vertex of every triangle's
 /// every side (of one other triangle at most).
 Json meshoptimizers(const Subject& subject) {
-    const auto& positions = subject.batch->positions;
+    const auto& positions = subject.batch->geometry->positions;
     const std::vector<std::uint32_t>& indices = subject.casters.indices;
     std::vector<std::uint32_t> welded(indices.size()), adjacency(2 * indices.size());
     const double weld = secondsOf([&] {

@@ -63,29 +63,35 @@ Bytes packedOf(const PackInput& input, Encoding encoding, const CasterSettings& 
     return bytes;
 }
 
+void requireSameGeometry(const Geometry& a, const Geometry& b) {
+    require(sameBits(a.positions, b.positions), "has other positions");
+    require(sameBits(a.indices, b.indices), "has other triangles");
+    require(sameBits(a.normals, b.normals) && sameBits(a.texcoords, b.texcoords) &&
+                sameBits(a.colors, b.colors),
+            "has other attributes");
+    require(sameBits(a.groups, b.groups), "has other groups");
+}
+
 void requireSameScene(const Scene& packed, const Scene& source) {
     require(packed.batches.size() == source.batches.size(), "has other batches");
     for (std::size_t i = 0; i < source.batches.size(); ++i) {
         const Batch& a = packed.batches[i];
         const Batch& b = source.batches[i];
-        require(a.node == b.node && a.worldFromBatch == b.worldFromBatch && a.origin == b.origin,
+        require(a.node == b.node && a.worldFromBatch == b.worldFromBatch &&
+                    a.nodeFromBatch == b.nodeFromBatch,
                 "has a batch elsewhere");
-        require(sameBits(a.positions, b.positions), "has other positions");
-        require(sameBits(a.indices, b.indices), "has other triangles");
-        require(sameBits(a.normals, b.normals) && sameBits(a.texcoords, b.texcoords) &&
-                    sameBits(a.colors, b.colors),
-                "has other attributes");
-        require(sameBits(a.groups, b.groups), "has other groups");
+        requireSameGeometry(*a.geometry, *b.geometry);
     }
+    require(firstOfGeometry(packed.batches) == firstOfGeometry(source.batches),
+            "shares its meshes otherwise");
 }
 
-void requireSameShadows(const std::vector<BatchShadow>& read,
-                        const std::vector<BatchTopology>& topology, int maxMultiplicity) {
+void requireSameShadows(const Shadows& read, const Topologies& topology, int maxMultiplicity) {
     require(read.size() == topology.size(), "has other shadow data");
     for (std::size_t i = 0; i < read.size(); ++i) {
-        const BatchShadow built = buildShadow(topology[i], maxMultiplicity);
-        require(sameBits(read[i].sides.records, built.sides.records), "has other sides");
-        require(sameBits(read[i].caps.records, built.caps.records), "has other caps");
+        const BatchShadow built = buildShadow(*topology[i], maxMultiplicity);
+        require(sameBits(read[i]->sides.records, built.sides.records), "has other sides");
+        require(sameBits(read[i]->caps.records, built.caps.records), "has other caps");
     }
 }
 
@@ -113,7 +119,7 @@ void check(const Bytes& bytes, const PackInput& source, Encoding encoding,
     const auto header = readShadowHeader(packed);
     require(header && header->encoding == encoding && header->settings == settings,
             "has other settings");
-    Scene scene = flattenScene(packed, settings.weldTolerance);
+    Scene scene = flattenScene(packed, settings.weldTolerance, {}, settings.instances);
     requireSameScene(scene, source.scene);
     requireSamePictures(packed, source.document);
     readCasters(packed, *header, scene);

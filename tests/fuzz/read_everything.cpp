@@ -17,7 +17,8 @@ namespace {
 void readShadowData(const GltfDocument& document) {
     const auto header = readShadowHeader(document);
     if (!header) return;
-    Scene scene = flattenScene(document, header->settings.weldTolerance);
+    Scene scene =
+        flattenScene(document, header->settings.weldTolerance, {}, header->settings.instances);
     readCasters(document, *header, scene);
     readShadows(document, *header, scene);
     buildPlanePairs(scene, header->settings.castMasked, header->settings.flatTolerance);

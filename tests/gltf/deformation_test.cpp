@@ -184,17 +184,17 @@ TEST(Deformation, WhatNoAnimationMovesIsStatic) {
 
 TEST(Deformation, SkinsGoWithTheirJointsAndNormalsFollow) {
     Moving moving(bending({{"translation", {99, 0, 0}}})); // which does not count
-    const std::vector<glm::vec3> rest = moving.deforming().positions;
-    const std::vector<glm::vec3> restNormals = moving.deforming().normals;
+    const std::vector<glm::vec3> rest = moving.deforming().geometry->positions;
+    const std::vector<glm::vec3> restNormals = moving.deforming().geometry->normals;
     EXPECT_EQ(moving.at(1.0).back().reshaped, true);
     const Batch& bent = moving.deforming();
-    ASSERT_EQ(bent.positions.size(), rest.size());
+    ASSERT_EQ(bent.geometry->positions.size(), rest.size());
     for (std::size_t v = 0; v < rest.size(); ++v) {
         const glm::vec3 &p = rest[v], &n = restNormals[v];
         // About (0, 1, 0), which is at (0, 3, 0) then.
         const bool upper = p.y > 0;
-        expectNear(bent.positions[v], upper ? glm::vec3(-(p.y - 1), p.x + 3, p.z) : p);
-        expectNear(bent.normals[v], upper ? glm::vec3(-n.y, n.x, n.z) : n);
+        expectNear(bent.geometry->positions[v], upper ? glm::vec3(-(p.y - 1), p.x + 3, p.z) : p);
+        expectNear(bent.geometry->normals[v], upper ? glm::vec3(-n.y, n.x, n.z) : n);
     }
 }
 
@@ -205,13 +205,15 @@ TEST(Deformation, ThePoseAtRestIsTheSceneToTheLastBit) {
         const std::vector<Placed> placed = place(moving.scene, poseAt({}, moving.scene, 0.0));
         for (std::size_t b = 0; b < rest.batches.size(); ++b) {
             EXPECT_FALSE(placed[b].reshaped);
-            EXPECT_EQ(moving.scene.batches[b].positions, rest.batches[b].positions);
+            EXPECT_EQ(moving.scene.batches[b].geometry->positions,
+                      rest.batches[b].geometry->positions);
         }
         // And back from elsewhere.
         moving.at(0.3);
         place(moving.scene, poseAt({}, moving.scene, 0.0));
         for (std::size_t b = 0; b < rest.batches.size(); ++b)
-            EXPECT_EQ(moving.scene.batches[b].positions, rest.batches[b].positions);
+            EXPECT_EQ(moving.scene.batches[b].geometry->positions,
+                      rest.batches[b].geometry->positions);
     }
 }
 
@@ -228,12 +230,13 @@ TEST(Deformation, FurtherSetsOfJointsCount) {
     attributes["JOINTS_1"] = gltf.addArray(joints, 4);
     attributes["WEIGHTS_1"] = gltf.addArray(weights, 4);
     Moving moving(gltf);
-    const std::vector<glm::vec3> rest = moving.deforming().positions;
+    const std::vector<glm::vec3> rest = moving.deforming().geometry->positions;
     moving.at(1.0);
     for (std::size_t v = 0; v < rest.size(); ++v) {
         const glm::vec3& p = rest[v];
         const glm::vec3 turned(-(p.y - 1), p.x + 3, p.z);
-        expectNear(moving.deforming().positions[v], p.y > 0 ? turned : 0.5f * (p + turned));
+        expectNear(moving.deforming().geometry->positions[v],
+                   p.y > 0 ? turned : 0.5f * (p + turned));
     }
 }
 
@@ -243,7 +246,7 @@ TEST(Deformation, VerticesAreAlikeWhereAllThatMovesThemIs) {
     const std::vector<std::uint32_t> alike = alikeVertices(batch);
     std::size_t distinct = 0;
     for (std::uint32_t v = 0; v < alike.size(); ++v) {
-        EXPECT_EQ(batch.positions[alike[v]], batch.positions[v]);
+        EXPECT_EQ(batch.geometry->positions[alike[v]], batch.geometry->positions[v]);
         distinct += alike[v] == v;
     }
     EXPECT_EQ(distinct, 8u) << "of 24 vertices, three a corner";
@@ -256,7 +259,7 @@ TEST(Deformation, VerticesAreAlikeWhereAllThatMovesThemIs) {
     torn.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = torn.addArray(joints, 4);
     Moving apart(torn);
     const std::vector<std::uint32_t> ofTorn = alikeVertices(apart.deforming());
-    EXPECT_EQ(apart.deforming().positions.size(), 24u);
+    EXPECT_EQ(apart.deforming().geometry->positions.size(), 24u);
     for (std::uint32_t v = 0; v < ofTorn.size(); ++v)
         EXPECT_EQ(ofTorn[v] % 2, v % 2);
 }
@@ -278,7 +281,7 @@ TEST(Deformation, AlikeVerticesStayTogetherInWildPoses) {
                         weight = random.uniform(-9, 9);
                 ASSERT_TRUE(poseBatch(batch, shape));
                 for (std::uint32_t v = 0; v < alike.size(); ++v)
-                    ASSERT_EQ(batch.positions[alike[v]], batch.positions[v]);
+                    ASSERT_EQ(batch.geometry->positions[alike[v]], batch.geometry->positions[v]);
             }
         }
     }
@@ -288,10 +291,10 @@ TEST(Deformation, APoseOutOfAllRangeIsNotDrawnAndChangesNothing) {
     GltfBuilder gltf = morphing("LINEAR");
     animate(gltf, 0, "weights", {0, 1}, gltf.addArray<float>({0, 0, 3e38f, 0}, 1));
     Moving moving(gltf);
-    const std::vector<glm::vec3> rest = moving.deforming().positions;
+    const std::vector<glm::vec3> rest = moving.deforming().geometry->positions;
     const std::vector<Placed> placed = moving.at(1.0, 1);
     EXPECT_FALSE(placed.back().visible);
-    EXPECT_EQ(moving.deforming().positions, rest);
+    EXPECT_EQ(moving.deforming().geometry->positions, rest);
     EXPECT_TRUE(moving.at(0.5, 0).back().visible);
 }
 
@@ -316,8 +319,8 @@ TEST(Deformation, TheScenesThatShipAreTheAuthoredOnes) {
         const Scene authored = sceneOf(gltf);
         ASSERT_EQ(ships.batches.size(), authored.batches.size());
         for (std::size_t b = 0; b < ships.batches.size(); ++b) {
-            const std::vector<glm::vec3>&of = ships.batches[b].positions,
-                  &wanted = authored.batches[b].positions;
+            const std::vector<glm::vec3>&of = ships.batches[b].geometry->positions,
+                  &wanted = authored.batches[b].geometry->positions;
             ASSERT_EQ(of.size(), wanted.size());
             for (std::size_t v = 0; v < of.size(); ++v)
                 expectNear(of[v], wanted[v]);

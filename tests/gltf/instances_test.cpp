@@ -2,12 +2,18 @@
 #include "preprocess/base/limits.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/mesh/topology.hpp"
+#include "preprocess/packing/shadow_extension.hpp"
+#include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
+#include "preprocess/scene/animation.hpp"
+#include "preprocess/volumes/plane_pair_data.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/input_error.hpp"
+#include "tests/support/moving_scenes.hpp"
 #include "tests/support/packing.hpp"
 #include "tests/support/scene_triangles.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace edgeshade::test {
@@ -149,6 +155,134 @@ TEST(Instances, AreCountedBeforeTheyAreMade) {
     limits.memoryBytes = 1'000'000'000;
     expectInputError([&] { flattenScene(parseGltf(many.gltf.glb(), "test.glb", limits), 0.0); },
                      {"nodes[0] takes", "the limit is 1000000000"});
+}
+
+Scene sharedSceneOf(const GltfBuilder& gltf, double weldTolerance = 0.0) {
+    return flattenScene(parseGltf(gltf.glb(), "test.glb"), weldTolerance, {},
+                        InstanceChoice::shared);
+}
+
+TEST(Instances, MayShareTheirMesh) {
+    for (const GltfBuilder& gltf : {Instances().gltf, asNodes()}) {
+        const Scene scene = sharedSceneOf(gltf);
+        ASSERT_EQ(scene.batches.size(), 3u);
+        EXPECT_EQ(firstOfGeometry(scene.batches), (std::vector<std::size_t>{0, 0, 0}));
+        EXPECT_EQ(scene.triangleCount(), 12u);
+        expectSameTriangles(worldTriangles(scene), worldTriangles(sceneOf(asNodes())), 1e-6);
+        const auto shadows = buildPlanePairs(scene, false);
+        EXPECT_EQ(shadows[0], shadows[2]) << "one copy of records";
+    }
+}
+
+TEST(Instances, ShareWhatIsWorthIt) {
+    const auto batchesOf = [](int triangles, int places, InstanceChoice choice) {
+        GltfBuilder gltf;
+        const int mesh = gltf.addShape(book(triangles));
+        for (int i = 0; i < places; ++i)
+            gltf.addNode({{"mesh", mesh}, {"translation", {i, 0, 0}}});
+        return flattenScene(parseGltf(gltf.glb(), "test.glb"), 0.0, {}, choice).batches.size();
+    };
+    EXPECT_EQ(batchesOf(300, 2, InstanceChoice::automatic), 2u);
+    EXPECT_EQ(batchesOf(300, 2, InstanceChoice::repeated), 1u);
+    EXPECT_EQ(batchesOf(300, 1, InstanceChoice::shared), 1u);
+    EXPECT_EQ(batchesOf(12, 50, InstanceChoice::automatic), 1u);
+    EXPECT_EQ(batchesOf(12, 50, InstanceChoice::shared), 50u);
+}
+
+TEST(Instances, ThatAreFlattenedAreRepeated) {
+    Instances scene;
+    scene.attributes()["SCALE"] = scene.gltf.addArray<float>({1, 1, 1, 2, 0, 2, 0, 0, 0}, 3);
+    const Scene flat = sharedSceneOf(scene.gltf);
+    EXPECT_EQ(flat.triangleCount(), 12u);
+    EXPECT_EQ(flat.batches.size(), 2u);
+    expectSameTriangles(worldTriangles(flat), worldTriangles(sceneOf(scene.gltf)), 1e-6);
+    for (const Batch& batch : flat.batches)
+        EXPECT_NE(glm::determinant(glm::dmat3(batch.worldFromBatch)), 0.0);
+}
+
+TEST(Instances, ShareTheirMeshWithAnimatedNodes) {
+    GltfBuilder gltf = asNodes();
+    gltf.animate(0);
+    const GltfDocument document = parseGltf(gltf.glb(), "test.glb");
+    Scene scene = flattenScene(document, 0.0, {}, InstanceChoice::shared);
+    EXPECT_EQ(firstOfGeometry(scene.batches), (std::vector<std::size_t>{0, 0, 0}));
+    EXPECT_EQ(std::count_if(scene.batches.begin(), scene.batches.end(),
+                            [](const Batch& batch) { return batch.node == 0; }),
+              1);
+    Scene repeats = flattenScene(document, 0.0, {}, InstanceChoice::repeated);
+    Warnings warnings;
+    const auto animation = readAnimation(document, warnings);
+    ASSERT_TRUE(animation);
+    for (Scene* of : {&scene, &repeats})
+        place(*of, poseAt(*animation, *of, 0.7));
+    expectSameTriangles(worldTriangles(scene), worldTriangles(repeats), 1e-6);
+}
+
+TEST(Instances, OfWhatDeformsAreRepeated) {
+    GltfBuilder gltf = morphingBall(6, 6);
+    gltf.addNode({{"mesh", 0}, {"translation", {9, 0, 0}}});
+    gltf.addNode({{"mesh", 0}, {"translation", {18, 0, 0}}});
+    const Scene scene = sharedSceneOf(gltf);
+    std::size_t deforming = 0;
+    for (const Batch& batch : scene.batches)
+        deforming += batch.deforms() ? 1 : 0;
+    EXPECT_EQ(deforming, 1u);
+    EXPECT_EQ(scene.triangleCount(),
+              flattenScene(parseGltf(gltf.glb(), "test.glb"), 0.0, {}, InstanceChoice::repeated)
+                  .triangleCount());
+}
+
+TEST(Instances, TakeNoMoreMemoryThanTheirMeshAndPlaces) {
+    GltfBuilder gltf;
+    gltf.useExtension("EXT_mesh_gpu_instancing");
+    const std::vector<float> places(3 * 10'000, 1.0f);
+    gltf.addNode({{"mesh", gltf.addShape(book(500))},
+                  {"extensions", instancing({{"TRANSLATION", gltf.addArray(places, 3)}})}});
+    ReadingLimits limits;
+    limits.memoryBytes = 20'000'000;
+    const GltfDocument document = parseGltf(gltf.glb(), "test.glb", limits);
+    EXPECT_EQ(flattenScene(document, 0.0).triangleCount(), 5'000'000u);
+    expectInputError([&] { flattenScene(document, 0.0, {}, InstanceChoice::repeated); },
+                     {"nodes[0] takes", "the limit is 20000000"});
+}
+
+TEST(Instances, AreWeldedNoFartherThanTheToleranceInTheWorld) {
+    GltfBuilder gltf;
+    const int mesh = gltf.addShape(box(glm::vec3(0.01f)));
+    gltf.addNode({{"mesh", mesh}, {"scale", {100, 100, 100}}});
+    gltf.addNode({{"mesh", mesh}, {"translation", {5, 0, 0}}});
+    const Scene scene = sharedSceneOf(gltf, 0.5);
+    EXPECT_EQ(buildPlanePairs(scene, false)[0]->caps.size(), 12u) << "2 wide where it is large";
+}
+
+TEST(Instances, ArePackedOnce) {
+    CasterSettings settings;
+    settings.instances = InstanceChoice::shared;
+    settings.casterError = 0.01;
+    const Bytes asset = Instances().gltf.glb();
+    for (const Encoding encoding : everyEncoding) {
+        const Bytes packedAsset = packed(asset, encoding, settings);
+        const GltfDocument document = parseGltf(packedAsset, "packed.glb");
+        const Json& extension = *shadowExtensionOf(document.json);
+        EXPECT_EQ(extension["batches"].size(), 1u);
+        EXPECT_EQ(extension["instances"], "shared");
+        const Shadows shadows = readBack(packedAsset);
+        ASSERT_EQ(shadows.size(), 3u);
+        EXPECT_EQ(shadows[0], shadows[2]);
+        expectSameShadows(shadows, built(asset, settings));
+    }
+}
+
+TEST(Instances, OfOlderFilesAreRepeated) {
+    GlbParts parts(packed(Instances().gltf.glb(), Encoding::indexed));
+    Json& extension = parts.json["extensions"][shadowExtensionName];
+    extension.erase("instances");
+    const auto header = readShadowHeader(parseGltf(parts.glb(), "old.glb"));
+    ASSERT_TRUE(header);
+    EXPECT_EQ(header->settings.instances, InstanceChoice::repeated);
+    extension["instances"] = "often";
+    expectInputError([&] { readShadowHeader(parseGltf(parts.glb(), "odd.glb")); },
+                     {".instances", "'often'", "not known"});
 }
 
 TEST(Instances, MustAgreeAndBePlaces) {

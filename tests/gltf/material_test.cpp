@@ -65,7 +65,7 @@ TEST(Material, TexturesThatAreNotDrawnMayBeBroken) {
 
 TEST(Material, GroupsStandOpaqueFirstThenMaskThenBlend) {
     const Scene scene = sceneOfEveryAlphaMode();
-    const auto& groups = scene.batches.at(0).groups;
+    const auto& groups = scene.batches.at(0).geometry->groups;
     ASSERT_EQ(groups.size(), 3u);
     EXPECT_EQ(scene.materials[groups[0].material].alphaMode, AlphaMode::opaque);
     EXPECT_EQ(scene.materials[groups[1].material].alphaMode, AlphaMode::mask);

@@ -125,7 +125,7 @@ TEST(Meshopt, ColoursAreUnpacked) {
         Json primitive = gltf.primitiveOf(shape);
         primitive["attributes"]["COLOR_0"] = colors;
         gltf.addNode({{"mesh", gltf.addMesh(primitive)}});
-        return sceneOf(underKhronosName(std::move(gltf))).batches.at(0).colors;
+        return sceneOf(underKhronosName(std::move(gltf))).batches.at(0).geometry->colors;
     };
     const std::vector<glm::vec4> expected = {
         {128, 128, 128, 255}, {189, 0, 63, 255}, {85, 85, 17, 136}};

@@ -80,7 +80,7 @@ TEST(Node, AMillionUnitsAwayAMillimetreRemains) {
     EXPECT_NEAR(glm::distance(triangle[0].position, triangle[1].position), 1e-3, 1e-6);
     EXPECT_NEAR(triangle[0].position.x, 1e6, 1e-6);
     EXPECT_NEAR(triangle[0].position.y, -2e6, 1e-6);
-    for (const glm::vec3& position : scene.batches.at(0).positions)
+    for (const glm::vec3& position : scene.batches.at(0).geometry->positions)
         EXPECT_LT(glm::length(position), 10.0f);
 }
 
@@ -173,7 +173,7 @@ TEST(Node, AnAnimatedNodeMakesItsOwnBatch) {
     ASSERT_EQ(scene.batches.size(), 2u);
     EXPECT_EQ(scene.batches[0].node, -1);
     EXPECT_EQ(scene.batches[1].node, animatedNode);
-    EXPECT_EQ(scene.batches[1].indices.size(), 36u);
+    EXPECT_EQ(scene.batches[1].geometry->indices.size(), 36u);
     EXPECT_DOUBLE_EQ(scene.batches[1].worldFromBatch[3].y, 7.0);
 }
 
@@ -188,8 +188,8 @@ TEST(Node, DescendantsOfAnAnimatedNodeFollowIt) {
     ASSERT_EQ(scene.batches.size(), 1u);
     EXPECT_EQ(scene.batches[0].node, animatedNode);
     // Relative to the animated node, so that turning it turns them.
-    EXPECT_EQ(*std::min_element(scene.batches[0].positions.begin(),
-                                scene.batches[0].positions.end(),
+    EXPECT_EQ(*std::min_element(scene.batches[0].geometry->positions.begin(),
+                                scene.batches[0].geometry->positions.end(),
                                 [](auto& a, auto& b) { return a.x < b.x; }),
               glm::vec3(1, 0, 0));
     EXPECT_DOUBLE_EQ(worldBounds(scene).low.y, 2.0);
@@ -205,7 +205,7 @@ TEST(Node, TheNearestAnimatedNodeMovesAMesh) {
     const Scene scene = sceneOf(gltf);
     ASSERT_EQ(scene.batches.size(), 2u);
     for (const Batch& batch : scene.batches)
-        EXPECT_EQ(batch.indices.size(), batch.node == leaf ? 12u : 36u);
+        EXPECT_EQ(batch.geometry->indices.size(), batch.node == leaf ? 12u : 36u);
 }
 
 TEST(Node, AnimatedMorphWeightsDoNotMakeABatch) {

@@ -51,8 +51,8 @@ TEST(PackRoundTrip, TheDuckWithSimplifiedCasters) {
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "duck.glb is not here";
     const Bytes duck = readFile(path);
     expectRoundTrip(duck, {0.0, false, 0.01});
-    EXPECT_LT(built(duck, {0.0, false, 0.01}).front().caps.recordCount(),
-              built(duck).front().caps.recordCount() / 2);
+    EXPECT_LT(built(duck, {0.0, false, 0.01}).front()->caps.recordCount(),
+              built(duck).front()->caps.recordCount() / 2);
 }
 
 TEST(PackRoundTrip, ASceneWithoutTriangles) {

@@ -33,7 +33,7 @@ Scene sceneIn(const GltfBuilder& gltf, const std::string& variant) {
 }
 
 std::size_t materialIn(const std::string& variant) {
-    return sceneIn(sceneOfVariants(), variant).batches.at(0).groups.at(0).material;
+    return sceneIn(sceneOfVariants(), variant).batches.at(0).geometry->groups.at(0).material;
 }
 
 } // namespace
@@ -60,7 +60,7 @@ TEST(Variants, AnUnknownOneIsWarnedOf) {
     ASSERT_EQ(scene.warnings.sentences().size(), 1u);
     EXPECT_EQ(scene.warnings.sentences()[0],
               "'test.glb' has no variant 'noon'; it has 'day', 'night', 'dusk'.");
-    EXPECT_EQ(scene.batches.at(0).groups.at(0).material, 0u);
+    EXPECT_EQ(scene.batches.at(0).geometry->groups.at(0).material, 0u);
 
     GltfBuilder plain;
     plain.addShapeNode(box(glm::vec3(1.0f)));

@@ -28,7 +28,7 @@ Extreme bakedScale(const std::string& scale, float s) {
             .load =
                 [s] {
                     Scene scene = yard().scene();
-                    for (glm::vec3& position : scene.batches.front().positions)
+                    for (glm::vec3& position : scene.batches.front().geometry.edit().positions)
                         position *= s;
                     return loaded(std::move(scene));
                 },

@@ -41,9 +41,9 @@ std::size_t openEdgesOf(const LoadedScene& scene, const std::vector<Light>& ligh
     for (std::size_t b = 0; b < topology.size(); ++b)
         for (const Light& light : lights) {
             const glm::vec4 inBatch = lightInObject(light, scene.scene.batches[b].worldFromBatch);
-            open += openEdgesOfBatch<ReferenceEdge>(topology[b], scene.shadows[b], inBatch);
-            open += openEdgesOfBatch<ThreeEdge>(topology[b], scene.shadows[b], inBatch);
-            open += openEdgesOfBatch(topology[b], *scene.planePairs[b], inBatch);
+            open += openEdgesOfBatch<ReferenceEdge>(*topology[b], *scene.shadows[b], inBatch);
+            open += openEdgesOfBatch<ThreeEdge>(*topology[b], *scene.shadows[b], inBatch);
+            open += openEdgesOfBatch(*topology[b], *scene.planePairs[b], inBatch);
         }
     return open;
 }

@@ -85,9 +85,10 @@ LoadedScene leavesByVertexAlpha() {
     }
     Scene scene = builder.scene();
     Batch& batch = scene.batches.front();
-    for (std::uint32_t i = scene.batches.front().groups.back().firstIndex; i < batch.colors.size();
-         ++i)
-        batch.colors[i].a = batch.positions[i].y < 1.0f ? 1.0f : 0.0f; // holes in the upper half
+    for (std::uint32_t i = scene.batches.front().geometry->groups.back().firstIndex;
+         i < batch.geometry->colors.size(); ++i)
+        batch.geometry.edit().colors[i].a =
+            batch.geometry->positions[i].y < 1.0f ? 1.0f : 0.0f; // holes in the upper half
     return loaded(std::move(scene), true);
 }
 

@@ -170,19 +170,21 @@ LoadedScene hills(std::uint32_t cells) {
         const float step = 10.0f / static_cast<float>(cells);
         const float x = -5.0f + step * static_cast<float>(i % side);
         const float z = -5.0f + step * static_cast<float>(i / side);
-        batch.positions.emplace_back(x, rough(x, z), z);
+        batch.geometry.edit().positions.emplace_back(x, rough(x, z), z);
         constexpr float h = 0.01f;
-        batch.normals.push_back(glm::normalize(glm::vec3(
+        batch.geometry.edit().normals.push_back(glm::normalize(glm::vec3(
             rough(x - h, z) - rough(x + h, z), 2.0f * h, rough(x, z - h) - rough(x, z + h))));
     }
-    batch.texcoords.assign(side * side, glm::vec2(0.0f));
-    batch.colors.assign(side * side, glm::vec4(1.0f));
+    batch.geometry.edit().texcoords.assign(side * side, glm::vec2(0.0f));
+    batch.geometry.edit().colors.assign(side * side, glm::vec4(1.0f));
     for (std::uint32_t z = 0; z < cells; ++z)
         for (std::uint32_t x = 0; x < cells; ++x) {
             const std::uint32_t a = z * side + x, b = a + side;
-            batch.indices.insert(batch.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+            batch.geometry.edit().indices.insert(batch.geometry->indices.end(),
+                                                 {a, b, a + 1, a + 1, b, b + 1});
         }
-    batch.groups.push_back({0, 0, static_cast<std::uint32_t>(batch.indices.size())});
+    batch.geometry.edit().groups.push_back(
+        {0, 0, static_cast<std::uint32_t>(batch.geometry->indices.size())});
     return loaded(std::move(scene));
 }
 

@@ -29,10 +29,12 @@ std::vector<std::size_t> trianglesMetByGroup(const Batch& batch, const Light& li
     const glm::dvec3 origin = sun ? through : glm::dvec3(light.position);
     const glm::dvec3 way = sun ? glm::dvec3(light.position) : through - origin;
     std::vector<std::size_t> met(bound.groupCount, 0);
-    for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
-        const glm::dvec3 a(batch.positions[batch.indices[i]]);
-        const glm::dvec3 ab = glm::dvec3(batch.positions[batch.indices[i + 1]]) - a;
-        const glm::dvec3 ac = glm::dvec3(batch.positions[batch.indices[i + 2]]) - a;
+    for (std::size_t i = 0; i < batch.geometry->indices.size(); i += 3) {
+        const glm::dvec3 a(batch.geometry->positions[batch.geometry->indices[i]]);
+        const glm::dvec3 ab =
+            glm::dvec3(batch.geometry->positions[batch.geometry->indices[i + 1]]) - a;
+        const glm::dvec3 ac =
+            glm::dvec3(batch.geometry->positions[batch.geometry->indices[i + 2]]) - a;
         const glm::dvec3 across = glm::cross(way, ac);
         const double volume = glm::dot(ab, across);
         const double u = glm::dot(origin - a, across) / volume;
@@ -147,7 +149,7 @@ TEST(LayerBound, NoLineMeetsMoreTrianglesThanItSays) {
             if (!bound.mayOverflow) {
                 EXPECT_LE(mostOfOneGroup, limit);
             }
-            EXPECT_LT(bound.most, batch.indices.size() / 3);
+            EXPECT_LT(bound.most, batch.geometry->indices.size() / 3);
         }
     }
 }

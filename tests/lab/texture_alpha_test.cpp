@@ -29,13 +29,14 @@ struct Fixture {
                            .scene();
         Batch& batch = loaded.scene.batches.front();
         for (std::size_t i = 0; i < 3; ++i)
-            batch.texcoords[batch.indices[i]] = glm::vec2(batch.positions[batch.indices[i]]);
+            batch.geometry.edit().texcoords[batch.geometry->indices[i]] =
+                glm::vec2(batch.geometry->positions[batch.geometry->indices[i]]);
         Image image{texels, 1, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(texels))};
         for (int i = 0; i < texels; ++i)
             image.rgba[4 * static_cast<std::size_t>(i) + 3] =
                 static_cast<std::uint8_t>(255 * i / (texels - 1));
         loaded.images.emplace(0, std::make_shared<const Image>(std::move(image)));
-        triangle.material = static_cast<std::uint32_t>(batch.groups.back().material);
+        triangle.material = static_cast<std::uint32_t>(batch.geometry->groups.back().material);
     }
 
     /// At a texture coordinate along the row, 0 to 4.

@@ -70,7 +70,7 @@ Scene sceneFrom(const test::Soup& soup) {
 TEST(CasterSimplification, NoErrorLeavesCastersAlone) {
     Scene scene = ballOverFloor().scene();
     simplifyCasters(scene, 0.0);
-    EXPECT_FALSE(scene.batches.front().simplifiedCasters);
+    EXPECT_FALSE(scene.batches.front().geometry->simplifiedCasters);
     EXPECT_EQ(castersIn(scene).welded.triangles.size(), scene.triangleCount());
 }
 
@@ -79,8 +79,8 @@ TEST(CasterSimplification, SurfacesStayAsTheyAre) {
     Scene after = before;
     simplifyCasters(after, 0.1);
     const Batch &a = before.batches.front(), &b = after.batches.front();
-    EXPECT_EQ(a.positions, b.positions);
-    EXPECT_EQ(a.indices, b.indices);
+    EXPECT_EQ(a.geometry->positions, b.geometry->positions);
+    EXPECT_EQ(a.geometry->indices, b.geometry->indices);
     EXPECT_EQ(positionsHash(a, castingSurfacesOf(a, before.materials, false)),
               positionsHash(b, castingSurfacesOf(b, after.materials, false)));
 }

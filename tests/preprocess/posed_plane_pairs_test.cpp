@@ -35,18 +35,18 @@ void expectCornersOfSurfaces(const PlanePairShadow& posed, const Batch& batch,
     ASSERT_EQ(posed.caps.size(), mesh.welded.triangles.size());
     for (std::size_t i = 0; i < posed.caps.size(); ++i) {
         const std::size_t of = 3 * mesh.welded.source[posed.capTriangles[i]];
-        EXPECT_EQ(posed.caps[i].a, batch.positions[casters.indices[of]]);
-        EXPECT_EQ(posed.caps[i].b, batch.positions[casters.indices[of + 1]]);
-        EXPECT_EQ(posed.caps[i].c, batch.positions[casters.indices[of + 2]]);
+        EXPECT_EQ(posed.caps[i].a, batch.geometry->positions[casters.indices[of]]);
+        EXPECT_EQ(posed.caps[i].b, batch.geometry->positions[casters.indices[of + 1]]);
+        EXPECT_EQ(posed.caps[i].c, batch.geometry->positions[casters.indices[of + 2]]);
     }
 }
 
 std::vector<glm::vec4> lightsFor(const Batch& batch, Random& random, int count) {
     std::vector<glm::vec4> lights = {{0, 1, 0, 0}, {0.3f, 0.8f, 0.4f, 0}, {0, 3, 0, 1}};
     for (int i = 0; i < count; ++i) { // at vertices too
-        const auto v =
-            static_cast<std::size_t>(random.below(static_cast<int>(batch.positions.size())));
-        lights.emplace_back(batch.positions[v], 1.0f);
+        const auto v = static_cast<std::size_t>(
+            random.below(static_cast<int>(batch.geometry->positions.size())));
+        lights.emplace_back(batch.geometry->positions[v], 1.0f);
         lights.emplace_back(glm::vec3(3.0 * random.inCube()), i % 2);
     }
     return lights;

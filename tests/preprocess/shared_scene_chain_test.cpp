@@ -41,13 +41,14 @@ TEST_P(SharedSceneChain, IsClosedForTheRobustMethods) {
     const int maxMultiplicity = sceneMultiplicity(topology);
     std::size_t reference = 0, threeEdge = 0, singleEdge = 0, edges = 0, openFrames = 0;
     for (std::size_t b = 0; b < topology.size(); ++b) {
-        if (topology[b].mesh.welded.triangles.empty()) continue;
-        const BatchShadow shadow = buildShadow(topology[b], maxMultiplicity);
-        edges += topology[b].edges.edges.size();
-        for (const glm::vec4& light : lightsFor(topology[b].mesh.welded, b)) {
-            reference += openEdgesOf<ReferenceEdge>(topology[b], shadow, light);
-            threeEdge += openEdgesOf<ThreeEdge>(topology[b], shadow, light);
-            const std::size_t open = openEdgesOf<SingleEdge>(topology[b], shadow, light);
+        const BatchTopology& of = *topology[b];
+        if (of.mesh.welded.triangles.empty()) continue;
+        const BatchShadow shadow = buildShadow(of, maxMultiplicity);
+        edges += of.edges.edges.size();
+        for (const glm::vec4& light : lightsFor(of.mesh.welded, b)) {
+            reference += openEdgesOf<ReferenceEdge>(of, shadow, light);
+            threeEdge += openEdgesOf<ThreeEdge>(of, shadow, light);
+            const std::size_t open = openEdgesOf<SingleEdge>(of, shadow, light);
             singleEdge += open;
             openFrames += open > 0;
         }

@@ -21,11 +21,12 @@ std::vector<Material> everyAlphaMode() {
 //   0---2---4---6
 Batch everyKindOfSurface() {
     Batch batch;
-    batch.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}, {3, 0, 0}};
-    batch.indices = {0, 2, 1, 1, 2, 3,          // opaque
-                     2, 2, 3, 2, 4, 3, 3, 4, 5, // MASK
-                     4, 6, 5};                  // BLEND
-    batch.groups = {{0, 0, 6}, {1, 6, 9}, {2, 15, 3}};
+    batch.geometry.edit().positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0},
+                                       {2, 0, 0}, {2, 1, 0}, {3, 0, 0}};
+    batch.geometry.edit().indices = {0, 2, 1, 1, 2, 3,          // opaque
+                                     2, 2, 3, 2, 4, 3, 3, 4, 5, // MASK
+                                     4, 6, 5};                  // BLEND
+    batch.geometry.edit().groups = {{0, 0, 6}, {1, 6, 9}, {2, 15, 3}};
     return batch;
 }
 
@@ -36,9 +37,9 @@ Casters castersFrom(const Batch& batch, bool castMasked) {
 /// One triangle (1,2,3) (4,5,6) (7,8,9).
 Batch oneTriangle() {
     Batch batch;
-    batch.positions = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
-    batch.indices = {0, 1, 2};
-    batch.groups = {{0, 0, 3}};
+    batch.geometry.edit().positions = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+    batch.geometry.edit().indices = {0, 1, 2};
+    batch.geometry.edit().groups = {{0, 0, 3}};
     return batch;
 }
 
@@ -58,7 +59,7 @@ TEST(Casters, OnlyOpaqueSurfacesCastUnlessAsked) {
 TEST(Casters, EveryKindCastsWhenAsked) {
     const Batch batch = everyKindOfSurface();
     const Casters casters = castersFrom(batch, true);
-    EXPECT_EQ(casters.indices, batch.indices);
+    EXPECT_EQ(casters.indices, batch.geometry->indices);
     ASSERT_EQ(casters.groups.size(), 3u);
     EXPECT_EQ(casters.groups[2].material, 2u);
     EXPECT_EQ(casters.groups[2].firstIndex, 15u);
@@ -68,7 +69,8 @@ TEST(Casters, EveryKindCastsWhenAsked) {
 TEST(Casters, GroupsAreRangesOfTheCastersOnly) {
     // The first group does not cast: the next one starts at 0.
     Batch batch = everyKindOfSurface();
-    std::swap(batch.groups[0].material, batch.groups[1].material);
+    auto& groups = batch.geometry.edit().groups;
+    std::swap(groups[0].material, groups[1].material);
     const Casters casters = castersFrom(batch, false);
     ASSERT_EQ(casters.groups.size(), 1u);
     EXPECT_EQ(casters.groups[0].firstIndex, 0u);
@@ -91,7 +93,7 @@ TEST(CasterMesh, GroupsOfCapsLeaveOutDegenerateTriangles) {
 
 TEST(CasterMesh, AGroupOfDegenerateTrianglesAloneIsLeftOut) {
     Batch batch = everyKindOfSurface();
-    batch.groups = {{0, 0, 6}, {1, 6, 3}, {2, 9, 9}};
+    batch.geometry.edit().groups = {{0, 0, 6}, {1, 6, 3}, {2, 9, 9}};
     const CasterMesh mesh = weldCasters(batch, castersFrom(batch, true));
     ASSERT_EQ(mesh.groups.size(), 2u);
     EXPECT_EQ(mesh.groups[1].material, 2u);
@@ -108,7 +110,7 @@ TEST(CasterMesh, SurfacesOfAllMaterialsAreWeldedTogether) {
     BuildSeconds seconds;
     const auto topology = buildTopology(scene, true, seconds);
     ASSERT_EQ(topology.size(), 1u);
-    const MeshStatistics statistics = meshStatistics(topology[0].mesh.welded, topology[0].edges);
+    const MeshStatistics statistics = meshStatistics(topology[0]->mesh.welded, topology[0]->edges);
     EXPECT_EQ(statistics.edgesByOppositeCount,
               (std::map<std::uint32_t, std::size_t>{{1, 7}, {2, 4}}));
     EXPECT_EQ(statistics.components, 1u);
@@ -120,24 +122,24 @@ TEST(BuildShadow, SidesAndCapsOfTheWholeBatch) {
     scene.materials = everyAlphaMode();
     const auto shadows = buildShadows(scene, true);
     ASSERT_EQ(shadows.size(), 2u);
-    EXPECT_EQ(shadows[0].sides.recordCount(), 11u);
-    EXPECT_EQ(shadows[0].caps.recordCount(), 5u);
-    EXPECT_EQ(shadows[1].sides.recordCount(), 3u);
-    EXPECT_EQ(shadows[1].caps.recordCount(), 1u);
+    EXPECT_EQ(shadows[0]->sides.recordCount(), 11u);
+    EXPECT_EQ(shadows[0]->caps.recordCount(), 5u);
+    EXPECT_EQ(shadows[1]->sides.recordCount(), 3u);
+    EXPECT_EQ(shadows[1]->caps.recordCount(), 1u);
     // One multiplicity for the scene, though the second batch needs but one.
-    EXPECT_EQ(shadows[1].sides.maxMultiplicity, 2);
+    EXPECT_EQ(shadows[1]->sides.maxMultiplicity, 2);
 }
 
 TEST(BuildShadow, ABatchWithoutCastersHasNone) {
     Scene scene;
     scene.batches = {everyKindOfSurface()};
-    scene.batches[0].groups[0].material = 1;
+    scene.batches[0].geometry.edit().groups[0].material = 1;
     scene.materials = everyAlphaMode();
     const auto shadows = buildShadows(scene, false);
     ASSERT_EQ(shadows.size(), 1u);
-    EXPECT_EQ(shadows[0].sides.recordCount(), 0u);
-    EXPECT_EQ(shadows[0].caps.recordCount(), 0u);
-    EXPECT_TRUE(shadows[0].groups.empty());
+    EXPECT_EQ(shadows[0]->sides.recordCount(), 0u);
+    EXPECT_EQ(shadows[0]->caps.recordCount(), 0u);
+    EXPECT_TRUE(shadows[0]->groups.empty());
 }
 
 TEST(PositionsHash, IsFnv1aOfTheCornersBytes) {
@@ -149,7 +151,7 @@ TEST(PositionsHash, ChangesWithOneUnitInTheLastPlace) {
     for (std::size_t vertex = 0; vertex < 3; ++vertex)
         for (glm::length_t c = 0; c < 3; ++c) {
             Batch moved = oneTriangle();
-            float& coordinate = moved.positions[vertex][c];
+            float& coordinate = moved.geometry.edit().positions[vertex][c];
             coordinate = std::nextafter(coordinate, 0.0f);
             EXPECT_NE(hashOf(moved), hashOf(oneTriangle()));
         }
@@ -157,14 +159,14 @@ TEST(PositionsHash, ChangesWithOneUnitInTheLastPlace) {
 
 TEST(PositionsHash, ChangesWithTheOrderOfCorners) {
     Batch turned = oneTriangle();
-    turned.indices = {1, 2, 0};
+    turned.geometry.edit().indices = {1, 2, 0};
     EXPECT_NE(hashOf(turned), hashOf(oneTriangle()));
 }
 
 TEST(PositionsHash, DoesNotDependOnIndexing) {
     Batch reindexed = oneTriangle();
-    reindexed.positions = {{9, 9, 9}, {7, 8, 9}, {4, 5, 6}, {1, 2, 3}};
-    reindexed.indices = {3, 2, 1};
+    reindexed.geometry.edit().positions = {{9, 9, 9}, {7, 8, 9}, {4, 5, 6}, {1, 2, 3}};
+    reindexed.geometry.edit().indices = {3, 2, 1};
     EXPECT_EQ(hashOf(reindexed), hashOf(oneTriangle()));
 }
 
@@ -172,7 +174,7 @@ TEST(PositionsHash, CoversTheCastersAlone) {
     Batch batch = everyKindOfSurface();
     const auto before = positionsHash(batch, castersFrom(batch, false));
     const auto beforeOfAll = positionsHash(batch, castersFrom(batch, true));
-    batch.positions[6].z = 1;
+    batch.geometry.edit().positions[6].z = 1;
     EXPECT_EQ(positionsHash(batch, castersFrom(batch, false)), before);
     EXPECT_NE(positionsHash(batch, castersFrom(batch, true)), beforeOfAll);
 }

@@ -85,7 +85,7 @@ TEST(Camera, FramingFillsThePictureWithWhatThereIs) {
             const Camera camera = framingCamera(scene, 45.0, aspect, glm::normalize(from));
             glm::dvec2 low(1e9), high(-1e9);
             for (const Batch& batch : scene.batches)
-                for (const glm::vec3& position : batch.positions) {
+                for (const glm::vec3& position : batch.geometry->positions) {
                     const glm::dvec2 seen =
                         project(camera, aspect,
                                 glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));

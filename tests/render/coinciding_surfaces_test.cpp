@@ -33,7 +33,7 @@ Scene sceneOf(const std::vector<Sheet>& sheets) {
         sheet.up ? builder.quad(a, b, c, d) : builder.quad(d, c, b, a);
     }
     Scene scene = builder.scene();
-    auto& colors = scene.batches.front().colors;
+    auto& colors = scene.batches.front().geometry.edit().colors;
     for (std::size_t i = 0; i < colors.size(); ++i)
         colors[i] = sheets[i / 6].color;
     return scene;

@@ -13,7 +13,8 @@ namespace edgeshade {
 namespace {
 
 glm::dvec3 cornerOf(const Batch& batch, std::size_t i) {
-    return glm::dvec3(batch.worldFromBatch * glm::dvec4(batch.positions[batch.indices[i]], 1.0));
+    return glm::dvec3(batch.worldFromBatch *
+                      glm::dvec4(batch.geometry->positions[batch.geometry->indices[i]], 1.0));
 }
 
 double areaOf(const Batch& batch, std::size_t triangle) {
@@ -29,7 +30,7 @@ TEST(CutCasters, AreOnOneSideEachAndKeepTheirArea) {
     const Scene scene = test::yard().placedBy(placed).scene();
     const CutCasters cut = cutCasters(scene, false, plane);
     const Batch& batch = cut.scene.batches.front();
-    ASSERT_EQ(cut.from.size(), batch.indices.size() / 3);
+    ASSERT_EQ(cut.from.size(), batch.geometry->indices.size() / 3);
     ASSERT_EQ(cut.inside.size(), cut.from.size());
     std::map<std::uint32_t, double> area;
     std::size_t inside = 0;

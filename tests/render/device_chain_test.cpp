@@ -45,7 +45,8 @@ Count countOpen(test::Probe& probe, const std::filesystem::path& path, std::size
     const auto topology = buildTopology(scene, true, seconds);
     const int maxMultiplicity = sceneMultiplicity(topology);
     Count count;
-    for (const BatchTopology& batch : topology) {
+    for (const auto& of : topology) {
+        const BatchTopology& batch = *of;
         if (batch.edges.edges.empty()) continue;
         probe.upload(buildShadow(batch, maxMultiplicity));
         for (const glm::vec4& light : test::hardLights(batch.mesh.welded, lights, 3)) {
@@ -120,7 +121,8 @@ TEST(ClosedChainOnTheDevice, WhatDeformsNeverOpensInAnyPose) {
                 ASSERT_TRUE(poseBatch(batch, test::randomShape(batch, random, 0.01 * pose)));
                 const PlanePairShadow posed = posedPlanePairs(rest, batch);
                 probe.upload(posed);
-                const glm::vec3 vertex = batch.positions[batch.positions.size() / 3];
+                const glm::vec3 vertex =
+                    batch.geometry->positions[batch.geometry->positions.size() / 3];
                 for (const glm::vec4& light : {glm::vec4(0.3f, 0.8f, 0.4f, 0),
                                                glm::vec4(0.5f, 2, 1, 1), glm::vec4(vertex, 1)}) {
                     edges += posed.pairs.size() + posed.singles.size();

@@ -36,10 +36,11 @@ TEST(Ground, LiesBeneathAllAndCastsNothing) {
     ASSERT_TRUE(ground.ground);
     EXPECT_LT(ground.worldFromBatch[3].y, 0.0);
     EXPECT_GT(ground.worldFromBatch[3].y, -0.01);
-    for (std::size_t i = 0; i < ground.indices.size(); i += 3) {
-        const glm::vec3 a = ground.positions[ground.indices[i]],
-                        b = ground.positions[ground.indices[i + 1]],
-                        c = ground.positions[ground.indices[i + 2]];
+    for (std::size_t i = 0; i < ground.geometry->indices.size(); i += 3) {
+        const auto& [positions, indices] =
+            std::tie(ground.geometry->positions, ground.geometry->indices);
+        const glm::vec3 a = positions[indices[i]], b = positions[indices[i + 1]],
+                        c = positions[indices[i + 2]];
         EXPECT_GT(glm::cross(b - a, c - a).y, 0.0f) << "looks up";
     }
     EXPECT_TRUE(castersOf(ground, scene.materials, true).indices.empty());

@@ -32,12 +32,14 @@ class Draw {
 std::vector<Corners> trianglesOf(const Scene& scene) {
     std::vector<Corners> triangles;
     for (const Batch& batch : scene.batches)
-        for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
+        for (std::size_t i = 0; i < batch.geometry->indices.size(); i += 3) {
             Corners corners;
             for (std::size_t c = 0; c < 3; ++c)
-                corners[c] =
-                    glm::dvec3(batch.worldFromBatch *
-                               glm::dvec4(glm::dvec3(batch.positions[batch.indices[i + c]]), 1.0));
+                corners[c] = glm::dvec3(
+                    batch.worldFromBatch *
+                    glm::dvec4(
+                        glm::dvec3(batch.geometry->positions[batch.geometry->indices[i + c]]),
+                        1.0));
             triangles.push_back(corners);
         }
     return triangles;
@@ -326,12 +328,12 @@ TEST(PrimitiveMapBuilding, ListsNoSheetThatIsOne) {
 TEST(SidedTriangles, KeepTheirOrder) {
     Scene scene = SceneBuilder().triangle({0, 0, 0}, {1, 0, 0}, {0, 0, -1}).scene();
     Batch& batch = scene.batches.front();
-    batch.positions.emplace_back(1, 0, -1);
-    batch.normals.emplace_back(0, 1, 0);
-    batch.texcoords.emplace_back(0.0f);
-    batch.colors.emplace_back(1.0f);
-    batch.indices = {0, 1, 2, 1, 2, 3, 1, 3, 2};
-    batch.groups.front().indexCount = 9;
+    batch.geometry.edit().positions.emplace_back(1, 0, -1);
+    batch.geometry.edit().normals.emplace_back(0, 1, 0);
+    batch.geometry.edit().texcoords.emplace_back(0.0f);
+    batch.geometry.edit().colors.emplace_back(1.0f);
+    batch.geometry.edit().indices = {0, 1, 2, 1, 2, 3, 1, 3, 2};
+    batch.geometry.edit().groups.front().indexCount = 9;
     const auto sided = sidedTriangles(batch, scene.materials, {0, 1, 0, 0});
     ASSERT_EQ(sided.size(), 1u);
     EXPECT_EQ(sided[0].lightSide, 0.0f);
@@ -340,7 +342,8 @@ TEST(SidedTriangles, KeepTheirOrder) {
     constexpr float sides[] = {1, -1, 1};
     for (std::size_t i = 0; i < 9; ++i) {
         const SidedVertex& vertex = sided[0].vertices.at(sided[0].indices[i]);
-        EXPECT_EQ(vertex.vertex.position, batch.positions[batch.indices[i]]) << i;
+        EXPECT_EQ(vertex.vertex.position, batch.geometry->positions[batch.geometry->indices[i]])
+            << i;
         EXPECT_EQ(vertex.lightSide, sides[i / 3]) << i;
     }
 }

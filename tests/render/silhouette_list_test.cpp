@@ -235,7 +235,7 @@ TEST(PotentialSilhouettes, ForgetRecordsOfAPoseThatHasPassed) {
     auto shadow = std::make_shared<const PlanePairShadow>(shadowOf(test::cube()));
     for (int frame = 0; frame < 3; ++frame) {
         silhouettes.beginFrame(scene);
-        EXPECT_GT(silhouettes.of(shadow, 0, light).size(), 0u);
+        EXPECT_GT(silhouettes.of({shadow}, light).size(), 0u);
     }
     EXPECT_EQ(silhouettes.made(), 1u) << "nothing moved";
     const std::weak_ptr<const PlanePairShadow> passed = shadow;
@@ -243,7 +243,7 @@ TEST(PotentialSilhouettes, ForgetRecordsOfAPoseThatHasPassed) {
     EXPECT_FALSE(passed.expired());
     silhouettes.beginFrame(scene);
     EXPECT_TRUE(passed.expired()) << "else every pose of the last frames stays in memory";
-    silhouettes.of(shadow, 0, light);
+    silhouettes.of({shadow}, light);
     EXPECT_EQ(silhouettes.made(), 2u);
 }
 

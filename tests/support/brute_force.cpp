@@ -22,7 +22,7 @@ struct WorldTriangle {
 std::vector<WorldTriangle> worldTriangles(const Scene& scene, bool castMasked) {
     std::vector<WorldTriangle> triangles;
     for (const Batch& batch : scene.batches)
-        for (const SurfaceGroup& group : batch.groups) {
+        for (const SurfaceGroup& group : batch.geometry->groups) {
             const Material& material = scene.materials[group.material];
             const bool opaque = material.alphaMode == AlphaMode::opaque;
             const bool solid = material.alphaMode == AlphaMode::mask &&
@@ -32,7 +32,10 @@ std::vector<WorldTriangle> worldTriangles(const Scene& scene, bool castMasked) {
                 for (std::uint32_t c = 0; c < 3; ++c)
                     p[c] = glm::dvec3(
                         batch.worldFromBatch *
-                        glm::dvec4(batch.positions[batch.indices[group.firstIndex + i + c]], 1.0));
+                        glm::dvec4(
+                            batch.geometry
+                                ->positions[batch.geometry->indices[group.firstIndex + i + c]],
+                            1.0));
                 triangles.push_back({p[0], p[1], p[2], !batch.ground && (opaque || castMasked),
                                      opaque || solid, scene.culls && !material.doubleSided,
                                      glm::determinant(glm::dmat3(batch.worldFromBatch)) < 0.0});

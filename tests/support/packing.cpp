@@ -21,7 +21,7 @@ bool sameBits(const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) 
 Packed packedWithWarnings(const Bytes& asset, Encoding encoding, const CasterSettings& settings,
                           const std::filesystem::path& path) {
     const GltfDocument document = parseGltf(asset, path);
-    Scene scene = flattenScene(document, settings.weldTolerance);
+    Scene scene = flattenScene(document, settings.weldTolerance, {}, settings.instances);
     simplifyCasters(scene, settings.casterError);
     BuildSeconds seconds;
     Warnings warnings;
@@ -35,33 +35,35 @@ Bytes packed(const Bytes& asset, Encoding encoding, const CasterSettings& settin
     return packedWithWarnings(asset, encoding, settings, path).glb;
 }
 
-std::vector<BatchShadow> readBack(const Bytes& packedAsset) {
+Shadows readBack(const Bytes& packedAsset) {
     const GltfDocument document = parseGltf(packedAsset, "packed.glb");
     const auto header = readShadowHeader(document);
     if (!header) throw InputError("'packed.glb' is not packed.");
-    Scene scene = flattenScene(document, header->settings.weldTolerance);
+    Scene scene =
+        flattenScene(document, header->settings.weldTolerance, {}, header->settings.instances);
     readCasters(document, *header, scene);
     return readShadows(document, *header, scene);
 }
 
-std::vector<BatchShadow> built(const Bytes& asset, const CasterSettings& settings) {
-    Scene scene = flattenScene(parseGltf(asset, "test.glb"), settings.weldTolerance);
+Shadows built(const Bytes& asset, const CasterSettings& settings) {
+    Scene scene =
+        flattenScene(parseGltf(asset, "test.glb"), settings.weldTolerance, {}, settings.instances);
     simplifyCasters(scene, settings.casterError);
     return buildShadows(scene, settings.castMasked);
 }
 
-void expectSameShadows(const std::vector<BatchShadow>& actual,
-                       const std::vector<BatchShadow>& expected) {
+void expectSameShadows(const Shadows& actual, const Shadows& expected) {
     ASSERT_EQ(actual.size(), expected.size());
     for (std::size_t i = 0; i < actual.size(); ++i) {
-        EXPECT_EQ(actual[i].sides.maxMultiplicity, expected[i].sides.maxMultiplicity);
-        EXPECT_TRUE(sameBits(actual[i].sides.records, expected[i].sides.records)) << "batch " << i;
-        EXPECT_TRUE(sameBits(actual[i].caps.records, expected[i].caps.records)) << "batch " << i;
-        ASSERT_EQ(actual[i].groups.size(), expected[i].groups.size());
-        for (std::size_t g = 0; g < actual[i].groups.size(); ++g) {
-            EXPECT_EQ(actual[i].groups[g].material, expected[i].groups[g].material);
-            EXPECT_EQ(actual[i].groups[g].firstCap, expected[i].groups[g].firstCap);
-            EXPECT_EQ(actual[i].groups[g].capCount, expected[i].groups[g].capCount);
+        EXPECT_EQ(actual[i]->sides.maxMultiplicity, expected[i]->sides.maxMultiplicity);
+        EXPECT_TRUE(sameBits(actual[i]->sides.records, expected[i]->sides.records))
+            << "batch " << i;
+        EXPECT_TRUE(sameBits(actual[i]->caps.records, expected[i]->caps.records)) << "batch " << i;
+        ASSERT_EQ(actual[i]->groups.size(), expected[i]->groups.size());
+        for (std::size_t g = 0; g < actual[i]->groups.size(); ++g) {
+            EXPECT_EQ(actual[i]->groups[g].material, expected[i]->groups[g].material);
+            EXPECT_EQ(actual[i]->groups[g].firstCap, expected[i]->groups[g].firstCap);
+            EXPECT_EQ(actual[i]->groups[g].capCount, expected[i]->groups[g].capCount);
         }
     }
 }

@@ -24,14 +24,13 @@ Packed packedWithWarnings(const Bytes& asset, Encoding encoding,
                           const std::filesystem::path& path = "test.glb");
 
 /// The shadow data as a renderer gets them from a packed file.
-std::vector<BatchShadow> readBack(const Bytes& packedAsset);
+Shadows readBack(const Bytes& packedAsset);
 
 /// The shadow data as made from an asset that isn't packed.
-std::vector<BatchShadow> built(const Bytes& asset, const CasterSettings& settings = {});
+Shadows built(const Bytes& asset, const CasterSettings& settings = {});
 
 /// Expects equal numbers of batches, groups and records, and the same bits in the records.
-void expectSameShadows(const std::vector<BatchShadow>& actual,
-                       const std::vector<BatchShadow>& expected);
+void expectSameShadows(const Shadows& actual, const Shadows& expected);
 
 /// A scene with everything that shadow data depend on: static and animated nodes, an edge with
 /// seven triangles, open and closed pieces, a degenerate triangle, MASK and BLEND surfaces, a batch

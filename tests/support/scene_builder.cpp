@@ -9,8 +9,8 @@ SceneBuilder::SceneBuilder() {
 
 SceneBuilder& SceneBuilder::material(const Material& material) {
     scene_.materials.push_back(material);
-    batch().groups.push_back(
-        {scene_.materials.size() - 1, static_cast<std::uint32_t>(batch().indices.size()), 0});
+    geometry().groups.push_back(
+        {scene_.materials.size() - 1, static_cast<std::uint32_t>(geometry().indices.size()), 0});
     return *this;
 }
 
@@ -18,13 +18,13 @@ SceneBuilder& SceneBuilder::triangle(const glm::vec3& a, const glm::vec3& b, con
     const glm::vec3 cross = glm::cross(b - a, c - a);
     const float length = glm::length(cross);
     for (const glm::vec3& corner : {a, b, c}) {
-        batch().indices.push_back(static_cast<std::uint32_t>(batch().positions.size()));
-        batch().positions.push_back(corner + 0.0f);
-        batch().normals.push_back(length > 0.0f ? cross / length : glm::vec3(0.0f));
-        batch().texcoords.emplace_back(0.0f);
-        batch().colors.emplace_back(1.0f);
+        geometry().indices.push_back(static_cast<std::uint32_t>(geometry().positions.size()));
+        geometry().positions.push_back(corner + 0.0f);
+        geometry().normals.push_back(length > 0.0f ? cross / length : glm::vec3(0.0f));
+        geometry().texcoords.emplace_back(0.0f);
+        geometry().colors.emplace_back(1.0f);
     }
-    batch().groups.back().indexCount += 3;
+    geometry().groups.back().indexCount += 3;
     return *this;
 }
 

@@ -33,6 +33,7 @@ class SceneBuilder {
 
   private:
     Batch& batch() { return scene_.batches.front(); }
+    Geometry& geometry() { return batch().geometry.edit(); }
 
     Scene scene_;
 };

@@ -39,14 +39,14 @@ std::vector<WorldTriangle> worldTriangles(const Scene& scene) {
     std::vector<WorldTriangle> triangles;
     for (const Batch& batch : scene.batches) {
         const glm::dmat3 normalMatrix = glm::inverseTranspose(glm::dmat3(batch.worldFromBatch));
-        for (std::size_t i = 0; i < batch.indices.size(); i += 3) {
+        for (std::size_t i = 0; i < batch.geometry->indices.size(); i += 3) {
             WorldTriangle triangle;
             for (std::size_t c = 0; c < 3; ++c) {
-                const std::uint32_t index = batch.indices[i + c];
-                const glm::dvec3 normal = normalMatrix * glm::dvec3(batch.normals[index]);
-                triangle[c] = {
-                    glm::dvec3(batch.worldFromBatch * glm::dvec4(batch.positions[index], 1.0)),
-                    glm::vec3(glm::normalize(normal)), batch.texcoords[index]};
+                const std::uint32_t index = batch.geometry->indices[i + c];
+                const glm::dvec3 normal = normalMatrix * glm::dvec3(batch.geometry->normals[index]);
+                triangle[c] = {glm::dvec3(batch.worldFromBatch *
+                                          glm::dvec4(batch.geometry->positions[index], 1.0)),
+                               glm::vec3(glm::normalize(normal)), batch.geometry->texcoords[index]};
             }
             triangles.push_back(triangle);
         }

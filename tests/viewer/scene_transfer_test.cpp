@@ -57,8 +57,10 @@ TEST(SceneTransfer, WhatDeformsMovesAlikeThere) {
         for (LoadedScene* scene : {&here, &there})
             ASSERT_TRUE(poseScene(*scene, 0.3));
         for (std::size_t b = 0; b < here.scene.batches.size(); ++b) {
-            EXPECT_EQ(there.scene.batches[b].positions, here.scene.batches[b].positions);
-            EXPECT_EQ(there.scene.batches[b].normals, here.scene.batches[b].normals);
+            EXPECT_EQ(there.scene.batches[b].geometry->positions,
+                      here.scene.batches[b].geometry->positions);
+            EXPECT_EQ(there.scene.batches[b].geometry->normals,
+                      here.scene.batches[b].geometry->normals);
             const auto &ofHere = *here.planePairs[b], &ofThere = *there.planePairs[b];
             ASSERT_EQ(ofThere.pairs.size(), ofHere.pairs.size());
             for (std::size_t i = 0; i < ofHere.pairs.size(); ++i)

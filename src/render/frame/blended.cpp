@@ -26,7 +26,7 @@ void Renderer::drawBlended(const SlicePass& pass) {
     };
     std::vector<Item> items;
     for (const GpuBatch& batch : pass.scene.batches)
-        for (const SurfaceChunk& chunk : batch.surfaces) {
+        for (const SurfaceChunk& chunk : *batch.surfaces) {
             const bool blends = pass.scene.materials[chunk.material].alphaMode == AlphaMode::blend;
             if (!blends || batch.hidden) continue;
             const glm::dvec3 center(batch.worldFromBatch * glm::dvec4(chunk.center, 1.0));

@@ -172,6 +172,15 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
 
 } // namespace
 
+bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes) {
+    return std::any_of(planes.begin(), planes.end(), [&](const glm::dvec4& plane) {
+        const glm::dvec4 ofBatch = glm::transpose(batch.worldFromBatch) * plane;
+        return std::all_of(
+            batch.surfaces->begin(), batch.surfaces->end(),
+            [&](const SurfaceChunk& chunk) { return isOutside(chunk.bounds, ofBatch); });
+    });
+}
+
 BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                         const DepthSlice& slice, const SurfaceShading& shading) {
     BatchView result = batchViewOf(batch, view, slice);
@@ -325,7 +334,7 @@ std::size_t SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, cons
                               const glm::dvec3& eye, const SurfaceShading& shading,
                               AlphaMode kind) {
     std::size_t runs = 0;
-    for (const SurfaceChunk& chunk : batch.surfaces) {
+    for (const SurfaceChunk& chunk : *batch.surfaces) {
         const Material& material = scene.materials[chunk.material];
         if (material.alphaMode != kind) continue;
         std::optional<CullScope> frontAlone;
@@ -387,13 +396,12 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     const gl::Buffer& details = variant.sided ? sided->details : chunk.details;
     const std::size_t stride = variant.sided ? sizeof(SidedVertex) : sizeof(SurfaceVertex);
     for (const Attribute& attribute : attributes_)
-        if (attribute.isOf(variant))
-            if (attribute.isOf(variant)) {
-                const bool detail = attribute.buffer == Buffer::details;
-                binding.add(detail ? details : vertices, attribute.components, attribute.type,
-                            attribute.type == GL_UNSIGNED_BYTE,
-                            detail ? sizeof(SurfaceDetail) : stride, attribute.offset, false);
-            }
+        if (attribute.isOf(variant)) {
+            const bool detail = attribute.buffer == Buffer::details;
+            binding.add(detail ? details : vertices, attribute.components, attribute.type,
+                        attribute.type == GL_UNSIGNED_BYTE, detail ? sizeof(SurfaceDetail) : stride,
+                        attribute.offset, false);
+        }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (variant.sided ? sided->indices : chunk.indices).name());
     glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);

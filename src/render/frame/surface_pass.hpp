@@ -53,6 +53,10 @@ struct SurfaceShading {
     const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
 };
 
+/// Whether all surfaces of a batch are certainly outside one of the planes, viewPlanes() of the
+/// world.
+bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes);
+
 /// Where the view's camera sees a batch from, and where its light's map has it.
 BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                         const DepthSlice& slice, const SurfaceShading& shading);

@@ -14,7 +14,7 @@ namespace {
 
 bool hasSurfaces(const GpuScene& scene) {
     return std::any_of(scene.batches.begin(), scene.batches.end(),
-                       [](const GpuBatch& batch) { return !batch.surfaces.empty(); });
+                       [](const GpuBatch& batch) { return !batch.surfaces->empty(); });
 }
 
 } // namespace
@@ -106,7 +106,7 @@ void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
         const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
-        for (const SurfaceChunk& chunk : batch.surfaces) {
+        for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
             if (!scene.castsInMaps(material)) continue;
             // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.

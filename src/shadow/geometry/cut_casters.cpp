@@ -11,15 +11,17 @@ namespace {
 class BatchCut {
   public:
     BatchCut(const Batch& source, const glm::dvec4& plane)
-        : batch_(source), plane_(glm::transpose(source.worldFromBatch) * plane) {
-        batch_.normals.clear(); // of surfaces, which are not drawn from it
-        batch_.indices.clear();
-        batch_.groups.clear();
-        batch_.simplifiedCasters.reset();
+        : batch_(source), geometry_(*source.geometry),
+          plane_(glm::transpose(source.worldFromBatch) * plane) {
+        geometry_.normals.clear(); // of surfaces, which are not drawn from it
+        geometry_.indices.clear();
+        geometry_.groups.clear();
+        geometry_.simplifiedCasters.reset();
     }
 
     void beginGroup(std::size_t material) {
-        batch_.groups.push_back({material, static_cast<std::uint32_t>(batch_.indices.size()), 0});
+        geometry_.groups.push_back(
+            {material, static_cast<std::uint32_t>(geometry_.indices.size()), 0});
     }
 
     /// Adds a triangle in one piece or three; calls added(inside) for each.
@@ -29,8 +31,8 @@ class BatchCut {
         for (std::size_t c = 0; c < 3; ++c)
             inside[c] = isInside(corners[c]);
         const auto emit = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, bool isInside) {
-            batch_.indices.insert(batch_.indices.end(), {a, b, c});
-            batch_.groups.back().indexCount += 3;
+            geometry_.indices.insert(geometry_.indices.end(), {a, b, c});
+            geometry_.groups.back().indexCount += 3;
             added(isInside);
         };
         if (inside[0] == inside[1] && inside[1] == inside[2])
@@ -47,17 +49,20 @@ class BatchCut {
         emit(ab, c, ca, !inside[alone]);
     }
 
-    Batch take() { return std::move(batch_); }
+    Batch take() {
+        batch_.geometry = CopyOnWrite(std::move(geometry_));
+        return std::move(batch_);
+    }
 
   private:
     double height(std::uint32_t vertex) const {
-        return glm::dot(plane_, glm::dvec4(batch_.positions[vertex], 1.0));
+        return glm::dot(plane_, glm::dvec4(geometry_.positions[vertex], 1.0));
     }
     bool isInside(std::uint32_t vertex) const { return height(vertex) >= 0.0; }
 
     /// A new vertex where the plane cuts an edge, computed from the lower of its positions.
     std::uint32_t cutEdge(std::uint32_t a, std::uint32_t b) {
-        if (orderedBefore(batch_.positions[b], batch_.positions[a])) std::swap(a, b);
+        if (orderedBefore(geometry_.positions[b], geometry_.positions[a])) std::swap(a, b);
         const double share = height(a) / (height(a) - height(b));
         const auto between = [&](auto& values) {
             if (values.empty()) return;
@@ -68,13 +73,14 @@ class BatchCut {
                 mixed[i] = static_cast<float>(low[i] + share * (double{high[i]} - low[i]));
             values.push_back(mixed + Value(0.0f)); // no -0
         };
-        between(batch_.positions);
-        between(batch_.texcoords);
-        between(batch_.colors);
-        return static_cast<std::uint32_t>(batch_.positions.size() - 1);
+        between(geometry_.positions);
+        between(geometry_.texcoords);
+        between(geometry_.colors);
+        return static_cast<std::uint32_t>(geometry_.positions.size() - 1);
     }
 
     Batch batch_;
+    Geometry geometry_;
     glm::dvec4 plane_; ///< in the batch's space
 };
 

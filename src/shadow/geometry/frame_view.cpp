@@ -26,9 +26,26 @@ DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
 Box boundsWithGround(const Scene& scene, Box bounds) {
     for (const Batch& batch : scene.batches)
         if (batch.ground)
-            for (const glm::vec3& position : batch.positions)
+            for (const glm::vec3& position : batch.geometry->positions)
                 bounds.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
     return bounds;
+}
+
+/// By batch: the box of its vertices, in its space, where it shares them with others.
+std::vector<std::optional<Box>> boxesOfShared(const Scene& scene) {
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    std::vector<std::optional<Box>> boxes(first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] == i) continue;
+        std::optional<Box>& box = boxes[first[i]];
+        if (!box) {
+            box.emplace();
+            for (const glm::vec3& position : scene.batches[i].geometry->positions)
+                box->add(position);
+        }
+        boxes[i] = box;
+    }
+    return boxes;
 }
 
 /// Where a point light needs casters to be cut, see FrameLight::cut.
@@ -86,8 +103,10 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
         view.lights.push_back({light, {}, true, cutAt(light, view.frustum, bounds)});
     view.bounds = bounds;
     view.culls = scene.culls;
-    DepthRange range;
-    for (const Batch& batch : scene.batches) {
+    VisiblePart seen;
+    const std::vector<std::optional<Box>> boxes = boxesOfShared(scene);
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        const Batch& batch = scene.batches[i];
         if (batch.ground) {
             view.ground = request.ground && isAboveGround(view.frustum, batch);
             if (!view.ground) {
@@ -95,18 +114,20 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
                 continue;
             }
         }
+        const auto nearest =
+            boxes[i] ? nearestOfKnown(seen, *boxes[i], batch.worldFromBatch, view.frustum)
+                     : std::nullopt;
+        if (nearest) {
+            view.nearestDepths.push_back(*nearest);
+            continue;
+        }
         const VisiblePart part = visiblePart(scene, batch, view.frustum);
-        const DepthRange& own = part.depth;
-        view.nearestDepths.push_back(own.nearest);
-        if (own.nearest > own.farthest) continue;
-        view.visible.add(part.box.low);
-        view.visible.add(part.box.high);
-        view.slopes.right.add(part.slopes.right);
-        view.slopes.up.add(part.slopes.up);
-        range.add(own.nearest);
-        range.add(own.farthest);
+        view.nearestDepths.push_back(part.depth.nearest);
+        seen.add(part);
     }
-    view.farthestDepth = range.farthest;
+    view.visible = seen.box;
+    view.slopes = seen.slopes;
+    view.farthestDepth = seen.depth.farthest;
     if (view.frustum.orthographic) {
         const DepthRange depth = wholeDepth(view.frustum, all);
         view.slices = {DepthSlice{.near = depth.nearest}};
@@ -114,8 +135,8 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
         return view;
     }
     const double near =
-        request.depth.near.value_or(fittedNear(range.nearest, view.bounds.diagonal()));
-    view.slices = divideDepth(near, range.farthest, request.depth.slices);
+        request.depth.near.value_or(fittedNear(seen.depth.nearest, view.bounds.diagonal()));
+    view.slices = divideDepth(near, seen.depth.farthest, request.depth.slices);
     return view;
 }
 

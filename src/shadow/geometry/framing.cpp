@@ -39,7 +39,7 @@ Camera framingCamera(const Scene& scene, double fovDegrees, double aspect,
     Spread across(tangentY * aspect), upward(tangentY);
     for (const Batch& batch : scene.batches) {
         if (batch.ground) continue;
-        for (const glm::vec3& position : batch.positions) {
+        for (const glm::vec3& position : batch.geometry->positions) {
             const glm::dvec3 world(batch.worldFromBatch * glm::dvec4(position, 1.0));
             const glm::dvec3 seen = axes * (world - box.center());
             across.add(seen.x, seen.z);

@@ -134,8 +134,6 @@ class Divider {
 
     std::size_t most() const { return most_; }
     const std::vector<Members>& crowded() const { return crowded_; }
-    /// How many casters there are, once some cells are crowded.
-    std::size_t triangles() const { return cones_.size(); }
 
   private:
     static constexpr std::size_t mostCellsApart = 256;
@@ -193,36 +191,93 @@ class Divider {
     std::vector<Members> crowded_;
 };
 
-/// Groups such that no crowded cell has more than `limit` members of one; triangles outside
-/// crowded cells are in group 0. None where it takes more than mostGroups.
-void assignGroups(const std::vector<Members>& crowded, std::size_t triangles, std::size_t limit,
-                  LayerBound& bound) {
-    std::vector<Members> cellsOf(triangles);
-    for (std::uint32_t cell = 0; cell < crowded.size(); ++cell)
-        for (const std::uint32_t triangle : crowded[cell])
-            cellsOf[triangle].push_back(cell);
+/// What comes into one group together: a triangle, or all of a place of a mesh that is kept once.
+struct Units {
+    std::vector<std::uint32_t> of; ///< by triangle, ascending
+    std::size_t count = 0;
 
-    bound.groupOf.assign(triangles, 0);
+    void add(std::size_t triangles, bool together) {
+        for (std::size_t t = 0; t < triangles; ++t)
+            of.push_back(static_cast<std::uint32_t>(together ? count : count + t));
+        count += together ? 1 : triangles;
+    }
+};
+
+/// How many of a cell's members each unit has.
+std::map<std::uint32_t, std::size_t> membersByUnit(const Members& cell, const Units& units) {
+    std::map<std::uint32_t, std::size_t> members;
+    for (const std::uint32_t triangle : cell)
+        ++members[units.of[triangle]];
+    return members;
+}
+
+/// Places whose triangles alone crowd a cell come triangle by triangle.
+Units unitsOf(const Scene& scene, bool castMasked, const std::vector<Members>& crowded,
+              std::size_t limit) {
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    std::vector<std::size_t> places(first.size(), 0), triangles(first.size(), 0);
+    Units whole;
+    std::vector<std::uint32_t> unitOfBatch;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        ++places[first[i]];
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        triangles[i] =
+            first[i] != i
+                ? triangles[first[i]]
+                : castersOf(scene.batches[i], scene.materials, castMasked).indices.size() / 3;
+        unitOfBatch.push_back(static_cast<std::uint32_t>(whole.count));
+        whole.add(triangles[i], places[first[i]] > 1);
+    }
+    std::vector<bool> tooMany(whole.count, false);
+    for (const Members& cell : crowded)
+        for (const auto& [unit, count] : membersByUnit(cell, whole))
+            if (count > limit) tooMany[unit] = true;
+    if (std::find(tooMany.begin(), tooMany.end(), true) == tooMany.end()) return whole;
+    Units units;
+    for (std::size_t i = 0; i < first.size(); ++i)
+        units.add(triangles[i],
+                  places[first[i]] > 1 && triangles[i] > 0 && !tooMany[unitOfBatch[i]]);
+    return units;
+}
+
+/// Groups such that no crowded cell has more than `limit` members of one; units outside crowded
+/// cells are in group 0. None where it takes more than mostGroups.
+void assignGroups(const std::vector<Members>& crowded, const Units& units, std::size_t limit,
+                  LayerBound& bound) {
+    struct Share {
+        std::uint32_t cell;
+        std::size_t members;
+    };
+    std::vector<std::vector<Share>> sharesOf(units.count);
+    for (std::uint32_t cell = 0; cell < crowded.size(); ++cell)
+        for (const auto& [unit, members] : membersByUnit(crowded[cell], units))
+            sharesOf[unit].push_back({cell, members});
+
+    std::vector<std::uint32_t> groupOf(units.count, 0);
     std::vector<std::vector<std::size_t>> taken; // by group, by cell
-    for (std::uint32_t triangle = 0; triangle < triangles; ++triangle) {
-        if (cellsOf[triangle].empty()) continue;
+    for (std::size_t unit = 0; unit < units.count; ++unit) {
+        const std::vector<Share>& shares = sharesOf[unit];
+        if (shares.empty()) continue;
         const auto fits = [&](const std::vector<std::size_t>& counts) {
-            return std::all_of(cellsOf[triangle].begin(), cellsOf[triangle].end(),
-                               [&](std::uint32_t cell) { return counts[cell] < limit; });
+            return std::all_of(shares.begin(), shares.end(), [&](const Share& share) {
+                return counts[share.cell] + share.members <= limit;
+            });
         };
         auto group = std::find_if(taken.begin(), taken.end(), fits);
         if (group == taken.end() && taken.size() == mostGroups) {
-            bound.groupOf.clear();
             bound.mayOverflow = true;
             return;
         }
         if (group == taken.end())
             group = taken.insert(taken.end(), std::vector<std::size_t>(crowded.size(), 0));
-        for (const std::uint32_t cell : cellsOf[triangle])
-            ++(*group)[cell];
-        bound.groupOf[triangle] = static_cast<std::uint32_t>(group - taken.begin());
+        for (const Share& share : shares)
+            (*group)[share.cell] += share.members;
+        groupOf[unit] = static_cast<std::uint32_t>(group - taken.begin());
     }
     bound.groupCount = std::max<std::size_t>(1, taken.size());
+    bound.groupOf.reserve(units.of.size());
+    for (const std::uint32_t unit : units.of)
+        bound.groupOf.push_back(groupOf[unit]);
 }
 
 } // namespace
@@ -238,7 +293,9 @@ LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light, 
     for (std::size_t i = 0; i < byFace.size(); ++i)
         divider.divideFace(from.faces[i], byFace[i]);
     bound.most = divider.most();
-    if (bound.most > limit) assignGroups(divider.crowded(), divider.triangles(), limit, bound);
+    if (bound.most > limit)
+        assignGroups(divider.crowded(), unitsOf(scene, castMasked, divider.crowded(), limit), limit,
+                     bound);
     return bound;
 }
 

@@ -19,7 +19,8 @@ struct LayerBound {
     std::size_t most = 0;
     /// Where `most` is above the limit: for each casting triangle (in the order of batches and
     /// their casters) the group it is counted in, so that no line meets more than `limit`
-    /// triangles of one group. Empty otherwise.
+    /// triangles of one group. All of a place of a mesh that is kept once is in one group, where
+    /// that can be. Empty otherwise.
     std::vector<std::uint32_t> groupOf;
     std::size_t groupCount = 1;
     /// More than mostGroups would be needed, so there is one: as many triangles may lie behind each

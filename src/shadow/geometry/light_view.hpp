@@ -36,7 +36,7 @@ void forEachCaster(const Scene& scene, bool castMasked, const LightView& from, V
     std::vector<glm::dvec3> rays;
     for (const Batch& batch : scene.batches) {
         rays.clear();
-        for (const glm::vec3& position : batch.positions)
+        for (const glm::vec3& position : batch.geometry->positions)
             rays.push_back(from.rayTo(batch.worldFromBatch * glm::dvec4(position, 1.0)));
         const Casters casters = castersOf(batch, scene.materials, castMasked);
         for (std::size_t i = 0; i + 2 < casters.indices.size(); i += 3)

@@ -13,17 +13,22 @@ namespace {
 
 constexpr double widening = 1.001; // of the window, against rounding
 
-/// How far a GL may place the points off, in the view.
-double placingErrorOf(const std::vector<glm::vec3>& positions, const glm::dmat4& viewFromBatch) {
-    glm::dvec3 farthest(0.0);
-    for (const glm::vec3& position : positions)
-        farthest = glm::max(farthest, glm::dvec3(glm::abs(position)));
+/// How far a GL may place points off, in the view. `farthest`: their largest coordinates, without
+/// sign.
+double placingErrorOf(const glm::dvec3& farthest, const glm::dmat4& viewFromBatch) {
     double largest = 0.0;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const glm::dvec4 row = glm::abs(glm::row(viewFromBatch, axis));
         largest = std::max(largest, glm::dot(row, glm::dvec4(farthest, 1.0)));
     }
     return placingError * largest;
+}
+
+glm::dvec3 farthestOf(const std::vector<glm::vec3>& positions) {
+    glm::dvec3 farthest(0.0);
+    for (const glm::vec3& position : positions)
+        farthest = glm::max(farthest, glm::dvec3(glm::abs(position)));
+    return farthest;
 }
 
 /// A window that is wider by `widening` on each side.
@@ -52,8 +57,9 @@ std::array<Side, 5> sidesOf(const Frustum& frustum) {
 /// The slopes that points of the frustum get, each placed up to `error` off.
 class SlopeBounds {
   public:
-    SlopeBounds(const Frustum& frustum, double error)
-        : frustum_(frustum), nearest_(frustum.orthographic ? 0.0 : 2.0 * error), error_(error) {
+    SlopeBounds(const Frustum& frustum, double error, const Slopes& known = {})
+        : frustum_(frustum), nearest_(frustum.orthographic ? 0.0 : 2.0 * error), error_(error),
+          slopes_(known) {
         if (frustum.orthographic) return;
         const glm::dvec2 widest = glm::max(glm::abs(frustum.low), glm::abs(frustum.high));
         error_ = 2.0 * error * (1.0 + std::max(widest.x, widest.y));
@@ -105,8 +111,8 @@ bool showsBack(const Polygon& triangle, bool orthographic, bool mirrored, double
 /// By corner of the batch's indices: whether its triangle is seen from its front alone.
 std::vector<std::uint8_t> culledWhereTurnedAway(const Scene& scene, const Batch& batch) {
     if (!scene.culls) return {};
-    std::vector<std::uint8_t> culled(batch.indices.size(), 0);
-    for (const SurfaceGroup& group : batch.groups)
+    std::vector<std::uint8_t> culled(batch.geometry->indices.size(), 0);
+    for (const SurfaceGroup& group : batch.geometry->groups)
         std::fill_n(culled.begin() + group.firstIndex, group.indexCount,
                     !scene.materials[group.material].doubleSided);
     return culled;
@@ -119,8 +125,8 @@ VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& g
     const std::array<Side, 5> sides = sidesOf(frustum);
     const glm::dmat4 viewFromBatch = frustum.viewFromWorld * batch.worldFromBatch;
     std::vector<glm::dvec3> points;
-    points.reserve(batch.positions.size());
-    for (const glm::vec3& position : batch.positions)
+    points.reserve(batch.geometry->positions.size());
+    for (const glm::vec3& position : batch.geometry->positions)
         points.emplace_back(viewFromBatch * glm::dvec4(position, 1.0));
 
     const glm::dmat4 worldFromView = glm::inverse(frustum.viewFromWorld);
@@ -128,15 +134,15 @@ VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& g
         return glm::dvec3(worldFromView * glm::dvec4(point, 1.0));
     };
     VisiblePart part;
-    const double error = placingErrorOf(batch.positions, viewFromBatch);
+    const double error = placingErrorOf(farthestOf(batch.geometry->positions), viewFromBatch);
     SlopeBounds slopes(frustum, error);
     const std::vector<std::uint8_t> culled = culledWhereTurnedAway(scene, batch);
     const bool mirrored = glm::determinant(glm::dmat3(viewFromBatch)) < 0.0;
-    for (std::size_t i = 0; i + 2 < batch.indices.size(); i += 3) {
+    for (std::size_t i = 0; i + 2 < batch.geometry->indices.size(); i += 3) {
         Polygon polygon;
         DepthRange whole;
         for (std::size_t c = 0; c < 3; ++c) {
-            polygon.add(points[batch.indices[i + c]]);
+            polygon.add(points[batch.geometry->indices[i + c]]);
             whole.add(-polygon.corners[c].z);
         }
         const bool known =
@@ -161,6 +167,32 @@ VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& g
     }
     part.slopes = slopes.slopes();
     return part;
+}
+
+std::optional<double> nearestOfKnown(const VisiblePart& known, const Box& box,
+                                     const glm::dmat4& worldFromBatch, const Frustum& given) {
+    const Frustum frustum = widened(given);
+    const glm::dmat4 viewFromBatch = frustum.viewFromWorld * worldFromBatch;
+    std::array<glm::dvec3, 8> corners;
+    DepthRange depth;
+    for (int i = 0; i < 8; ++i) {
+        corners[i] = glm::dvec3(viewFromBatch * glm::dvec4(box.corner(i), 1.0));
+        depth.add(-corners[i].z);
+    }
+    for (const Side& side : sidesOf(frustum))
+        if (std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+                return glm::dot(side.normal, corner) + side.offset < 0.0;
+            }))
+            return std::numeric_limits<double>::infinity();
+    if (!known.depth.contains(depth.nearest, depth.farthest)) return std::nullopt;
+    // What holds all corners of the box holds all of it: slopes are planes through the eye.
+    const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
+    const SlopeBounds slopes(frustum, placingErrorOf(farthest, viewFromBatch), known.slopes);
+    for (int i = 0; i < 8; ++i)
+        if (!slopes.hold(corners[i]) ||
+            !known.box.holds(glm::dvec3(worldFromBatch * glm::dvec4(box.corner(i), 1.0))))
+            return std::nullopt;
+    return std::max(0.0, depth.nearest);
 }
 
 bool isAboveGround(const Frustum& frustum, const Batch& ground) {

@@ -16,7 +16,17 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
     const Light& source = view.lights[light].light;
     CountPlan plan;
     std::vector<PlanView> places;
+    const PlanView inWorld = planView(view, slice, source, glm::dmat4(1.0), settings.mantissaBits);
     for (const PlacedShadow& caster : casters) {
+        if (const auto leftOut = leftOutWhole(*caster.shadow, caster.worldFromBatch, inWorld)) {
+            places.emplace_back();
+            BatchPlan& of = plan.batches.emplace_back();
+            of.batch = caster.batch;
+            of.light = lightInObject(source, caster.worldFromBatch);
+            of.shadow = caster.shadow;
+            of.volumes.leftOut.push_back(*leftOut);
+            continue;
+        }
         places.push_back(
             planView(view, slice, source, caster.worldFromBatch, settings.mantissaBits));
         std::span<const std::uint8_t> solids;
@@ -38,7 +48,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         BatchPlan& of = plan.batches[i];
         if (of.volumes.drawn.empty()) continue;
         if (settings.silhouettes)
-            of.silhouettes = &settings.silhouettes->of(of.shadow, light, of.light);
+            of.silhouettes = &settings.silhouettes->of({of.shadow, of.batch, light}, of.light);
         appendDraws(of, i, places[i], materials, plan.draws);
     }
     if (!plan.draws.twice.empty()) plan.start.setDoubled();

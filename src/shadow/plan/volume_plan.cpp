@@ -199,14 +199,14 @@ int endFor(const Box& bounds, const PlanView& view) {
     return best;
 }
 
-/// Why the cluster is left out, if it is.
-std::optional<LeftOut::Why> leftOutFor(const ShadowCluster& cluster, const PlanView& view) {
+/// Why what casts within the box is left out, if it is.
+std::optional<LeftOut::Why> leftOutFor(const Box& bounds, const PlanView& view) {
     for (std::size_t i = 0; i < view.planes.size(); ++i)
-        if (isVolumeOutside(cluster.bounds, view.planes[i], view.light))
+        if (isVolumeOutside(bounds, view.planes[i], view.light))
             return i + 1 == view.planes.size() ? LeftOut::Why::tooDeep : LeftOut::Why::outsideView;
-    if (isBeyond(cluster.bounds, glm::dvec3(view.light), view.range)) return LeftOut::Why::tooFar;
+    if (isBeyond(bounds, glm::dvec3(view.light), view.range)) return LeftOut::Why::tooFar;
     for (const glm::dvec4& plane : view.cone)
-        if (isOutside(cluster.bounds, plane)) return LeftOut::Why::outsideCone;
+        if (isOutside(bounds, plane)) return LeftOut::Why::outsideCone;
     return std::nullopt;
 }
 
@@ -288,6 +288,26 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     return result;
 }
 
+std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
+                                    const PlanView& inWorld) {
+    Box bounds;
+    for (const ShadowCluster& cluster : shadow.clusters) {
+        bounds.add(cluster.bounds.low);
+        bounds.add(cluster.bounds.high);
+    }
+    if (bounds.empty()) return std::nullopt;
+    PlanView view;
+    view.light = glm::inverse(worldFromBatch) * inWorld.light;
+    for (std::size_t i = 0; i < view.planes.size(); ++i)
+        view.planes[i] = glm::transpose(worldFromBatch) * inWorld.planes[i];
+    if (std::isfinite(inWorld.range)) view.range = rangeInObject(inWorld.range, worldFromBatch);
+    for (const glm::dvec4& plane : inWorld.cone)
+        view.cone.push_back(glm::transpose(worldFromBatch) * plane);
+    const auto why = leftOutFor(bounds, view);
+    if (!why) return std::nullopt;
+    return LeftOut{{0, static_cast<std::uint32_t>(shadow.clusters.size())}, *why};
+}
+
 glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
     return draw.end < 0 ? glm::vec4(0, 0, 0, 1)
                         : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
@@ -299,7 +319,7 @@ VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
     VolumePlan plan;
     for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
         const ShadowCluster& cluster = shadow.clusters[i];
-        if (const auto why = leftOutFor(cluster, view)) {
+        if (const auto why = leftOutFor(cluster.bounds, view)) {
             appendLeftOut(plan.leftOut, i, *why);
             continue;
         }

@@ -96,6 +96,11 @@ struct PlanView {
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits = 23);
 
+/// All clusters of records that are placed by `worldFromBatch`, where the box around them tells
+/// that each is left out. `inWorld`: planView() of the world itself.
+std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
+                                    const PlanView& inWorld);
+
 /// The plane at which such volumes end, for the shaders.
 glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 

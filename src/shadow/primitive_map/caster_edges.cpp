@@ -19,13 +19,13 @@ CasterEdges casterEdgesOf(const PlanePairShadow& shadow) {
 CasterEdges cutoutEdgesOf(const Batch& batch, const std::vector<Material>& materials) {
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> materialOf; // by triangle
-    for (const SurfaceGroup& group : batch.groups) {
+    for (const SurfaceGroup& group : batch.geometry->groups) {
         if (materials[group.material].alphaMode != AlphaMode::mask) continue;
-        const auto first = batch.indices.begin() + group.firstIndex;
+        const auto first = batch.geometry->indices.begin() + group.firstIndex;
         indices.insert(indices.end(), first, first + group.indexCount);
         materialOf.resize(indices.size() / 3, static_cast<std::uint32_t>(group.material));
     }
-    CasterEdges casters{weld(batch.positions, indices), {}, {}};
+    CasterEdges casters{weld(batch.geometry->positions, indices), {}, {}};
     casters.edges = buildEdges(casters.mesh);
     for (const std::uint32_t source : casters.mesh.source) {
         CutoutTriangle& triangle = casters.cutouts.emplace_back();
@@ -33,7 +33,8 @@ CasterEdges cutoutEdgesOf(const Batch& batch, const std::vector<Material>& mater
         const float factor = materials[triangle.material].baseColorFactor.a;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t vertex = indices[3 * source + i];
-            triangle.corners[i] = {batch.texcoords[vertex], factor * batch.colors[vertex].a};
+            triangle.corners[i] = {batch.geometry->texcoords[vertex],
+                                   factor * batch.geometry->colors[vertex].a};
         }
     }
     return casters;

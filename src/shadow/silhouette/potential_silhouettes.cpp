@@ -1,11 +1,17 @@
 #include "src/shadow/silhouette/potential_silhouettes.hpp"
 
+#include <bit>
+
 namespace edgeshade {
 namespace {
 
 /// Frames after which what none of them needed is forgotten: groups of casters for a light that has
 /// moved on, say. Some callers draw a frame's lights one by one.
 constexpr std::size_t framesKept = 16;
+
+std::array<std::uint32_t, 4> bitsOf(const glm::vec4& value) {
+    return std::bit_cast<std::array<std::uint32_t, 4>>(value);
+}
 
 } // namespace
 
@@ -22,28 +28,33 @@ void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene) {
     // Records that nobody else holds are of a pose that has passed.
     const auto isPassed = [](const Source& source) { return source.shadow.use_count() == 1; };
     std::erase_if(entries_, [&](const auto& item) {
-        return unused(item) || isPassed(sources_.at(item.first.first));
+        return unused(item) || isPassed(sources_.at(std::get<0>(item.first)));
     });
     std::erase_if(sources_,
                   [&](const auto& item) { return unused(item) || isPassed(item.second); });
 }
 
-const SilhouetteList& PotentialSilhouettes::of(const std::shared_ptr<const PlanePairShadow>& shadow,
-                                               std::size_t index, const glm::vec4& light) {
-    auto source = sources_.find(shadow.get());
-    if (source == sources_.end())
-        source = sources_.emplace(shadow.get(), Source{shadow, LightFacings(*shadow)}).first;
-    source->second.lastFrame = frame_;
-    Entry& entry = entries_[{shadow.get(), index}];
+const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const glm::vec4& light) {
+    const PlanePairShadow& shadow = *key.shadow;
+    auto found = sources_.find(&shadow);
+    if (found == sources_.end())
+        found = sources_.emplace(&shadow, Source{key.shadow, LightFacings(shadow)}).first;
+    Source& source = found->second;
+    if (source.lastFrame != frame_) source.asked.clear();
+    source.lastFrame = frame_;
+    const auto [first, isNew] =
+        source.asked.try_emplace(bitsOf(light), std::pair(key.batch, key.light));
+    const auto [batch, index] = first->second;
+    Entry& entry = entries_[{&shadow, batch, index}];
     SilhouetteList& list = entry.list;
     if (entry.lastFrame == frame_) return list;
     entry.lastFrame = frame_;
     if (entry.track.follow(light)) {
-        listSilhouettes(*shadow, source->second.facings, entry.track.ball(), mantissaBits_, list);
+        listSilhouettes(shadow, source.facings, entry.track.ball(), mantissaBits_, list);
         list.identity = std::make_shared<const int>(0);
         ++made_;
     }
-    list.lightInPlane = isInSomePlane(*shadow, list.uncertain, light, mantissaBits_);
+    list.lightInPlane = isInSomePlane(shadow, list.uncertain, light, mantissaBits_);
     return list;
 }
 

@@ -2,10 +2,19 @@
 
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
+#include <array>
 #include <map>
 #include <memory>
+#include <tuple>
 
 namespace edgeshade {
+
+/// Whose silhouettes are asked for.
+struct SilhouetteKey {
+    std::shared_ptr<const PlanePairShadow> shadow;
+    std::size_t batch = 0; ///< its index in the scene: several may have these records
+    std::size_t light = 0; ///< its index in the view
+};
 
 /// Keeps the lists of potential silhouettes for lights and batches from frame to frame, and makes
 /// them anew only where a light leaves the ball that its list was made for (docs/method.md, C24).
@@ -19,18 +28,20 @@ class PotentialSilhouettes {
     /// from any other, is another than before.
     void beginFrame(const std::shared_ptr<const int>& scene);
 
-    /// The list of a batch for the light with that index, which is in the batch's space. It stays
-    /// where it is until the next frame begins.
-    const SilhouetteList& of(const std::shared_ptr<const PlanePairShadow>& shadow,
-                             std::size_t index, const glm::vec4& light);
+    /// The list for a light that is in the batch's space. Batches that have the same records and
+    /// see the light from the same place, or a sun from the same direction, get the same list. It
+    /// stays where it is until the next frame begins.
+    const SilhouetteList& of(const SilhouetteKey& key, const glm::vec4& light);
 
     std::size_t made() const { return made_; } ///< lists, since the beginning
 
   private:
-    struct Source { ///< one for a batch
+    struct Source { ///< one for records
         std::shared_ptr<const PlanePairShadow> shadow;
         LightFacings facings;
         std::size_t lastFrame = 0;
+        /// What was asked for of them in that frame: lights, bit for bit, and who asked first.
+        std::map<std::array<std::uint32_t, 4>, std::pair<std::size_t, std::size_t>> asked{};
     };
     struct Entry { ///< one for a batch and a light
         LightTrack track;
@@ -43,7 +54,7 @@ class PotentialSilhouettes {
     std::size_t frame_ = 0;
     std::size_t made_ = 0;
     std::map<const PlanePairShadow*, Source> sources_; ///< which keep their keys alive
-    std::map<std::pair<const PlanePairShadow*, std::size_t>, Entry> entries_;
+    std::map<std::tuple<const PlanePairShadow*, std::size_t, std::size_t>, Entry> entries_;
 };
 
 } // namespace edgeshade

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+namespace edgeshade {
+
+/// A value that copies share until one of them is edited, so that a copy costs a pointer.
+template <class T>
+class CopyOnWrite {
+  public:
+    CopyOnWrite() : value_(std::make_shared<T>()) {}
+    explicit CopyOnWrite(T value) : value_(std::make_shared<T>(std::move(value))) {}
+
+    const T& operator*() const { return *value_; }
+    const T* operator->() const { return value_.get(); }
+
+    /// The value, of which this is the only owner from then on. Not for two threads at once.
+    T& edit() {
+        if (value_.use_count() > 1) value_ = std::make_shared<T>(*value_);
+        return *value_;
+    }
+
+    bool isSharedWith(const CopyOnWrite& other) const { return value_ == other.value_; }
+
+  private:
+    std::shared_ptr<T> value_;
+};
+
+} // namespace edgeshade
