@@ -92,7 +92,8 @@ bool hasFloor(const Scene& scene) {
         };
         for (std::size_t i = 0; i < batch.geometry->indices.size(); i += 3) {
             const glm::dvec3 a = corner(i), b = corner(i + 1), c = corner(i + 2);
-            if (std::max({a.y, b.y, c.y}) <= top) area += std::max(areaFromAbove(a, b, c), 0.0);
+            const double seen = (batch.isMirrored() ? -1.0 : 1.0) * areaFromAbove(a, b, c);
+            if (std::max({a.y, b.y, c.y}) <= top) area += std::max(seen, 0.0);
         }
     }
     return area >= covered * 2.0 * size.x * size.z;

@@ -69,6 +69,8 @@ struct Batch {
     std::shared_ptr<const Deformation> deformation; ///< null: the batch is rigid
     BatchShape shape;                               ///< in which it is now, where it deforms
 
+    /// Its place turns windings over.
+    bool isMirrored() const { return glm::determinant(glm::dmat3(worldFromBatch)) < 0.0; }
     bool deforms() const { return deformation != nullptr; }
     bool isAnimated() const { return node >= 0 || deforms(); } ///< an animation can move it
 };

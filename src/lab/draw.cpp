@@ -18,7 +18,8 @@ SurfacePoint surfacePoint(const Scene& scene, Draw& draw) {
                     batch.worldFromBatch *
                     glm::dvec4(batch.geometry->positions[batch.geometry->indices[3 * index + c]],
                                1.0));
-            const glm::dvec3 cross = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+            const glm::dvec3 cross = (batch.isMirrored() ? -1.0 : 1.0) *
+                                     glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
             const double length = glm::length(cross);
             if (length > 0.0) return {(corner[0] + corner[1] + corner[2]) / 3.0, cross / length};
             break;

@@ -360,9 +360,9 @@ TEST(TamperedFile, SimplifiedCastersThatCanNotBeAreRefused) {
             expectRefused(encoding, tamper, words, {0.0, false, 0.01});
     };
     expect([](GlbParts& parts) { bytesAt(parts, "simplifiedCasters")[0] = 0xFF; },
-           {"batches[0].geometry->simplifiedCasters", "255", "vertices"});
+           {"batches[0].simplifiedCasters", "255", "vertices"});
     expect([](GlbParts& parts) { batchOf(parts).erase("simplifiedCasters"); },
-           {"batches[0].geometry->simplifiedCasters", "missing"});
+           {"batches[0].simplifiedCasters", "missing"});
     expect([](GlbParts& parts) { batchOf(parts).erase("simplifiedTriangles"); },
            {"batches[0].simplifiedTriangles", "missing"});
     expect([](GlbParts& parts) { batchOf(parts)["simplifiedTriangles"] = -1; },
@@ -372,16 +372,16 @@ TEST(TamperedFile, SimplifiedCastersThatCanNotBeAreRefused) {
             Json& triangles = batchOf(parts)["simplifiedTriangles"];
             triangles = triangles.get<int>() + 1;
         },
-        {"batches[0].geometry->simplifiedCasters", "corners"});
+        {"batches[0].simplifiedCasters", "corners"});
     expect(
         [](GlbParts& parts) {
             Json& count =
                 parts.json["accessors"][batchOf(parts)["simplifiedCasters"].get<int>()]["count"];
             count = count.get<int>() - 1;
         },
-        {"batches[0].geometry->simplifiedCasters", "corners"});
+        {"batches[0].simplifiedCasters", "corners"});
     expect([](GlbParts& parts) { batchOf(parts)["simplifiedCasters"] = 999; },
-           {"batches[0].geometry->simplifiedCasters"});
+           {"batches[0].simplifiedCasters"});
 }
 
 TEST(TamperedFile, ACutOffFileIsRefused) {

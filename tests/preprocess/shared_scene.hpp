@@ -14,8 +14,9 @@ inline std::filesystem::path sharedScenePath(const std::string& name) {
     return std::filesystem::path(EDGESHADE_SHARED_SCENES) / (name + ".glb");
 }
 
-inline Scene readSharedScene(const std::string& name) {
-    return flattenScene(readGltf(sharedScenePath(name)), 0.0);
+inline Scene readSharedScene(const std::string& name,
+                             InstanceChoice instances = InstanceChoice::automatic) {
+    return flattenScene(readGltf(sharedScenePath(name)), 0.0, {}, instances);
 }
 
 /// Ends the running test where the scene isn't there.

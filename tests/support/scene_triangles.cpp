@@ -48,6 +48,7 @@ std::vector<WorldTriangle> worldTriangles(const Scene& scene) {
                                           glm::dvec4(batch.geometry->positions[index], 1.0)),
                                glm::vec3(glm::normalize(normal)), batch.geometry->texcoords[index]};
             }
+            if (batch.isMirrored()) std::swap(triangle[1], triangle[2]);
             triangles.push_back(triangle);
         }
     }
