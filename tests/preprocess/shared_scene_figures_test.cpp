@@ -16,7 +16,8 @@ using ByCount = std::map<std::uint32_t, std::size_t>;
 MeshStatistics statisticsOf(const std::string& name) {
     BuildSeconds seconds;
     MeshStatistics sum;
-    for (const auto& batch : buildTopology(readSharedScene(name, InstanceChoice::repeated), true, seconds))
+    for (const auto& batch :
+         buildTopology(readSharedScene(name, InstanceChoice::repeated), true, seconds))
         sum += meshStatistics(batch->mesh.welded, batch->edges);
     std::cout << "[ figures      ] " << name << ": " << sum.triangles << " triangles, "
               << sum.degenerateTriangles << " degenerate, " << sum.edges << " edges, "

@@ -1,7 +1,5 @@
 #include "src/shadow/silhouette/potential_silhouettes.hpp"
 
-#include <bit>
-
 namespace edgeshade {
 namespace {
 
@@ -10,7 +8,8 @@ namespace {
 constexpr std::size_t framesKept = 16;
 
 std::array<std::uint32_t, 4> bitsOf(const glm::vec4& value) {
-    return std::bit_cast<std::array<std::uint32_t, 4>>(value);
+    return {glm::floatBitsToUint(value.x), glm::floatBitsToUint(value.y),
+            glm::floatBitsToUint(value.z), glm::floatBitsToUint(value.w)};
 }
 
 } // namespace
