@@ -62,5 +62,8 @@ if(NOT erfa_POPULATED)
   list(TRANSFORM parts APPEND .c)
   add_library(erfa_part STATIC EXCLUDE_FROM_ALL ${parts})
   target_include_directories(erfa_part SYSTEM PUBLIC ${erfa_SOURCE_DIR}/src)
+  if(EMSCRIPTEN)
+    target_compile_options(erfa_part PRIVATE -Oz) # a page's weight counts, a sun a frame does not
+  endif()
   add_library(erfa::erfa ALIAS erfa_part)
 endif()

@@ -37,7 +37,7 @@ export function connectSun(viewer) {
   $('date').addEventListener('change', () => {
     if ($('date').value && $('date').checkValidity()) set({ date: $('date').value });
   });
-  $('utc-offset').append(...offsets.map(offsetText).map((text) => new Option(`UTC${text}`, text)));
+  $('utc-offset').append(...offsets.map(offsetText).map((text) => new Option(text, text)));
   $('utc-offset').addEventListener('change', () => set({ offset: $('utc-offset').value }));
   $('play-day').addEventListener('click', () => viewer.run('toggleDay'));
   const show = {
@@ -57,7 +57,7 @@ export function connectSun(viewer) {
     if (document.activeElement !== $('date')) $('date').value = date;
     const select = $('utc-offset');
     if (![...select.options].some((option) => option.value === offset))
-      select.append(new Option(`UTC${offset}`, offset));
+      select.append(new Option(offset, offset));
     select.value = offset;
     $('day').max = String(daysOfYear(Number(date.slice(0, 4))));
     show.day(dayOf(date));
