@@ -1,11 +1,11 @@
-# Draco and meshoptimizer from source, without fused multiply-adds: the floats that they decode and
+# Draco, meshoptimizer and ERFA from source, without fused multiply-adds: the floats that they decode and
 # compute are then the same on every processor, and so are packed files (docs/platforms.md).
 include(FetchContent)
 add_compile_options(-ffp-contract=off)
 
 # Debian's source packages where cmake/sources.sh has fetched them, else the same versions from
 # upstream.
-foreach(library draco meshoptimizer)
+foreach(library draco meshoptimizer erfa)
   string(TOUPPER ${library} upper)
   if(EXISTS ${PROJECT_SOURCE_DIR}/build/sources/${library})
     set(FETCHCONTENT_SOURCE_DIR_${upper} ${PROJECT_SOURCE_DIR}/build/sources/${library})
@@ -15,6 +15,7 @@ FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco GIT_TA
   GIT_SUBMODULES "")
 FetchContent_Declare(meshoptimizer GIT_REPOSITORY https://github.com/zeux/meshoptimizer
   GIT_TAG v0.18)
+FetchContent_Declare(erfa GIT_REPOSITORY https://github.com/liberfa/erfa GIT_TAG v2.0.0)
 
 FetchContent_GetProperties(draco)
 if(NOT draco_POPULATED)
@@ -47,4 +48,22 @@ if(NOT meshoptimizer_POPULATED)
     ${part}/vertexcodec.cpp ${part}/vertexfilter.cpp)
   target_include_directories(meshoptimizer_part SYSTEM PUBLIC ${part})
   add_library(meshoptimizer::meshoptimizer ALIAS meshoptimizer_part)
+endif()
+
+FetchContent_GetProperties(erfa)
+if(NOT erfa_POPULATED)
+  FetchContent_Populate(erfa)
+  # Of its 250 files those that src/sun/ephemeris.cpp needs: Earth and Moon, precession and nutation
+  # (IAU 2000B), sidereal time, leap seconds, the ellipsoid.
+  set(parts anp anpm bi00 bp00 cal2jd cp cr dat ee00 ee00b eect00 eform era00 erfadatextra fad03
+    fae03 faf03 fal03 falp03 faom03 fapa03 fave03 gd2gc gd2gce gmst00 gst00b ir moon98 numat nut00b
+    obl06 obl80 pfw06 plan94 pn00 pn00b pnm00b pr00 rx rxp rxpv rxr ry rz s2pv zp)
+  list(TRANSFORM parts PREPEND ${erfa_SOURCE_DIR}/src/)
+  list(TRANSFORM parts APPEND .c)
+  add_library(erfa_part STATIC EXCLUDE_FROM_ALL ${parts})
+  target_include_directories(erfa_part SYSTEM PUBLIC ${erfa_SOURCE_DIR}/src)
+  if(EMSCRIPTEN)
+    target_compile_options(erfa_part PRIVATE -Oz) # a page's weight counts, a sun a frame does not
+  endif()
+  add_library(erfa::erfa ALIAS erfa_part)
 endif()

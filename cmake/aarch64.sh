@@ -2,7 +2,7 @@
 # cmake/aarch64.sh [FOLDER]   Debian's arm64 libraries for the preset aarch64, unpacked into FOLDER
 #                             (build/aarch64-sysroot). Nothing is installed for it: the machine's own
 #                             packages and lists stay as they are, and no root is needed. The
-#                             sources of Draco and meshoptimizer come into build/sources.
+#                             sources of Draco, meshoptimizer and ERFA come into build/sources.
 # ./test sources it for --long.
 # shellcheck shell=bash
 

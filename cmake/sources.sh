@@ -16,12 +16,12 @@ source_lists() {
     return 0
 }
 
-# fetch_sources FOLDER: FOLDER/draco and FOLDER/meshoptimizer, unless they are there.
+# fetch_sources FOLDER: FOLDER/draco, FOLDER/meshoptimizer and FOLDER/erfa, unless they are there.
 fetch_sources() {
     local folder=$1 package lists
     mkdir -p "$folder"
     lists=$(cd "$folder" && pwd)/lists
-    for package in draco meshoptimizer; do
+    for package in draco meshoptimizer erfa; do
         [[ -e $folder/$package/.complete ]] && continue
         command -v apt-get >/dev/null || return 0 # CMake fetches them from upstream
         say "Fetching the source of $package"

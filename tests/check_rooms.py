@@ -16,7 +16,7 @@ DRAWING = ROOT / "docs/figures/rooms.svg"
 
 # From the ground up: a room may include what stands before it.
 ROOMS = (
-    "preprocess/base", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
+    "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
     "preprocess/volumes",
     "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/plan", "src/shadow/plan/published",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
@@ -28,8 +28,8 @@ ROOMS = (
 # Libraries' headers, by the start of the name that is included, and the rooms that may see them.
 GL = ("GLES2/", "EGL/", "GLFW/", "emscripten")
 JSON = ("nlohmann/", "tiny_gltf.h")
-PURE = ROOMS[:10]                      # neither GL nor JSON
-NO_GL = ROOMS[:15]
+PURE = ROOMS[:11]                      # neither GL nor JSON
+NO_GL = ROOMS[:16]
 # Nor do these see JSON: what draws and what judges know nothing of files.
 NO_FILES = PURE + ("src/gl",) + tuple(
     room for room in ROOMS if room.startswith(("src/render/", "src/lab", "src/bench", "src/plot")))

@@ -101,6 +101,7 @@ class PageViewer {
     void wheel(double x, double y, double notches) { viewer_->wheel(x, y, notches); }
 
     std::string animations() const { return nlohmann::ordered_json(viewer_->animations()).dump(); }
+    std::string sun() const { return viewer_->sun().dump(); }
     double animationSeconds() const { return viewer_->animationSeconds(); }
     bool wantsFrame() const { return viewer_->wantsFrame(); }
     void invalidate() { viewer_->invalidate(); }
@@ -140,6 +141,7 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("pointer", &PageViewer::pointer)
         .function("wheel", &PageViewer::wheel)
         .function("animations", &PageViewer::animations)
+        .function("sun", &PageViewer::sun)
         .function("animationSeconds", &PageViewer::animationSeconds)
         .function("wantsFrame", &PageViewer::wantsFrame)
         .function("invalidate", &PageViewer::invalidate)

@@ -44,6 +44,11 @@ constexpr std::pair<std::string_view, Command> commands[] = {
     {"togglePlaying", Command::togglePlaying},
     {"slower", Command::slower},
     {"faster", Command::faster},
+    {"toggleDay", Command::toggleDay},
+    {"earlier", Command::earlier},
+    {"later", Command::later},
+    {"dayEarlier", Command::dayEarlier},
+    {"dayLater", Command::dayLater},
 };
 
 } // namespace

@@ -169,6 +169,7 @@ void addBenchCommand(CLI::App& program) {
     addReportOption(*verb, options->report);
     verb->callback([options, verb] {
         resolve(options->settings);
+        options->view.lights.sun.requireUp();
         bench(*options, *verb);
     });
 }

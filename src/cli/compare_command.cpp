@@ -165,6 +165,7 @@ void addCompareCommand(CLI::App& program) {
     addReportOption(*verb, options->report);
     verb->callback([options, views] {
         resolve(options->settings);
+        options->view.lights.sun.requireUp();
         compare(*options, views->count() > 0);
     });
 }

@@ -22,7 +22,7 @@ void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene,
     task.width = view.width;
     task.height = view.height;
     task.near = view.depth.near;
-    task.lights = view.lights.typed;
+    task.lights = view.lights.all();
     if (view.lights.choice == LightChoice::file) task.lights = lightsOf(scene);
     if (view.lights.choice == LightChoice::fallback) task.lights = {defaultLight()};
     if ((view.cameraMatrix || view.camera) && viewsTyped)

@@ -55,6 +55,13 @@ Light lightFrom(const std::string& text, const std::string& option, double w) {
     return light;
 }
 
+std::vector<Light> LightOptions::all() const {
+    std::vector<Light> lights = typed;
+    if (sun.typed()) lights.insert(lights.begin(), sun.light());
+    requireFewLights(lights.size());
+    return lights;
+}
+
 void addLightOptions(CLI::App& verb, LightOptions& options) {
     // One callback an occurrence keeps points and suns in the order in which they were typed.
     const auto addLights = [&](const std::string& name, double w, const std::string& help) {
@@ -78,11 +85,12 @@ void addLightOptions(CLI::App& verb, LightOptions& options) {
     addLights("--sun", 0.0,
               "A directional light, the direction towards it, perhaps with a colour and lux; may "
               "be repeated");
+    addSunOptions(verb, options.sun);
     addChoice(verb, "--lights", options.choice,
               {{"file", LightChoice::file}, {"default", LightChoice::fallback}},
               "Whose lights there are where none are typed: the file's if it has some, or a sun "
               "from above (file)");
-    for (const char* typed : {"--light", "--sun"})
+    for (const char* typed : {"--light", "--sun", "--place"})
         verb.get_option("--lights")->excludes(verb.get_option(typed));
     // Not parsed before all lights are: theirs are.
     verb.add_option_function<std::string>(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/cli/sun_options.hpp"
 #include "src/shadow/geometry/light.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,10 +15,14 @@ enum class LightChoice {
     fallback, ///< defaultLight()
 };
 
-/// `--light`, `--sun`, `--light-range` and `--lights`.
+/// `--light`, `--sun`, `--light-range`, `--lights`, and the sun by place and time.
 struct LightOptions {
     std::vector<Light> typed; ///< in the order in which they were typed
+    SunOptions sun;
     std::optional<LightChoice> choice;
+
+    /// Those, the sun by place and time before the others. Throws Error(usage) for too many.
+    std::vector<Light> all() const;
 };
 
 /// Adds the options to a verb; `options` must outlive parsing.

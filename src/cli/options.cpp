@@ -223,6 +223,8 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppos
         loaded.scene.warnings.add("--time: the scene has no animation that moves anything, so it "
                                   "is at rest.");
     if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
+    if (const SunOptions& sun = view.lights.sun; sun.isDown())
+        loaded.scene.warnings.add(sun.downSentence() + ", so it lights nothing.");
     return loaded;
 }
 
@@ -232,6 +234,7 @@ nlohmann::ordered_json SceneOptions::sceneJson(const Scene& scene) const {
                                    {"cull", scene.culls ? "auto" : "off"}};
     if (time) json["time"] = *time;
     if (!animation.empty()) json["animation"] = animation;
+    if (view.lights.sun.typed()) json["sun"] = view.lights.sun.json();
     return json;
 }
 
@@ -269,7 +272,7 @@ const SceneCamera* fileCameraFor(const ViewOptions& options, const Scene& scene)
 }
 
 std::vector<Light> lightsFor(const LightOptions& options, const Scene& scene) {
-    std::vector<Light> lights = options.typed;
+    std::vector<Light> lights = options.all();
     if (lights.empty() && options.choice != LightChoice::fallback) lights = lightsOf(scene);
     if (lights.empty()) lights.push_back(defaultLight());
     return lights;

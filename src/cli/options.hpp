@@ -69,8 +69,8 @@ struct SceneOptions {
     std::optional<GroundChoice> ground; ///< as typed; nothing: what suits the verb
 
     GroundChoice typedGround() const { return ground.value_or(std::nullopt); }
-    /// {"ground", "cast-cutouts", "cull", "time"}, the last one if it was typed: what reports say
-    /// besides of the settings. `scene`: as it was loaded.
+    /// {"ground", "cast-cutouts", "cull", "time", "sun"}, the last two if they were typed: what
+    /// reports say besides of the settings. `scene`: as it was loaded.
     nlohmann::ordered_json sceneJson(const Scene& scene) const;
     /// At the time and with the ground that were typed; warns where there is no animation, and
     /// where `shadows` leave out what was asked to cast. `oppositeVertices`: some of its volumes

@@ -120,6 +120,7 @@ void render(const RenderOptions& options) {
     request.depth.slices = options.settings.depthSlices;
     FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
     view.mask = options.mask;
+    if (options.view.lights.sun.isDown()) view.lights.front().drawn = false;
     const std::vector<std::string> more = warningsOf(view);
     printWarnings(more);
     warnings.insert(warnings.end(), more.begin(), more.end());

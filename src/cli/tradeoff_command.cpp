@@ -236,6 +236,7 @@ std::string limitsOf(const TradeoffOptions& options) {
 
 void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
+    options.view.lights.sun.requireUp();
     const LoadedScene loaded =
         options.load(Shading::full, ShadowMethod::automatic, !options.culls.value_or(false));
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
@@ -271,6 +272,7 @@ void tradeoff(const TradeoffOptions& options) {
                  {"timing", nameOf(measured.timing)},
                  {"light", options.lightMoves ? "moves" : "rests"},
                  {"rows", Json::array()}};
+    if (options.view.lights.sun.typed()) json["sun"] = options.view.lights.sun.json();
     for (const Row& row : rows)
         json["rows"].push_back(rowJson(row));
     if (demanding) json["take"] = best ? rowJson(*best) : Json(nullptr);

@@ -72,6 +72,11 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
     Json typed;
     for (const char* key : {"camera", "lights", "shading", "ambient", "exposure", "left"})
         typed[key] = all[key];
+    if (const SunOptions& sun = options.view.lights.sun; sun.typed()) {
+        typed["sun"] =
+            viewer::toJson(std::optional(viewer::SunState{*sun.place, *sun.time, sun.north}));
+        if (sun.isDown()) printWarnings({sun.downSentence() + ", so it lights nothing."});
+    }
     if (options.ground) typed["ground"] = textOf(*options.ground);
     if (options.time) typed["time"] = *options.time;
     if (animation) typed["animation"] = *animation;

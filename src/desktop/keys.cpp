@@ -46,6 +46,16 @@ std::optional<Command> commandForCharacter(unsigned character) {
         return Command::slower;
     case ']':
         return Command::faster;
+    case 'j':
+        return Command::toggleDay;
+    case '9':
+        return Command::earlier;
+    case '0':
+        return Command::later;
+    case '7':
+        return Command::dayEarlier;
+    case '8':
+        return Command::dayLater;
     default:
         return std::nullopt;
     }
@@ -92,6 +102,8 @@ std::string helpText() {
            "V\tshow the volumes\n"
            "G\tground beneath the scene\n"
            "Space / [ ] / X\tplay / slower, faster / next animation\n"
+           "J\tplay the sun's day (--place)\n"
+           "9 0 / 7 8\tten minutes / a day earlier, later\n"
            "K\tnext variant of materials\n"
            "C\tnext of the file's cameras\n"
            "I\tfigures\n"

@@ -15,7 +15,8 @@ constexpr double lightShare = 0.02; // of the picture's height
 constexpr double lightStep = 0.94;  // of its distance from the eye
 constexpr double splitStep = 0.02;
 constexpr double speedStep = 1.25;
-constexpr std::size_t lightsInARow = 8; // places that added lights come to in turn
+constexpr std::chrono::minutes timeStep(10); // of the sun
+constexpr std::size_t lightsInARow = 8;      // places that added lights come to in turn
 
 Camera pannedBy(const ViewState& state, const Stage& stage, double x, double y) {
     const PictureView view = stage.viewOf(state.camera);
@@ -122,6 +123,29 @@ bool runOnLights(Command command, ViewState& state, const Stage& stage) {
     }
 }
 
+/// Commands about a sun by place and time. False: it is none of them.
+bool runOnSun(Command command, ViewState& state) {
+    const auto move = [&](std::chrono::seconds by) {
+        if (state.sun) state.sun = movedBy(*state.sun, by);
+        return true;
+    };
+    switch (command) {
+    case Command::toggleDay:
+        state.dayPlays = state.sun && !state.dayPlays;
+        return true;
+    case Command::earlier:
+        return move(-timeStep);
+    case Command::later:
+        return move(timeStep);
+    case Command::dayEarlier:
+        return move(-std::chrono::hours(24));
+    case Command::dayLater:
+        return move(std::chrono::hours(24));
+    default:
+        return false;
+    }
+}
+
 /// Commands about the camera. False: it is none of them.
 bool runOnCamera(Command command, ViewState& state, const Stage& stage) {
     Camera& camera = state.camera;
@@ -172,13 +196,17 @@ ViewState framed(const ViewState& state, const Stage& stage) {
     result.lights = stage.lights;
     if (result.lights.empty()) result.lights = {defaultLight()};
     result.chosenLight = 0;
+    result.sun.reset();
+    result.dayPlays = false;
     result.time = 0.0;
     return result;
 }
 
 ViewState after(Command command, const ViewState& before, const Stage& stage) {
     ViewState state = before;
-    if (runOnLights(command, state, stage) || runOnCamera(command, state, stage)) return state;
+    if (runOnLights(command, state, stage) || runOnCamera(command, state, stage) ||
+        runOnSun(command, state))
+        return state;
     ShadowMethod& shadows = state.split ? state.right.shadows : state.left.shadows;
     switch (command) {
     case Command::reset:

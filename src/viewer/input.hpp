@@ -50,6 +50,11 @@ enum class Command {
     togglePlaying,
     slower,
     faster,
+    toggleDay, ///< of a sun by place and time; so are the next four
+    earlier,
+    later,
+    dayEarlier,
+    dayLater,
 };
 
 } // namespace edgeshade::viewer

@@ -49,6 +49,8 @@ class Field {
 
     std::size_t arraySize() const { return value_.is_array() ? value_.size() : 0; }
 
+    bool isNull() const { return value_.is_null(); }
+
     bool isObject() const { return value_.is_object(); }
 
     double number(double low, double high) const {

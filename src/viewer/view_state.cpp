@@ -120,6 +120,8 @@ Json toJson(const ViewState& state) {
     return {{"camera", toJson(state.camera)},
             {"lights", lights},
             {"chosen_light", state.chosenLight},
+            {"sun", toJson(state.sun)},
+            {"day_playing", state.dayPlays},
             {"shading", wordOf(shadingWords, state.shading)},
             {"ambient", shortDecimal(state.ambient)},
             {"exposure", shortDecimal(state.exposure)},
@@ -154,6 +156,10 @@ ViewState changed(const ViewState& base, const Json& changes) {
         else if (key == "chosen_light")
             state.chosenLight = static_cast<std::size_t>(
                 value.integer(0, std::max(0, static_cast<int>(state.lights.size()) - 1)));
+        else if (key == "sun")
+            state.sun = sunFrom(value, state.sun);
+        else if (key == "day_playing")
+            state.dayPlays = value.boolean();
         else if (key == "ambient")
             state.ambient = static_cast<float>(value.number(0.0, 1.0));
         else if (key == "shading")

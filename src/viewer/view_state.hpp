@@ -4,6 +4,7 @@
 #include "src/render/frame/frame.hpp"
 #include "src/scene/ground_text.hpp"
 #include "src/scene/load.hpp"
+#include "src/viewer/sun_state.hpp"
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -36,6 +37,8 @@ struct ViewState {
     Camera camera;
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
+    std::optional<SunState> sun; ///< by place and time: the first light, see withSun()
+    bool dayPlays = false;       ///< its day
     Shading shading = Shading::full;
     float ambient = 0.45f;                              ///< see RenderSettings
     float exposure = 0.0f;                              ///< EV, within mostExposure
@@ -56,7 +59,8 @@ struct ViewState {
 };
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
-///  "chosen_light": 0, "shading": "full|base",
+///  "chosen_light": 0, "sun": null or {"place": [latitude, longitude], "time":
+///  "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false, "shading": "full|base",
 ///  "ambient": 0.45, "exposure": 0, "background": [r,g,b], "ground": "off|catcher|#rrggbb",
 ///  "cast_cutouts": false, "cull": "auto|off",
 ///  "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity":

@@ -5,6 +5,7 @@
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/shadow/geometry/scene_lights.hpp"
 #include "src/viewer/commands.hpp"
+#include "src/viewer/day_clock.hpp"
 #include "src/viewer/frame_clock.hpp"
 #include "src/viewer/handle_drawing.hpp"
 #include "src/viewer/interaction.hpp"
@@ -15,6 +16,9 @@
 #include "src/viewer/renderers.hpp"
 #include "src/viewer/silhouettes.hpp"
 #include "src/viewer/stage_watch.hpp"
+#include "src/viewer/sun_day.hpp"
+#include "src/viewer/sun_drawing.hpp"
+#include "src/viewer/sun_following.hpp"
 
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/reading/animation_reading.hpp"
@@ -75,6 +79,8 @@ struct Viewer::Parts {
     Stage stage;
     Interaction interaction;
     FrameClock clock;
+    DayClock dayClock;
+    SunDays sunDays;
     std::optional<LoadedScene> loaded;
     std::vector<AnimationTitle> animations; ///< of the loaded scene
     std::optional<Animation> animation;     ///< the chosen one
@@ -93,7 +99,7 @@ struct Viewer::Parts {
     std::unique_ptr<Gpu> makeGpu(const gl::Capabilities& capabilities) const;
     GpuScene uploaded(const LoadedScene& scene, const Gpu& on) const;
     void addVolumesFor(const ViewState& of, Gpu& on) const;
-    void adopt(const ViewState& next);
+    void adopt(const ViewState& wanted);
     void chooseAnimation(Warnings& warnings);
     void applyPose();
     void applyGround();
@@ -134,7 +140,8 @@ void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
 }
 
 /// Makes what the next state needs before it becomes the state, so that a refusal changes nothing.
-void Viewer::Parts::adopt(const ViewState& next) {
+void Viewer::Parts::adopt(const ViewState& wanted) {
+    const ViewState next = withSun(state, wanted);
     if (next.animation != 0 && next.animation >= animations.size())
         throw Error(ExitStatus::usage, "animation is " + std::to_string(next.animation) +
                                            ", but the scene has " +
@@ -289,13 +296,14 @@ void Viewer::Parts::advanceMaps(double now) {
         lights.push_back({light, {}});
         lights.back().atRest = rest.rests(light, now);
     }
+    lights.front().drawn = !sunIsDown(state);
     RenderSettings wanted = settings.render;
     wanted.shadows =
         choice == MapChoice::all ? ShadowMethod::primitiveMap : ShadowMethod::automatic;
     if (prepareSceneMeanwhile(*gpu->scene, *loaded, lights, wanted, gpu->capabilities, buildingMs))
         dirty = true;
-    for (const Light& light : state.lights)
-        if (!gpu->scene->primitiveMaps.of(light)) mapsPending = true;
+    for (const FrameLight& of : lights)
+        if (of.drawn && !gpu->scene->primitiveMaps.of(of.light)) mapsPending = true;
 }
 
 void Viewer::Parts::draw() {
@@ -308,6 +316,7 @@ void Viewer::Parts::draw() {
     request.depth = settings.depth;
     request.ground = state.ground.has_value();
     FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
+    view.lights.front().drawn = !sunIsDown(state);
     groupCasters(state.left, view);
     if (state.split) groupCasters(state.right, view);
     const double planSeconds = watch.lap();
@@ -327,6 +336,9 @@ void Viewer::Parts::draw() {
         glDisable(GL_SCISSOR_TEST);
         gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
     }
+    if (state.showLights && state.sun)
+        gpu->overlay.draw(sunTriangles(sunDays.of(*state.sun), state, stage), stage.width,
+                          stage.height);
     if (state.showLights)
         gpu->overlay.draw(handleTriangles(state, stage), stage.width, stage.height);
     // Asking waits for the GL in a browser; what worked once goes on working.
@@ -450,9 +462,20 @@ double Viewer::animationSeconds() const {
     return parts_->animation ? parts_->animation->duration : 0.0;
 }
 
+nlohmann::ordered_json Viewer::sun() const {
+    const auto& sun = parts_->state.sun;
+    if (!sun) return nullptr;
+    return toJson(sun->position(), parts_->sunDays.of(*sun));
+}
+
 bool Viewer::frame(double now) {
     Parts& parts = *parts_;
     if (parts.clock.advance(now, animationSeconds(), parts.state)) parts.applyPose();
+    if (const auto sun = parts.dayClock.advance(now, parts.state)) {
+        ViewState next = parts.state;
+        next.sun = sun;
+        parts.adopt(next);
+    }
     parts.advanceMaps(now);
     if (!parts.dirty || !parts.gpu) return false;
     parts.dirty = false;
@@ -472,7 +495,7 @@ void Viewer::invalidate() {
 
 bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
-    return parts_->gpu && (parts_->dirty || plays || parts_->mapsPending);
+    return parts_->gpu && (parts_->dirty || plays || parts_->state.dayPlays || parts_->mapsPending);
 }
 
 FrameStats Viewer::stats() const {

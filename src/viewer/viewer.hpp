@@ -83,10 +83,14 @@ class Viewer {
     /// Length of that animation in seconds; 0: nothing moves.
     double animationSeconds() const;
 
-    /// Draws if anything has changed since the last call, an animation's time included; returns
-    /// whether it drew. Builds primitive maps of lights that rest, in the background or, where
-    /// there are no threads, for some milliseconds. `now`: seconds on a clock that only goes
-    /// forward.
+    /// Where the state's sun by place and time is, and when it rises and sets that day, see
+    /// sun_day.hpp; null where it has none.
+    nlohmann::ordered_json sun() const;
+
+    /// Draws if anything has changed since the last call, the times of an animation and of a day
+    /// included; returns whether it drew. Builds primitive maps of lights that rest, in the
+    /// background or, where there are no threads, for some milliseconds. `now`: seconds on a clock
+    /// that only goes forward.
     bool frame(double now);
     /// Something outside has changed, such as the window's contents: the next frame() draws.
     void invalidate();

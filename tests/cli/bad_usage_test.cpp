@@ -25,6 +25,20 @@ BadUsage badRender(const std::string& name, const std::vector<std::string>& more
     return row;
 }
 
+BadUsage sunAt(const std::string& name, const std::string& place, const std::string& time,
+               const std::vector<std::string>& words) {
+    return badRender(name, {"--place", place, "--time-of-day", time}, words);
+}
+
+/// `render` with a sun by place and time that is right by itself.
+BadUsage atNoon(const std::string& name, const std::vector<std::string>& more,
+                const std::vector<std::string>& words = {}) {
+    BadUsage row = badRender(name, more, words);
+    row.arguments.insert(row.arguments.end(),
+                         {"--place", "48.1,11.6", "--time-of-day", "2026-06-21T14:30+02:00"});
+    return row;
+}
+
 /// A verb with more lights than a picture has; the last one is a sun.
 BadUsage tooManyLights(const std::string& name, std::vector<std::string> verb) {
     for (int i = 0; i < 32; ++i)
@@ -117,6 +131,28 @@ const BadUsage usages[] = {
     badRender("LightInfinite", {"--light", "1,inf,0"}, {"--light", "'inf'"}),
     badRender("LightOfEmptyNumbers", {"--light", ",,"}, {"--light"}),
     badRender("SunWithoutDirection", {"--sun", "0,0,0"}),
+    badRender("PlaceWithoutTime", {"--place", "48.1,11.6"}, {"--place", "--time-of-day"}),
+    badRender("TimeWithoutPlace", {"--time-of-day", "2026-06-21T14:30Z"},
+              {"--time-of-day", "--place"}),
+    badRender("NorthWithoutPlace", {"--north", "10"}, {"--north", "--place"}),
+    atNoon("PlaceAndSun", {"--sun", "0,1,0"}, {"--place", "--sun"}),
+    atNoon("PlaceAndLightsOfTheFile", {"--lights", "file"}, {"--place", "--lights"}),
+    atNoon("NorthIsText", {"--north", "up"}),
+    atNoon("NorthNaN", {"--north", "nan"}),
+    atNoon("NorthBeyondATurn", {"--north", "361"}),
+    atNoon("PlaceTwice", {"--place", "1,2"}, {"--place"}),
+    sunAt("PlaceOfOneNumber", "48.1", "2026-06-21T14:30Z", {"--place", "LAT,LON"}),
+    sunAt("PlaceIsText", "Munich,Bavaria", "2026-06-21T14:30Z", {"--place", "Munich"}),
+    sunAt("PlaceOfThreeNumbers", "48,11,520", "2026-06-21T14:30Z", {"--place"}),
+    sunAt("LatitudePastThePole", "90.5,0", "2026-06-21T14:30Z", {"--place", "90.5", "latitude"}),
+    sunAt("LongitudePastTheDateLine", "0,-181", "2026-06-21T14:30Z",
+          {"--place", "-181", "longitude"}),
+    sunAt("PlaceInfinite", "inf,0", "2026-06-21T14:30Z", {"--place", "inf"}),
+    sunAt("TimeIsText", "0,0", "noon", {"--time-of-day", "'noon'", "2026-06-21T14:30+02:00"}),
+    sunAt("TimeWithoutOffset", "0,0", "2026-06-21T14:30", {"--time-of-day", "offset from UTC"}),
+    sunAt("TimeOfNoLeapDay", "0,0", "2025-02-29T12:00Z",
+          {"--time-of-day", "month 2 of 2025 has no day 29"}),
+    sunAt("TimeOfAnotherCentury", "0,0", "1776-07-04T12:00Z", {"--time-of-day", "1900 and 2100"}),
     badRender("CameraIsText", {"--camera-from", "here"}),
     badRender("CameraWithoutDirection", {"--camera-from", "1,2,3", "--camera-to", "1,2,3"},
               {"--camera-from", "--camera-to"}),

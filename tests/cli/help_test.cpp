@@ -34,7 +34,8 @@ TEST(Help, EveryVerbNamesItsOptions) {
           "--map-bias",    "--pcf",          "--mask-scale", "--multiplicity",
           "--instancing",  "--depth-slices", "--samples",    "--report",
           "--silhouette",  "--explain",      "--debug",      "--primitive-map-memory",
-          "--ground",      "--cast-cutouts", "--cull"})
+          "--ground",      "--cast-cutouts", "--cull",       "--place",
+          "--time-of-day", "--north"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

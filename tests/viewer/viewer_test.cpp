@@ -84,6 +84,40 @@ TEST_F(ViewerTest, DrawsThePictureOfRender) {
     EXPECT_TRUE(drawn == plainPicture(viewer.state().left));
 }
 
+TEST_F(ViewerTest, ASunByPlaceAndTimeIsTheLightFromThere) {
+    viewer.change(Json::parse(R"({"lights": [[0, 1, 0, 0]], "sun": {"place": [48.14, 11.57],
+        "time": "2026-06-21T09:00+02:00", "north": 40}})"));
+    EXPECT_EQ(viewer.state().lights.size(), 1u);
+    EXPECT_EQ(viewer.sun()["up"], true);
+    const Pixels drawn = picture();
+    viewer.change(Json::parse(R"({"sun": {"time": "2026-06-21T01:00+02:00"}})"));
+    const Pixels night = picture();
+    EXPECT_FALSE(night == drawn);
+    EXPECT_EQ(viewer.sun()["up"], false);
+    // Whatever shadows there would be: nothing is lit.
+    viewer.change(Json::parse(R"({"left": {"shadows": "none"}})"));
+    EXPECT_TRUE(picture() == night);
+    // A way, a horizon.
+    viewer.change(Json::parse(R"({"show_lights": true})"));
+    EXPECT_FALSE(picture() == night);
+    viewer.change(Json::parse(R"({"sun": {"time": "2026-06-21T09:00+02:00"}})"));
+    EXPECT_TRUE(drawn == plainPicture({ShadowMethod::automatic}));
+}
+
+TEST_F(ViewerTest, ADayPlaysUntilSomebodyMovesItsSun) {
+    EXPECT_TRUE(viewer.sun().is_null());
+    viewer.change(Json::parse(R"({"day_playing": true, "sun": {"place": [48.14, 11.57],
+        "time": "2026-06-21T09:00+02:00"}})"));
+    EXPECT_TRUE(viewer.frame(1.0));
+    EXPECT_TRUE(viewer.wantsFrame());
+    EXPECT_TRUE(viewer.frame(2.0));
+    EXPECT_EQ(sun::textOf(viewer.state().sun->time), "2026-06-21T10:00+02:00");
+    viewer.change(Json::parse(R"({"lights": [[0.3, 1, 0, 0]]})"));
+    EXPECT_FALSE(viewer.state().sun);
+    EXPECT_FALSE(viewer.state().dayPlays);
+    EXPECT_EQ(viewer.state().lights[0].position, glm::dvec4(0.3, 1, 0, 0));
+}
+
 TEST_F(ViewerTest, DrawsMapsToo) {
     viewer.change(Json::parse(R"({"left": {"shadows": "map", "map_size": 256}})"));
     const Pixels drawn = picture();

@@ -45,6 +45,16 @@ from_matrix=(--size 400x300 --camera-matrix 1,0,0,0,0,1,0,0,0,0,1,0,-0.5,-1,-12,
 "$program" view "$scene" --screenshot matrix.png "${from_matrix[@]}"
 at_most 1 plain-matrix.png matrix.png || fail "the window shows another picture by a matrix"
 
+# A sun by place and time, by day and by night.
+for hour in 16 01; do
+    placed=("${view[@]:0:6}" --place 48.14,11.57 --time-of-day "2026-06-21T$hour:00+02:00" --north 40)
+    "$program" render "$scene" plain-placed.png "${placed[@]}" >/dev/null 2>said
+    "$program" view "$scene" --screenshot placed.png "${placed[@]}" 2>said-by-view
+    at_most 1 plain-placed.png placed.png || fail "the window shows another picture at $hour h"
+    cmp said said-by-view || fail "at $hour h the window warns of something else"
+done
+grep -q 'below the horizon, so it lights nothing' said || fail "nobody warned of the night"
+
 # Keys and mouse change it. Every P saves the next edgeshade-N.png.
 "$program" view "$scene" "${view[@]}" 2>window.log &
 window_program=$!

@@ -5,9 +5,16 @@ const sideKeys = {
 };
 const whole = new Set(['map-size', 'mask-scale']);
 
+/** Attributes that say one thing together: where one of them changes, all are read. */
+const together = [['light', 'sun'], ['place', 'time-of-day', 'north']];
+
+/** These attributes and those that go with them. */
+export const withOthers = (names) =>
+  [...new Set(names.flatMap((name) => together.find((group) => group.includes(name)) ?? [name]))];
+
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
+  'camera', 'light', 'sun', 'place', 'time-of-day', 'north', 'day-playing', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
   'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
   'speed', 'time',
 ];
@@ -54,6 +61,15 @@ function lightsOf(light, sun) {
   return [...all(sun, 0, 'sun', [3]), ...all(light, 1, 'light', [3, 4])];
 }
 
+/** A sun by place and time. */
+function sunOf(place, time, north) {
+  return {
+    ...(place !== null && { place: numbers(place, [2], 'place') }),
+    ...(time !== null && { time }),
+    ...(north !== null && { north: numbers(north, [1], 'north')[0] }),
+  };
+}
+
 /**
  * The changes that attributes stand for: the form of the state, see edgeshade-viewer.d.ts. `get`
  * gives an attribute's text or null. Throws an Error whose message is a sentence.
@@ -70,6 +86,9 @@ export function changesFromAttributes(get) {
     const lights = lightsOf(get('light'), get('sun'));
     if (lights.length) changes.lights = lights;
   }
+  if (has('place') || has('time-of-day'))
+    changes.sun = sunOf(get('place') ?? null, get('time-of-day') ?? null, get('north') ?? null);
+  if (has('day-playing')) changes.day_playing = get('day-playing') !== 'off';
   for (const [name, key] of Object.entries(sideKeys)) {
     const value = (attribute) => (whole.has(name) ? number(attribute) : get(attribute));
     if (has(name)) left[key] = value(name);

@@ -45,10 +45,38 @@ export interface SideSettings {
   mask_scale: number;
 }
 
+/** A sun that stands where it is seen from a place at a time. */
+export interface PlacedSun {
+  /** Degrees north and east; -90..90, -180..180. */
+  place: [number, number];
+  /** ISO 8601 with the clock's offset from UTC, "2026-06-21T14:30+02:00"; of 1900 to 2100. */
+  time: string;
+  /** Where north is: degrees clockwise from -Z, seen from above, -360..360. 0: +X is east. */
+  north: number;
+}
+
+/** Where such a sun is. */
+export interface SunNow {
+  /** Degrees clockwise from north. */
+  azimuth: number;
+  /** Degrees above the horizon, as refracted: where light comes from. */
+  altitude: number;
+  airless_altitude: number;
+  /** Below the horizon it is no light. */
+  up: boolean;
+  /** When light begins and ends that day; null where it doesn't. */
+  rise: string | null;
+  set: string | null;
+}
+
 export interface ViewState {
   camera: { from: Vector; to: Vector; fov: number };
   lights: Light[];
   chosen_light: number;
+  /** By place and time: the first light, until somebody moves that. */
+  sun: PlacedSun | null;
+  /** Its day goes round and round, an hour a second. */
+  day_playing: boolean;
   /** All that materials say, or base colour and Lambert's law. */
   shading: 'full' | 'base';
   /** Share of ambient light as the display shows it, 0..1. */
@@ -77,8 +105,9 @@ export interface ViewState {
   time: number;
 }
 
-/** Any of the state's keys; of camera, left and right any of their own. */
-export type ViewChanges = Partial<Omit<ViewState, 'camera' | 'left' | 'right'>> & {
+/** Any of the state's keys; of camera, sun, left and right any of their own. */
+export type ViewChanges = Partial<Omit<ViewState, 'camera' | 'sun' | 'left' | 'right'>> & {
+  sun?: Partial<PlacedSun> | null;
   camera?: Partial<ViewState['camera']>;
   left?: Partial<SideSettings>;
   right?: Partial<SideSettings>;
@@ -112,7 +141,7 @@ export type Command =
   | 'nextLight' | 'addLight' | 'removeLight' | 'toggleSun'
   | 'nextShadows' | 'toggleSplit' | 'splitLeft' | 'splitRight'
   | 'toggleDebug' | 'toggleGround' | 'toggleLights' | 'nextAnimation' | 'togglePlaying' | 'slower'
-  | 'faster';
+  | 'faster' | 'toggleDay' | 'earlier' | 'later' | 'dayEarlier' | 'dayLater';
 
 export interface LoadDetail {
   name: string;
@@ -160,6 +189,10 @@ export interface EdgeshadeViewerEventMap {
  *               colour and candela, ":#rrggbb" or ":#rrggbb:intensity"
  *   sun         "x,y,z" towards the sun, separated likewise; perhaps with a colour and lux
  *               Without either: the file's lights (KHR_lights_punctual), or a sun from above
+ *   place       "latitude,longitude" in degrees, and with it
+ *   time-of-day "2026-06-21T14:30+02:00": a sun as it is seen there and then, the first light
+ *   north       where north is, degrees clockwise from -Z seen from above (0)
+ *   day-playing present: its day goes round, an hour a second
  *   shading     full (the default): all that materials say; base: base colour and Lambert's law
  *   ambient     0..1
  *   exposure    of full shading, in EV, -20..20
@@ -194,6 +227,8 @@ export class EdgeshadeViewer extends HTMLElement {
   /** A copy; null until the viewer has started. */
   readonly state: ViewState | null;
   readonly stats: Stats | null;
+  /** Where the state's sun by place and time is; null where there is none. */
+  readonly sun: SunNow | null;
   /** Names of the scene's animations. */
   readonly animations: string[];
   /** Length of the one that is shown, in seconds; 0: nothing moves. */

@@ -1,7 +1,7 @@
 // <edgeshade-viewer>: a glTF scene with pixel-exact shadows. Its types, with what every attribute,
 // event and method does, stand in edgeshade-viewer.d.ts.
 
-import { changesFromAttributes, viewAttributes } from './attributes.js';
+import { changesFromAttributes, viewAttributes, withOthers } from './attributes.js';
 import { backgroundOf, watchTheme } from './background.js';
 import { sceneAmong } from './files.js';
 import { FrameLoop } from './frame-loop.js';
@@ -100,6 +100,10 @@ export class EdgeshadeViewer extends HTMLElement {
 
   get stats() {
     return this.#viewer ? JSON.parse(this.#viewer.stats()) : null;
+  }
+
+  get sun() {
+    return this.#viewer ? JSON.parse(this.#viewer.sun()) : null;
   }
 
   get animations() {
@@ -280,10 +284,9 @@ export class EdgeshadeViewer extends HTMLElement {
 
   #applyAttributes(names = viewAttributes) {
     try {
-      const light = names.some((name) => name === 'light' || name === 'sun');
+      const read = withOthers(names);
       this.change(changesFromAttributes((name) =>
-        names.includes(name) || (light && (name === 'light' || name === 'sun'))
-          ? this.getAttribute(name) : null));
+        read.includes(name) ? this.getAttribute(name) : null));
     } catch (error) {
       this.#fail(error.message);
     }

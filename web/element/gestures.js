@@ -39,6 +39,11 @@ export const keys = [
   { key: ' ', command: 'togglePlaying', does: 'Play or pause' },
   { key: ',', command: 'slower', does: 'Slower' },
   { key: '.', command: 'faster', does: 'Faster' },
+  { key: 'j', command: 'toggleDay', does: 'Play the day of a sun by place and time' },
+  { key: '9', command: 'earlier', does: 'Ten minutes earlier' },
+  { key: '0', command: 'later', does: 'Ten minutes later' },
+  { key: '7', command: 'dayEarlier', does: 'A day earlier' },
+  { key: '8', command: 'dayLater', does: 'A day later' },
 ];
 
 const commandOfKey = new Map(keys.map(({ key, command }) => [key, command]));

@@ -1,7 +1,9 @@
 // The panel's controls, kept equal to the viewer's state in both directions.
 
 import { aimed, isSun, kindOf, placeOf } from './lights.js';
+import { check, slider } from './inputs.js';
 import { anglesOf, directionOf } from './sun.js';
+import { connectSun } from './sun-controls.js';
 
 const mapSizes = [256, 512, 1024, 2048, 4096];
 const $ = (id) => document.getElementById(id);
@@ -10,24 +12,6 @@ function radios(name, onChoice) {
   const inputs = [...document.getElementsByName(name)];
   for (const input of inputs) input.addEventListener('change', () => onChoice(input.value));
   return (value) => inputs.forEach((input) => { input.checked = input.value === value; });
-}
-
-function slider(id, words, onInput) {
-  const input = $(id);
-  const output = input.parentElement.querySelector('output');
-  input.addEventListener('input', () => onInput(Number(input.value)));
-  return (value) => {
-    if (document.activeElement !== input || Math.abs(Number(input.value) - value) > 1)
-      input.value = String(value);
-    output.textContent = words(value);
-    input.setAttribute('aria-valuetext', words(value));
-  };
-}
-
-function check(id, onChange) {
-  const input = $(id);
-  input.addEventListener('change', () => onChange(input.checked));
-  return (value) => { input.checked = value; };
 }
 
 function mapSize(id, onChange) {
@@ -101,6 +85,7 @@ export function connectControls(viewer) {
     debug: check('debug', (on) => viewer.change({ debug: on ? 'volumes' : 'none' })),
     time: slider('time', (v) => `${v.toFixed(1)} s`, (time) => viewer.change({ time, playing: false })),
   };
+  const refreshSun = connectSun(viewer);
   const sides = {};
   for (const side of ['left', 'right'])
     sides[side] = {
@@ -137,6 +122,7 @@ export function connectControls(viewer) {
       show.azimuth(azimuth);
       show.elevation(elevation);
     }
+    refreshSun(state);
     $('light-remove').disabled = state.lights.length < 2;
     show.ambient(state.ambient);
     show.exposure(state.exposure);

@@ -65,7 +65,10 @@ function showSample(changes) {
 async function showAddress() {
   const { model: asked, changes, problems } = readHash(location.hash);
   chooseVariant(viewer, asked?.variant ?? '');
-  if (reducedMotion.matches) delete changes.playing;
+  if (reducedMotion.matches) {
+    delete changes.playing;
+    delete changes.day_playing;
+  }
   if (asked?.file) {
     wantedForFile = { file: asked.file, changes };
     await showSample({});
@@ -106,7 +109,8 @@ function refresh() {
     refreshing = 0;
     refreshControls();
     refreshDivider();
-    saving ??= setTimeout(saveAddress, 300); // browsers limit how often it may change
+    // Browsers limit how often it may change.
+    saving ??= setTimeout(saveAddress, viewer.state?.day_playing ? 2000 : 300);
   });
 }
 
@@ -114,14 +118,14 @@ viewer.addEventListener('change', refresh);
 viewer.addEventListener('load', ({ detail }) => { loaded = detail; });
 viewer.addEventListener('frame', () => {
   if ($('figures').open) refreshFigures(viewer.stats, loaded);
-  if (viewer.state.playing) refresh();
+  if (viewer.state.playing || viewer.state.day_playing) refresh();
 });
 $('figures').addEventListener('toggle', () => refreshFigures(viewer.stats ?? {}, loaded));
 addEventListener('hashchange', () => {
   if (location.hash !== ownHash) showAddress();
 });
 reducedMotion.addEventListener('change', () => {
-  if (reducedMotion.matches && viewer.loaded) viewer.change({ playing: false });
+  if (reducedMotion.matches && viewer.loaded) viewer.change({ playing: false, day_playing: false });
 });
 
 // ---- buttons that are the page's own -----------------------------------------------------------

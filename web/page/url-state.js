@@ -15,6 +15,12 @@ export function hashOf(model, state) {
   put('camera', list([...state.camera.from, ...state.camera.to, state.camera.fov]));
   put('light', state.lights.map(lightText).join(';'));
   if (state.chosen_light) put('chosen', state.chosen_light);
+  if (state.sun) {
+    put('place', list(state.sun.place));
+    put('time-of-day', state.sun.time);
+    if (state.sun.north) put('north', short(state.sun.north));
+    if (state.day_playing) put('day', 'playing');
+  }
   if (state.shading !== 'full') put('shading', state.shading);
   put('ambient', short(state.ambient));
   if (state.exposure) put('exposure', short(state.exposure));
@@ -93,6 +99,17 @@ export function readHash(hash) {
     changes.lights = text.split(';').map(lightOf);
   });
   take('chosen', (text) => { changes.chosen_light = one('chosen')(text); });
+  if (words.has('place') || words.has('time-of-day')) {
+    const sun = {};
+    take('place', (text) => { sun.place = numbers(text, 'place', 2); });
+    // A "+" in an address is a space.
+    take('time-of-day', (text) => { sun.time = text.replace(' ', '+'); });
+    take('north', (text) => { sun.north = one('north')(text); });
+    if (sun.place && sun.time) changes.sun = sun;
+    else if (!problems.length)
+      problems.push("The address has only one of 'place' and 'time-of-day'; the view starts without it.");
+    take('day', (text) => { changes.day_playing = text === 'playing'; });
+  }
   take('shading', (text) => { changes.shading = text; });
   take('ambient', (text) => { changes.ambient = one('ambient')(text); });
   take('exposure', (text) => { changes.exposure = one('exposure')(text); });

@@ -37,7 +37,7 @@ test('npm packs the element, its types and its WebAssembly', () => {
   assert.equal(`${name}@${version}`, `edgeshade@${description.version}`);
   const paths = files.map(({ path }) => path);
   for (const wanted of ['element/edgeshade-viewer.js', 'element/edgeshade-viewer.d.ts', 'element/scene-worker.js',
-    'wasm/edgeshade.mjs', 'wasm/edgeshade.wasm', 'package.json', 'README.md', 'LICENSE'])
+    'wasm/edgeshade.mjs', 'wasm/edgeshade.wasm', 'package.json', 'README.md', 'LICENSE', 'LICENSE.erfa'])
     assert.ok(paths.includes(wanted), `${wanted} is in it`);
   assert.ok(!paths.some((path) => path.startsWith('page/') || path.startsWith('tests/')));
 });

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "src/sun/ephemeris.hpp"
+
+namespace edgeshade::test {
+
+/// The airless altitude and the azimuth by other means, in degrees.
+struct Judgement {
+    double azimuth, altitude;
+};
+
+/// By ERFA's full models: Earth from an ephemeris fitted to JPL's DE405, IAU 2006/2000A precession
+/// and nutation, right to a few thousandths of an arc second from 1900 to 2100.
+Judgement fullModel(const sun::Place& place, sun::Instant time);
+
+/// By parts of libnova: Earth by VSOP87, precession, mean sidereal time and horizontal coordinates.
+/// Aberration and parallax are added; nutation moves the stars and the equinox together, and what
+/// is left of it, 0.003 degrees, is left out. (Its own ln_get_solar_equ_coords of 0.16 forgets the
+/// precession since 2000.)
+Judgement libnova(const sun::Place& place, sun::Instant time);
+
+/// The angle between the two in the sky, in degrees.
+double apart(const Judgement& a, const sun::SunPosition& b);
+
+} // namespace edgeshade::test
