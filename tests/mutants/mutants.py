@@ -181,7 +181,7 @@ MUTANTS = (
     ("places are left out by where the light is in the world",
      "src/shadow/plan/volume_plan.cpp",
      "view.light = glm::inverse(worldFromBatch) * inWorld.light;", "view.light = inWorld.light;",
-     "instances_test", "Instances.CastWhatRaysSay*"),
+     "instances_test", "Instances.CastIntoTheView*"),
     ("a box of a place that adds to what is seen is passed over",
      "src/shadow/geometry/visible_depth.cpp",
      "if (!known.depth.contains(depth.nearest, depth.farthest)) return std::nullopt;", "",

@@ -109,6 +109,12 @@ TEST(Instances, CastWhatRaysSayWithTheEyeAmongThem) {
             expectRight(Case{scene, {eye, {2, 0.1, -1}, 70.0}, light}, MultiplicityMethod::plane);
 }
 
+TEST(Instances, CastIntoTheViewFromOutsideOfIt) {
+    const Scene scene = planted(tree(), {at({1.5, 0, 0}, 3.14159), at({1.6, 0, 0.4}, 3.14159)});
+    expectRight(Case{scene, {{0, 5, 0.01}, {0, 0, 0}, 15.0}, sun({1, 0.5, 0})},
+                MultiplicityMethod::plane);
+}
+
 TEST(Instances, CullBacksWhereTheyAreMirrored) {
     Scene scene = planted(tree(), grove());
     scene.culls = true;
