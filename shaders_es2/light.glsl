@@ -1,8 +1,8 @@
 // Of LIT variants of surface.frag and material.frag: where the light is seen from a fragment, how
 // far it reaches, and whether shadow lets it through: by the light's shadow map (MAP, with
 // MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl), by a mask of lower resolution
-// (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl), or as the
-// stencil says. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
+// (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl), by how many of
+// its points are seen from there (VISIBILITY), or as the stencil says. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
 // everywhere, see light_window.glsl. DERIVATIVES: the GL has some, which COARSE_MASK needs.
 #ifdef DIRECTIONAL
 uniform vec3 u_towardsLight; // of length 1
@@ -68,6 +68,16 @@ bool litByPrimitives() {
 }
 #endif
 
+#ifdef VISIBILITY
+uniform mediump sampler2D u_visibility; // a share in red, 255ths of its unit in green
+uniform vec2 u_visibilityTexel;         // 1 / pixels
+
+float seenOfLight() {
+    vec2 share = texture2D(u_visibility, gl_FragCoord.xy * u_visibilityTexel).rg;
+    return share.r + share.g / 255.0;
+}
+#endif
+
 vec3 towardsLight() {
 #ifdef DIRECTIONAL
     return u_towardsLight;
@@ -92,6 +102,9 @@ float lightThrough(float lit, vec3 normal, vec3 light, float weight) {
     if (weight > 0.0)
 #endif
         lit = litByPrimitives() ? 1.0 : 0.0;
+#endif
+#ifdef VISIBILITY
+    lit = seenOfLight();
 #endif
     return lit;
 }

@@ -88,7 +88,11 @@ float shareOfLight(float lit, vec3 normal) {
     float window = lightWindow();
     lit = lightThrough(lit, normal, light, lambert * window);
 #ifdef MASK
+#ifdef VISIBILITY
+    return lit;
+#else
     return window > 0.0 ? step(0.5, lit) : 0.0;
+#endif
 #else
     return u_diffuse * lambert * window * lit;
 #endif

@@ -21,7 +21,7 @@ ROOMS = (
     "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/plan", "src/shadow/plan/published",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
-    "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/frame",
+    "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/frame", "src/render/accumulation",
     "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 

@@ -129,6 +129,12 @@ class GroupUpload {
     const Topology nothing_ = std::make_shared<const GroupTopology>();
 };
 
+/// Tells lights' groups apart: those of a light's points are the same.
+glm::dvec4 placeOf(const FrameLight& light) {
+    if (light.among) return light.among->region.center;
+    return light.points.empty() ? light.light.position : regionOf(light.light).center;
+}
+
 GroupedShadow uploadGroups(const LoadedScene& loaded, const FrameLight& light,
                            VolumeRecords records) {
     const LayerBound& layers = light.layers;
@@ -164,7 +170,7 @@ template <class Kept>
 auto groupsOf(Kept& kept, const FrameLight& light, VolumeLayout layout)
     -> decltype(&kept.front().groups.begin()->second) {
     for (auto& entry : kept) {
-        if (entry.light != light.light.position || entry.cut != light.cut) continue;
+        if (entry.light != placeOf(light) || entry.cut != light.cut) continue;
         const auto found = entry.groups.find(layout);
         return found != entry.groups.end() ? &found->second : nullptr;
     }
@@ -178,12 +184,12 @@ void OverflowGroups::upload(const LoadedScene& loaded, const std::vector<FrameLi
     std::vector<Kept> kept;
     for (const FrameLight& of : lights) {
         const auto isThere = [&](const Kept& entry) {
-            return entry.light == of.light.position && entry.cut == of.cut;
+            return entry.light == placeOf(of) && entry.cut == of.cut;
         };
         if (of.groupCount() <= 1 || std::any_of(kept.begin(), kept.end(), isThere)) continue;
         const auto found = std::find_if(kept_.begin(), kept_.end(), isThere);
         Kept& entry = kept.emplace_back(found != kept_.end() ? std::move(*found)
-                                                             : Kept{of.light.position, of.cut, {}});
+                                                             : Kept{placeOf(of), of.cut, {}});
         if (!entry.groups.contains(records.volumes))
             entry.groups.emplace(records.volumes, uploadGroups(loaded, of, records));
     }

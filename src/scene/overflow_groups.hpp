@@ -32,7 +32,7 @@ class OverflowGroups {
 
   private:
     struct Kept {
-        glm::dvec4 light; ///< its position
+        glm::dvec4 light; ///< its place, or the middle of its points
         std::optional<glm::dvec4> cut;
         std::map<VolumeLayout, GroupedShadow> groups;
     };

@@ -9,8 +9,8 @@ namespace edgeshade {
 
 WholePicture::WholePicture() : WholePicture(shaders::fill_frag) {}
 
-WholePicture::WholePicture(const char* fragmentSource)
-    : program_(shaders::fill_vert, fragmentSource, {}, {"a_corner"}) {
+WholePicture::WholePicture(const char* fragmentSource, const std::vector<std::string>& defines)
+    : program_(shaders::fill_vert, fragmentSource, defines, {"a_corner"}) {
     constexpr std::array<float, 6> corners = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
     triangle_ = gl::vertexBuffer<float>(corners);
 }

@@ -11,7 +11,7 @@ class WholePicture {
     WholePicture();
 
     /// Draws what this fragment shader says.
-    explicit WholePicture(const char* fragmentSource);
+    explicit WholePicture(const char* fragmentSource, const std::vector<std::string>& defines = {});
 
     /// In use, for uniforms to be set before draw().
     const gl::Program& use() const;

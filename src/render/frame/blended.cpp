@@ -75,7 +75,7 @@ void Renderer::drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch,
 void Renderer::drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch,
                                  const SurfaceChunk& chunk) {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    SurfaceShading shading = shadingOf(pass, nullptr);
+    SurfaceShading shading = shadingOf(pass, {});
     shading.ambient = 1.0f;
     drawBlendedChunk(pass, batch, chunk, shading);
 }
@@ -84,16 +84,18 @@ void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
                               const SurfaceChunk& chunk) {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     bool first = true;
-    for (const FrameLight& light : pass.view.lights) {
+    for (std::size_t i = 0; i < pass.view.lights.size(); ++i) {
+        const FrameLight& light = pass.view.lights[i];
         if (!light.drawn) continue;
-        SurfaceShading shading = shadingOf(pass, &light.light);
+        SurfaceShading shading = shadingOf(pass, i);
+        shading.visibility = nullptr; // of what is behind
         shading.primitives = anyPrimitiveMapOf(pass.scene, light.light);
         shading.withAmbient = first;
         drawBlendedChunk(pass, batch, chunk, shading);
         first = false;
         glBlendFunc(GL_ONE, GL_ONE);
     }
-    if (first) drawBlendedChunk(pass, batch, chunk, shadingOf(pass, nullptr));
+    if (first) drawBlendedChunk(pass, batch, chunk, shadingOf(pass, {}));
 }
 
 } // namespace edgeshade

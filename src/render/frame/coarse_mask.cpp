@@ -34,25 +34,8 @@ CoarseMask::CoarseMask(int scale, const gl::Capabilities& capabilities)
                     "mask of lower resolution needs; '--mask-scale 1' does without.");
 }
 
-CoarseMask::Target CoarseMask::makeTarget(const glm::ivec2& size) const {
-    Target made;
-    gl::Name name = 0;
-    glGenTextures(1, &name);
-    made.texture = gl::Texture(name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    gl::requireNoError("making a mask of lower resolution");
-
-    glGenFramebuffers(1, &name);
-    made.framebuffer = gl::Framebuffer(name);
-    glBindFramebuffer(GL_FRAMEBUFFER, name);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made.texture.name(),
-                           0);
+gl::ColorTarget CoarseMask::makeTarget(const glm::ivec2& size) const {
+    gl::ColorTarget made(size.x, size.y);
     depthStencil_->attach();
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw Error(ExitStatus::unavailable,

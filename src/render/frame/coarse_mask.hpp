@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/gl/color_target.hpp"
 #include "src/gl/depth_stencil.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 
@@ -51,17 +52,13 @@ class CoarseMask {
     std::size_t bytes() const;
 
   private:
-    struct Target {
-        gl::Texture texture;
-        gl::Framebuffer framebuffer;
-    };
-    Target makeTarget(const glm::ivec2& size) const;
+    gl::ColorTarget makeTarget(const glm::ivec2& size) const;
 
     int scale_;
     gl::Capabilities capabilities_;
     glm::ivec2 size_{0};
     std::optional<gl::DepthStencil> depthStencil_;
-    Target surfaces_, counts_;
+    gl::ColorTarget surfaces_, counts_;
 };
 
 } // namespace edgeshade

@@ -96,8 +96,10 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         coarse_.emplace(settings.maskScale, capabilities);
 }
 
-void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock) {
+void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
+                    std::span<const VisibilityLookup> visibility) {
     vertexRuns_ = 0;
+    visibility_.assign(visibility.begin(), visibility.end());
     requireCountable(settings_, view);
     if (coarse_) {
         const gl::FramebufferKeeper keeper;
@@ -162,6 +164,7 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
     if (!volumes_) return planFrame(task);
     task.groupCount = [&](std::size_t light) -> std::size_t {
+        if (visibilityOf(light)) return 0;
         if (primitiveMapOf(scene, view.lights[light].light) && !anyAnimated(scene)) return 0;
         return scene.groupCount(view.lights[light], volumes_->layout());
     };
@@ -220,10 +223,9 @@ bool Renderer::cutsToVisible() const {
 }
 
 void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
-    const Light* light =
-        pass.plan.withAmbient ? &pass.view.lights[*pass.plan.first].light : nullptr;
+    const std::optional<std::size_t> light = pass.plan.withAmbient ? pass.plan.first : std::nullopt;
     std::optional<ShadowMapLookup> map;
-    if (light && settings_.shadows == ShadowMethod::map) map = drawMap(pass, *light);
+    if (light) map = mapOf(pass, *light);
     const StageScope stage(pass.clock, FrameStage::ambient);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
@@ -246,7 +248,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
         shading.withAmbient = true;
         shading.map = map ? &*map : nullptr;
         // Alpha, which is 1, is the volumes'.
-        const bool counted = pass.plan.lights[*pass.plan.first].isCounted();
+        const bool counted = pass.plan.lights[*light].isCounted();
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, counted && sum_.darkens());
     }
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
@@ -274,7 +276,7 @@ void Renderer::drawAmbientInShadow(const SlicePass& pass) {
     // Of surfaces that coincide the first is drawn, as it was with the light.
     glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
-    drawSurfaces(pass.scene, pass.view, pass.slice, shadingOf(pass, nullptr));
+    drawSurfaces(pass.scene, pass.view, pass.slice, shadingOf(pass, {}));
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.
@@ -287,31 +289,29 @@ void Renderer::drawCoarseSurfaces(const SlicePass& pass) {
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const PlaneSpace planes = coarse_->space(pass.view, pass.slice);
-    SurfaceShading shading = shadingOf(pass, nullptr);
+    SurfaceShading shading = shadingOf(pass, {});
     shading.planes = &planes;
     vertexRuns_ += drawSurfaces(pass.scene, pass.view, pass.slice, shading);
     glEnable(GL_DITHER);
     glViewport(0, 0, pass.view.width, pass.view.height);
 }
 
-void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t lightIndex) {
-    const Light& light = pass.view.lights[lightIndex].light;
-    const LightPlan& plan = pass.plan.lights[lightIndex];
+void Renderer::drawShadowedLight(const SlicePass& pass, std::size_t light) {
+    const LightPlan& plan = pass.plan.lights[light];
     const gl::ScissorScope cut(plan.reach);
-    std::optional<ShadowMapLookup> map;
-    if (settings_.shadows == ShadowMethod::map) map = drawMap(pass, light);
+    const std::optional<ShadowMapLookup> map = mapOf(pass, light);
     if (plan.isCounted()) {
-        if (lightIndex == pass.plan.first)
-            count(pass, lightIndex, 0);
+        if (light == pass.plan.first)
+            count(pass, light, 0);
         else
-            countAndMark(pass, lightIndex);
+            countAndMark(pass, light);
     }
-    if (!isFullyShadowed(plan)) addLight(pass, light, plan, map ? &*map : nullptr);
+    if (!isFullyShadowed(plan)) addLight(pass, light, map ? &*map : nullptr);
     glDisable(GL_STENCIL_TEST);
 }
 
-void Renderer::addLight(const SlicePass& pass, const Light& light, const LightPlan& plan,
-                        const ShadowMapLookup* map) {
+void Renderer::addLight(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map) {
+    const LightPlan& plan = pass.plan.lights[light];
     const StageScope stage(pass.clock, FrameStage::lit);
     const bool counted = plan.isCounted() && !coarse_ && !plan.inGroups();
     if (!counted) clearStencil();
@@ -369,9 +369,11 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
     vertexRuns_ += plan.vertexRuns();
 }
 
-ShadowMapLookup Renderer::drawMap(const SlicePass& pass, const Light& light) {
+std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_t light) {
+    if (settings_.shadows != ShadowMethod::map || visibilityOf(light)) return std::nullopt;
     const StageScope stage(pass.clock, FrameStage::map);
-    const ShadowMapLookup map = maps_->draw(pass.scene, pass.view.bounds, light);
+    const ShadowMapLookup map =
+        maps_->draw(pass.scene, pass.view.bounds, pass.view.lights[light].light);
     vertexRuns_ += maps_->vertexRuns();
     glViewport(0, 0, pass.view.width, pass.view.height);
     glDisable(GL_STENCIL_TEST);
@@ -389,29 +391,41 @@ const GpuPrimitiveMap* Renderer::anyPrimitiveMapOf(const GpuScene& scene,
     return state ? state->map.get() : nullptr;
 }
 
-SurfaceShading Renderer::shadingOf(const SlicePass& pass, const Light* light) const {
+const VisibilityLookup* Renderer::visibilityOf(std::size_t light) const {
+    return light < visibility_.size() && visibility_[light].texture != 0 ? &visibility_[light]
+                                                                         : nullptr;
+}
+
+SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::size_t> index) const {
     SurfaceShading shading;
     shading.mask = pass.view.mask;
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     shading.ambient = settings_.ambient;
     shading.background = settings_.background;
-    shading.lights = static_cast<int>(pass.view.lights.size());
+    for (const FrameLight& of : pass.view.lights)
+        shading.lights += of.weight;
     if (sum_.full) setFull(pass, shading);
-    if (!light) return shading;
-    shading.light = *light;
+    if (!index) return shading;
+    const FrameLight& of = pass.view.lights[*index];
+    const Light& light = of.light;
+    shading.light = light;
     // So that what looks up, straight into all lights, is shown as it is.
     const float ambient = shading.ambient * (shading.full ? 1.0f + neutralSlope : 1.0f);
-    const float share = std::max(1.0f - ambient, 0.0f) / static_cast<float>(shading.lights);
+    const auto weight = static_cast<float>(of.weight);
+    const float share =
+        std::max(1.0f - ambient, 0.0f) * weight / static_cast<float>(shading.lights);
+    shading.weight = of.weight;
     shading.diffuse = share;
     if (shading.full) {
         shading.full->lightColor =
-            light->color * (light->photometric ? std::numbers::inv_pi_v<float> : share);
+            light.color * (light.photometric ? weight * std::numbers::inv_pi_v<float> : share);
         shading.diffuse = shading.full->lightColor.r;
     }
     shading.withAmbient = sum_.replaces;
-    shading.primitives = primitiveMapOf(pass.scene, *light);
+    shading.visibility = visibilityOf(*index);
+    shading.primitives = shading.visibility ? nullptr : primitiveMapOf(pass.scene, light);
     shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;
-    shading.maskValue = 1.0f;
+    shading.maskValue = pass.view.sumsMasks ? 1.0f / static_cast<float>(mostSummed) : 1.0f;
     return shading;
 }
 
@@ -427,15 +441,15 @@ void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
     full.eye = eyeFrom(pass.view.frustum);
 }
 
-void Renderer::drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map) {
+void Renderer::drawLit(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map) {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
-    SurfaceShading shading = shadingOf(pass, &light);
+    SurfaceShading shading = shadingOf(pass, light);
     shading.map = map;
     CoarseMaskLookup mask;
-    if (coarse_ && !shading.primitives) {
-        mask = coarse_->lookup(pass.view, pass.slice, light);
+    if (coarse_ && !shading.primitives && !shading.visibility) {
+        mask = coarse_->lookup(pass.view, pass.slice, pass.view.lights[light].light);
         shading.coarse = &mask;
     }
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);

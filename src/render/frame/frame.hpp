@@ -15,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace edgeshade {
 
@@ -57,7 +58,10 @@ class Renderer {
     /// The scene must have what prepareScene() makes of it; records that the plan draws are
     /// uploaded where they aren't there yet. `clock`, which may be null, is told of the stages.
     /// Throws Error(unavailable) if the GL can't draw masks of lower resolution.
-    void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr);
+    /// `visibility`: by light; one without a texture, or beyond the last, is counted or looked up
+    /// as `settings` say, by its middle alone where it has an extent.
+    void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr,
+              std::span<const VisibilityLookup> visibility = {});
 
     /// What the last frame drew, until the next one.
     const FramePlan& plan() const { return plan_; }
@@ -130,25 +134,27 @@ class Renderer {
     void drawCoarseSurfaces(const SlicePass& pass);
     void drawShadowedLight(const SlicePass& pass, std::size_t light);
     /// Adds it where the stencil, or what countAndMark() left, has no shadow.
-    void addLight(const SlicePass& pass, const Light& light, const LightPlan& plan,
-                  const ShadowMapLookup* map);
+    void addLight(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
     void drawShadow(const SlicePass& pass);
     /// What ambient light leaves, where the stencil isn't 0.
     void drawAmbientInShadow(const SlicePass& pass);
     void setLightBlending(bool marked) const;
     /// By the light, or by nothing.
-    SurfaceShading shadingOf(const SlicePass& pass, const Light* light) const;
+    SurfaceShading shadingOf(const SlicePass& pass, std::optional<std::size_t> light) const;
     void setFull(const SlicePass& pass, SurfaceShading& shading) const;
     void countAndMark(const SlicePass& pass, std::size_t light);
     void setCounting();
     void count(const SlicePass& pass, std::size_t light, std::size_t group);
-    ShadowMapLookup drawMap(const SlicePass& pass, const Light& light);
+    /// Draws the light's shadow map, where it is to have one.
+    std::optional<ShadowMapLookup> mapOf(const SlicePass& pass, std::size_t light);
+    /// How much of the light is seen; null: not known, its shadow is hard.
+    const VisibilityLookup* visibilityOf(std::size_t light) const;
     /// The light's primitive map; null: it has none, or shadows are something else.
     const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const Light& light) const;
     /// The same where volumes are counted: for surfaces that are not counted for.
     const GpuPrimitiveMap* anyPrimitiveMapOf(const GpuScene& scene, const Light& light) const;
-    void drawLit(const SlicePass& pass, const Light& light, const ShadowMapLookup* map);
+    void drawLit(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);
     void drawBlended(const SlicePass& pass);
     void drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch, const SurfaceChunk& chunk,
                           SurfaceShading shading);
@@ -163,8 +169,9 @@ class Renderer {
     RenderSettings settings_;
     std::unique_ptr<VolumeRenderer> volumes_; ///< where shadows are volumes
     VolumeCounter counter_;
-    FramePlan plan_; ///< of the last frame
-    LightSum sum_;   ///< likewise
+    FramePlan plan_;                           ///< of the last frame
+    std::vector<VisibilityLookup> visibility_; ///< of the lights of this frame
+    LightSum sum_;                             ///< likewise
     SurfacePass surfaces_;
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_; ///< where shadows are maps

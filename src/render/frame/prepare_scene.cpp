@@ -17,7 +17,8 @@ MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& set
                 bool restingAlone) {
     MapTask task{{}, isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all};
     for (const FrameLight& of : lights)
-        if (of.drawn && (of.atRest || !restingAlone)) task.lights.push_back(of.light);
+        if (of.drawn && of.points.empty() && (of.atRest || !restingAlone))
+            task.lights.push_back(of.light);
     return task;
 }
 
@@ -68,6 +69,10 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
         if (!settings.looksUpPrimitives()) continue;
+        if (!of.points.empty()) {
+            method.why = "it has an extent";
+            continue;
+        }
         const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
         method.why = state ? state->why : of.atRest ? "its primitive map is not built" : "it moves";
         if (!state) continue;

@@ -54,6 +54,7 @@ void setFullShading(gl::Program& program, const FullShading& full) {
 constexpr int unitsOfLookups(const SurfaceShading& shading) {
     if (shading.map) return shading.map->kind == ShadowMapKind::pointApart ? 7 : 2;
     if (shading.primitives) return shading.primitives->cutouts ? 5 : 4;
+    if (shading.visibility) return 2;
     return shading.coarse ? 3 : 1;
 }
 
@@ -132,6 +133,13 @@ void setCoarseMask(gl::Program& program, const CoarseMaskLookup& mask, bool cast
     program.set("u_casts", casts ? 1.0f : 0.0f);
 }
 
+void setVisibility(gl::Program& program, const VisibilityLookup& visibility) {
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, visibility.texture);
+    program.setSampler("u_visibility", 1);
+    program.set("u_visibilityTexel", 1.0f / visibility.size);
+}
+
 /// What an unlit material draws: all of its colour with ambient light, and black for what adds
 /// light, which of surfaces that coincide is drawn for the first as well.
 SurfaceShading unlitShading(SurfaceShading shading) {
@@ -142,6 +150,7 @@ SurfaceShading unlitShading(SurfaceShading shading) {
     shading.map = nullptr;
     shading.primitives = nullptr;
     shading.coarse = nullptr;
+    shading.visibility = nullptr;
     return shading;
 }
 
@@ -154,7 +163,8 @@ SurfaceShading catcherShading(SurfaceShading shading) {
         shading.full->exposure = 1.0f;
     }
     shading.ambient = std::min(shading.ambient, 1.0f);
-    shading.diffuse = (1.0f - shading.ambient) / static_cast<float>(shading.lights);
+    shading.diffuse =
+        (1.0f - shading.ambient) * static_cast<float>(shading.weight / shading.lights);
     return shading;
 }
 
@@ -233,7 +243,8 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
     if (!shading.full || shading.mask || shading.planes || shading.tintPrimitives) return;
     variant.linear = shading.full->linear;
     if (variant.catcher) {
-        variant.plain = shading.lights == 1; // else light or the display's colours are added up
+        variant.plain = shading.lights == 1.0 &&
+                        shading.weight == 1.0; // else light or the display's colours are added up
         return;
     }
     if (material.unlit) return;
@@ -272,6 +283,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.mask = shading.mask;
     variant.sliced = std::isfinite(shading.farthest);
     variant.coarse = shading.coarse != nullptr;
+    variant.visibility = shading.visibility != nullptr;
     variant.planes = shading.planes != nullptr;
     const PlaneSpace* space = shading.planes   ? shading.planes
                               : shading.coarse ? &shading.coarse->space
@@ -316,6 +328,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.sided) defines.push_back("SIDED");
     if (variant.primitives && variant.primitives->tint) defines.push_back("PRIMITIVE_MAP_TINT");
     if (variant.coarse) defines.push_back("COARSE_MASK");
+    if (variant.visibility) defines.push_back("VISIBILITY");
     if (variant.coarse || variant.planes) defines.push_back("PLANE");
     if (variant.orthographic) defines.push_back("ORTHOGRAPHIC");
     std::vector<std::string> names;
@@ -374,6 +387,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     if (shading.primitives)
         setPrimitiveMap(used, *shading.primitives, view, sided ? sided->lightSide : 0.0f);
     if (shading.coarse) setCoarseMask(used, *shading.coarse, casts);
+    if (shading.visibility) setVisibility(used, *shading.visibility);
     if (shading.planes) setPlaneSpace(used, *shading.planes);
     used.set("u_clipFromObject", view.clipFromObject);
     used.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);

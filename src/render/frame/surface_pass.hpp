@@ -4,6 +4,7 @@
 #include "src/render/drawing/batch_view.hpp"
 #include "src/render/frame/coarse_mask.hpp"
 #include "src/render/frame/material_features.hpp"
+#include "src/render/frame/visibility_lookup.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/scene/gpu_environment.hpp"
 #include "src/scene/gpu_scene.hpp"
@@ -40,7 +41,8 @@ struct SurfaceShading {
     bool withAmbient = false;        ///< light and ambient light, whose share of both is in alpha
     float ambient = 0.0f;
     float diffuse = 0.0f;       ///< of the light, times its Lambert term
-    int lights = 1;             ///< of the picture
+    double lights = 0.0;        ///< of the picture, by their weights
+    double weight = 1.0;        ///< of this light among them
     glm::vec3 background{0.0f}; ///< sRGB, which a ground that catches shadow shows
     bool mask = false;
     float maskValue = 0.0f;
@@ -50,6 +52,7 @@ struct SurfaceShading {
     const GpuPrimitiveMap* primitives = nullptr;
     bool tintPrimitives = false; ///< show what its texels hold
     const CoarseMaskLookup* coarse = nullptr;
+    const VisibilityLookup* visibility = nullptr; ///< how much of its extent is seen
     const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
 };
 
@@ -110,6 +113,7 @@ class SurfacePass {
         bool mask;         ///< draws the lit mask
         bool sliced;       ///< has a farthest depth
         bool coarse;       ///< looks up a mask of lower resolution
+        bool visibility;   ///< looks up how much of the light is seen
         bool planes;       ///< draws what such a mask stores of surfaces
         bool orthographic; ///< looks it up or draws it for such a picture
         bool sided;        ///< its vertices know which side the light is on
@@ -117,7 +121,8 @@ class SurfacePass {
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, plain, linear, softTerminator,
                             catcher, textured, colored, lit, falloff, withAmbient, directional,
-                            ranged, spot, mask, sliced, coarse, planes, orthographic, sided);
+                            ranged, spot, mask, sliced, coarse, visibility, planes, orthographic,
+                            sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

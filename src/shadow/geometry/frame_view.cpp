@@ -88,8 +88,27 @@ void FrameView::divide(std::optional<int> count) {
 FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
     FrameView view = makeFrameView(scene, request, worldBounds(scene));
     for (FrameLight& of : view.lights)
-        of.layers = boundLayers(scene, castMasked, of.light, stencilLimit);
+        of.layers = boundLayers(scene, castMasked, of.counted(), stencilLimit);
     return view;
+}
+
+FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
+                     std::size_t count) {
+    FrameView result = view;
+    const FrameLight of = view.lights[light];
+    result.lights.clear();
+    for (std::size_t i = first; i < first + count; ++i) {
+        FrameLight& point = result.lights.emplace_back();
+        point.light = of.points[i];
+        point.layers = of.layers;
+        point.drawn = of.drawn;
+        point.cut = cutAt(point.light, view.frustum, view.bounds);
+        point.atRest = false;
+        point.among = AmongPoints{light, regionOf(of.light)};
+    }
+    result.mask = true;
+    result.sumsMasks = true;
+    return result;
 }
 
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds) {
@@ -99,8 +118,11 @@ FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const B
     view.frustum = standingBack(request.frustum, all);
     view.width = request.width;
     view.height = request.height;
-    for (const Light& light : request.lights)
+    for (const Light& light : request.lights) {
         view.lights.push_back({light, {}, true, cutAt(light, view.frustum, bounds)});
+        if (light.extent && request.lightSamples > 0)
+            view.lights.back().points = lightPoints(light, request.lightSamples);
+    }
     view.bounds = bounds;
     view.culls = scene.culls;
     VisiblePart seen;

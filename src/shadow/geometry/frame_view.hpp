@@ -3,6 +3,7 @@
 #include "src/shadow/geometry/frustum.hpp"
 #include "src/shadow/geometry/layer_bound.hpp"
 #include "src/shadow/geometry/light.hpp"
+#include "src/shadow/geometry/light_extent.hpp"
 #include "src/shadow/geometry/visible_depth.hpp"
 
 #include <optional>
@@ -28,8 +29,15 @@ struct FrameRequest {
     int width = 1;
     int height = 1;
     std::vector<Light> lights;
+    std::size_t lightSamples = 0; ///< points of each light that has an extent; 0: none has any
     DepthChoice depth;
     bool ground = true; ///< the scene's ground is shown, if it has one and the eye is above it
+};
+
+/// Which light's point a light is.
+struct AmongPoints {
+    std::size_t light = 0; ///< index in the view that has that light
+    LightRegion region;
 };
 
 /// One light of a frame.
@@ -42,7 +50,13 @@ struct FrameLight {
     /// by it (docs/method.md, C33).
     std::optional<glm::dvec4> cut{};
     bool atRest = true; ///< it may be worth a primitive map
+    /// What stands for its extent; empty: it has none. `layers` are around any of them then.
+    std::vector<Light> points{};
+    std::optional<AmongPoints> among{}; ///< it is one of another light's points
+    double weight = 1.0;                ///< its share of one light's part in the picture
 
+    /// What shadows are counted for.
+    std::vector<Light> counted() const { return points.empty() ? std::vector{light} : points; }
     /// How many groups of casters it takes.
     std::size_t groupCount() const { return (cut ? 2 : 1) * layers.groupCount; }
 };
@@ -62,6 +76,7 @@ struct FrameView {
     Slopes slopes; ///< of what is visible
 
     bool mask = false;       ///< the lit mask of the first light, not a picture
+    bool sumsMasks = false;  ///< of a mask: those of all lights added up, each of them 1 of 255
     bool drawBlended = true; ///< BLEND surfaces are drawn
     bool ground = false;     ///< the ground is
     bool culls = false;      ///< Scene's
@@ -86,6 +101,13 @@ FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest&
 /// The same without layers, for callers that draw many frames: they keep the scene's `bounds`, and
 /// layers (KeptLayers), for as long as neither scene nor lights move.
 FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds);
+
+/// Masks that a picture of 8 bits can add up.
+inline constexpr std::size_t mostSummed = 255;
+
+/// A view whose picture is the sum of the lit masks of some of a light's points.
+FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
+                     std::size_t count);
 
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: nothing for as
 /// many as pay.

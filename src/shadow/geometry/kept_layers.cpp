@@ -9,12 +9,14 @@ bool KeptLayers::fill(const Scene& scene, bool castMasked, std::vector<FrameLigh
     bool anyNew = false;
     for (FrameLight& of : lights) {
         const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& known) {
-            return known.light == of.light.position;
+            return known.light == of.light.position && known.extent == of.light.extent &&
+                   known.points == of.points.size();
         });
         anyNew = anyNew || found == kept_.end();
-        of.layers = found != kept_.end() ? found->layers
-                                         : boundLayers(scene, castMasked, of.light, stencilLimit);
-        kept.push_back({of.light.position, of.layers});
+        of.layers = found != kept_.end()
+                        ? found->layers
+                        : boundLayers(scene, castMasked, of.counted(), stencilLimit);
+        kept.push_back({of.light.position, of.light.extent, of.points.size(), of.layers});
     }
     kept_ = std::move(kept);
     return anyNew;

@@ -17,6 +17,8 @@ class KeptLayers {
   private:
     struct Kept {
         glm::dvec4 light; ///< its position
+        std::optional<LightExtent> extent;
+        std::size_t points = 0;
         LayerBound layers;
     };
     std::vector<Kept> kept_;

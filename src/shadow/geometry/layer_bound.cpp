@@ -282,20 +282,25 @@ void assignGroups(const std::vector<Members>& crowded, const Units& units, std::
 
 } // namespace
 
-LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light, std::size_t limit) {
+LayerBound boundLayers(const Scene& scene, bool castMasked, std::span<const Light> lights,
+                       std::size_t limit) {
     LayerBound bound;
     bound.most = scene.triangleCount();
     if (bound.most <= limit) return bound;
 
-    const LightView from(light);
-    const std::vector<FaceOutlines> byFace = outlinesByFace(scene, castMasked, from);
-    Divider divider(scene, castMasked, from, limit);
-    for (std::size_t i = 0; i < byFace.size(); ++i)
-        divider.divideFace(from.faces[i], byFace[i]);
-    bound.most = divider.most();
+    bound.most = 0;
+    std::vector<Members> crowded;
+    for (const Light& light : lights) {
+        const LightView from(light);
+        const std::vector<FaceOutlines> byFace = outlinesByFace(scene, castMasked, from);
+        Divider divider(scene, castMasked, from, limit);
+        for (std::size_t i = 0; i < byFace.size(); ++i)
+            divider.divideFace(from.faces[i], byFace[i]);
+        bound.most = std::max(bound.most, divider.most());
+        crowded.insert(crowded.end(), divider.crowded().begin(), divider.crowded().end());
+    }
     if (bound.most > limit)
-        assignGroups(divider.crowded(), unitsOf(scene, castMasked, divider.crowded(), limit), limit,
-                     bound);
+        assignGroups(crowded, unitsOf(scene, castMasked, crowded, limit), limit, bound);
     return bound;
 }
 

@@ -25,6 +25,22 @@ struct Cone {
     double outer = std::numbers::pi / 4.0; ///< radians, 0 < outer <= pi/2: nothing from there on
 };
 
+/// The shape that a light shines from, where it is more than a point or one direction. All of it
+/// shines alike.
+struct LightExtent {
+    enum class Shape {
+        sphere,    ///< around a point light
+        rectangle, ///< in the middle of which a point light stands; it shines to one side
+        disc,      ///< around a directional light, as the sun's
+    };
+    Shape shape = Shape::sphere;
+    double radius = 0.0;  ///< > 0; of a sphere, scene units; of a disc, radians, at most pi / 4
+    glm::dvec2 size{0.0}; ///< of a rectangle, > 0: width and height, scene units
+    glm::dvec3 direction{0.0, -1.0, 0.0}; ///< of a rectangle: what it faces, of length 1
+
+    bool operator==(const LightExtent&) const = default;
+};
+
 /// A light in the world (docs/method.md, Terms): w = 1, a point light at xyz; w = 0, a directional
 /// light, xyz pointing towards it.
 struct Light {
@@ -38,6 +54,7 @@ struct Light {
     /// in lux of a directional light; else it is a share of what a picture's lights have together.
     bool photometric = false;
     std::optional<Cone> cone{}; ///< of a point light that is a spot; nothing: it shines everywhere
+    std::optional<LightExtent> extent{}; ///< nothing: its shadows are hard
 
     bool hasRange() const { return position.w != 0.0 && std::isfinite(range); }
     bool isSpot() const { return position.w != 0.0 && cone.has_value(); }

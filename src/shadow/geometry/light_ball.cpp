@@ -41,4 +41,12 @@ bool LightTrack::follow(const glm::vec4& light) {
     return true;
 }
 
+bool LightTrack::take(const LightBall& ball) {
+    if (started_ && ball_ == ball) return false;
+    *this = LightTrack();
+    started_ = true;
+    ball_ = ball;
+    return true;
+}
+
 } // namespace edgeshade

@@ -12,6 +12,7 @@ struct LightBall {
     float radius = 0.0f;
 
     bool holds(const glm::vec4& light) const;
+    bool operator==(const LightBall&) const = default;
 };
 
 /// Chooses balls around a light as it moves, so that what was worked out for a ball serves for
@@ -20,6 +21,9 @@ class LightTrack {
   public:
     /// The light of one more frame. True if the ball is another one now.
     bool follow(const glm::vec4& light);
+
+    /// A ball that is known, in place of one that is chosen. True if it is another one now.
+    bool take(const LightBall& ball);
 
     const LightBall& ball() const { return ball_; }
 

@@ -1,5 +1,7 @@
 #include "src/shadow/plan/count_plan.hpp"
 
+#include "src/shadow/geometry/light_extent.hpp"
+
 namespace edgeshade {
 
 std::size_t CountPlan::vertexRuns() const {
@@ -47,8 +49,14 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
     for (std::size_t i = 0; i < plan.batches.size(); ++i) {
         BatchPlan& of = plan.batches[i];
         if (of.volumes.drawn.empty()) continue;
-        if (settings.silhouettes)
-            of.silhouettes = &settings.silhouettes->of({of.shadow, of.batch, light}, of.light);
+        if (settings.silhouettes) {
+            SilhouetteKey key{of.shadow, of.batch, light};
+            if (const auto& among = view.lights[light].among) {
+                key.light = among->light;
+                key.around = ballInObject(among->region, casters[i].worldFromBatch);
+            }
+            of.silhouettes = &settings.silhouettes->of(key, of.light);
+        }
         appendDraws(of, i, places[i], materials, plan.draws);
     }
     if (!plan.draws.twice.empty()) plan.start.setDoubled();

@@ -26,7 +26,7 @@ StencilStart SlicePlan::start() const {
 
 FramePlan planFrame(const FrameTask& task) {
     FramePlan frame;
-    const std::size_t lights = task.view.mask ? 1 : task.view.lights.size();
+    const std::size_t lights = task.view.mask && !task.view.sumsMasks ? 1 : task.view.lights.size();
     for (const DepthSlice& slice : task.view.slices) {
         SlicePlan& plan = frame.slices.emplace_back();
         for (std::size_t i = 0; i < lights; ++i) {

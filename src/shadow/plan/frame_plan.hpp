@@ -51,7 +51,7 @@ struct FrameTask {
 };
 
 /// Plans for every slice which lights are drawn, where, together with what, and all draws of their
-/// shadow volumes. Needs no GL. In a mask only the first light is drawn.
+/// shadow volumes. Needs no GL. In a mask that is no sum only the first light is drawn.
 FramePlan planFrame(const FrameTask& task);
 
 } // namespace edgeshade

@@ -41,14 +41,14 @@ const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const g
     Source& source = found->second;
     if (source.lastFrame != frame_) source.asked.clear();
     source.lastFrame = frame_;
-    const auto [first, isNew] =
-        source.asked.try_emplace(bitsOf(light), std::pair(key.batch, key.light));
+    const auto [first, isNew] = source.asked.try_emplace(
+        bitsOf(key.around ? key.around->center : light), std::pair(key.batch, key.light));
     const auto [batch, index] = first->second;
     Entry& entry = entries_[{&shadow, batch, index}];
     SilhouetteList& list = entry.list;
-    if (entry.lastFrame == frame_) return list;
+    if (entry.lastFrame == frame_ && !key.around) return list;
     entry.lastFrame = frame_;
-    if (entry.track.follow(light)) {
+    if (key.around ? entry.track.take(*key.around) : entry.track.follow(light)) {
         listSilhouettes(shadow, source.facings, entry.track.ball(), mantissaBits_, list);
         list.identity = std::make_shared<const int>(0);
         ++made_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 
 namespace edgeshade {
@@ -14,6 +15,8 @@ struct SilhouetteKey {
     std::shared_ptr<const PlanePairShadow> shadow;
     std::size_t batch = 0; ///< its index in the scene: several may have these records
     std::size_t light = 0; ///< its index in the view
+    /// Of a light's points: holds all of them, in the batch's space. The list serves them all.
+    std::optional<LightBall> around{};
 };
 
 /// Keeps the lists of potential silhouettes for lights and batches from frame to frame, and makes
@@ -30,7 +33,8 @@ class PotentialSilhouettes {
 
     /// The list for a light that is in the batch's space. Batches that have the same records and
     /// see the light from the same place, or a sun from the same direction, get the same list. It
-    /// stays where it is until the next frame begins.
+    /// stays where it is until the next frame begins; of a light's points `lightInPlane` is that of
+    /// the last one that was asked for.
     const SilhouetteList& of(const SilhouetteKey& key, const glm::vec4& light);
 
     std::size_t made() const { return made_; } ///< lists, since the beginning

@@ -1,0 +1,73 @@
+#include "src/render/accumulation/lit_counter.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "src/gl/framebuffer_keeper.hpp"
+
+#include <algorithm>
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+
+std::size_t LitCounter::lightsAtOnce(const GpuScene& scene) {
+    constexpr std::size_t mostPlans = 16384; // of a batch in one light
+    return std::clamp<std::size_t>(mostPlans / std::max<std::size_t>(scene.batches.size(), 1), 1,
+                                   mostSummed);
+}
+
+void LitCounter::begin(int width, int height) {
+    const gl::FramebufferKeeper keeper;
+    lights_ = pictures_ = 0;
+    const bool fits = sum_.size() == glm::ivec2(width, height);
+    sum_.begin(width, height);
+    if (fits) return;
+    depthStencil_.emplace(width, height, capabilities_);
+    masks_ = gl::ColorTarget(width, height);
+    depthStencil_->attach();
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ExitStatus::unavailable,
+                    "This GL can't draw into a texture with depth and stencil, which lights with "
+                    "an extent need.");
+}
+
+void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+                     const FrameView& view, std::span<const FrameLight> others) {
+    if (lights_ + view.lights.size() > PictureSum::most)
+        throw Error(ExitStatus::usage, "More than " + std::to_string(PictureSum::most) +
+                                           " masks were to be added up.");
+    if (const auto records = renderer.settings().records()) {
+        std::vector<FrameLight> lights = view.lights;
+        lights.insert(lights.end(), others.begin(), others.end());
+        scene.groups.upload(loaded, lights, *records);
+    }
+    const gl::FramebufferKeeper keeper;
+    glBindFramebuffer(GL_FRAMEBUFFER, masks_.framebuffer.name());
+    glDisable(GL_DITHER); // bytes are counts
+    renderer.draw(scene, view);
+    sum_.add(masks_.texture.name());
+    lights_ += static_cast<std::uint32_t>(view.lights.size());
+    ++pictures_;
+}
+
+VisibilityLookup LitCounter::visibility() {
+    const gl::FramebufferKeeper keeper;
+    return {sum_.share(std::max(lights_, 1u)), glm::vec2(sum_.size())};
+}
+
+LitCounts LitCounter::read() const {
+    const gl::FramebufferKeeper keeper;
+    const std::vector<std::uint16_t> sums = sum_.read();
+    LitCounts counts{sum_.size().x, sum_.size().y, lights_, pictures_, {}, {}};
+    for (std::size_t i = 0; i < sums.size(); i += 4) {
+        counts.lit.push_back(sums[i]);
+        counts.surface.push_back(sums[i + 3]);
+    }
+    return counts;
+}
+
+std::size_t LitCounter::bytes() const {
+    const auto pixels =
+        static_cast<std::size_t>(sum_.size().x) * static_cast<std::size_t>(sum_.size().y);
+    return sum_.bytes() + (depthStencil_ ? 4 * pixels + depthStencil_->bytes() : 0);
+}
+
+} // namespace edgeshade

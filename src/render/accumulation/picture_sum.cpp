@@ -1,0 +1,136 @@
+#include "src/render/accumulation/picture_sum.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "shaders_es2.hpp"
+
+#include <GLES2/gl2.h>
+#include <utility>
+
+namespace edgeshade {
+namespace {
+
+void bindTo(int unit, gl::Name texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void unbind(int units) {
+    for (int unit = units - 1; unit >= 0; --unit)
+        bindTo(unit, 0);
+}
+
+/// Bytes are written as they are.
+void drawPlainlyInto(gl::Name framebuffer, const glm::ivec2& size) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size.x, size.y);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glDisable(GL_DITHER);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void clear(const gl::ColorTarget& target) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+std::vector<std::uint8_t> bytesOf(const gl::ColorTarget& target, const glm::ivec2& size) {
+    std::vector<std::uint8_t> bytes(4 * static_cast<std::size_t>(size.x) *
+                                    static_cast<std::size_t>(size.y));
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return bytes;
+}
+
+} // namespace
+
+void PictureSum::begin(int width, int height) {
+    if (size_ != glm::ivec2(width, height)) {
+        size_ = glm::ivec2(0); // should anything be refused
+        for (Halves* halves : {&sums_, &next_})
+            *halves = {gl::ColorTarget(width, height), gl::ColorTarget(width, height)};
+        share_ = {};
+        if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw Error(ExitStatus::unavailable,
+                        "This GL can't draw into a texture, which adding pictures up needs.");
+        size_ = {width, height};
+    }
+    drawPlainlyInto(sums_.low.framebuffer.name(), size_);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    clear(sums_.low);
+    clear(sums_.high);
+    glEnable(GL_DITHER);
+}
+
+void PictureSum::add(gl::Name picture) {
+    if (!programs_)
+        programs_.emplace(Programs{WholePicture(shaders::add_bytes_frag),
+                                   WholePicture(shaders::add_bytes_frag, {"HIGH"}),
+                                   WholePicture(shaders::sum_share_frag),
+                                   WholePicture(shaders::sum_share_frag, {"PICTURE"})});
+    const auto draw = [&](const WholePicture& by, const gl::ColorTarget& into) {
+        drawPlainlyInto(into.framebuffer.name(), size_);
+        const gl::Program& program = by.use();
+        bindTo(0, picture);
+        bindTo(1, sums_.low.texture.name());
+        program.setSampler("u_added", 0);
+        program.setSampler("u_low", 1);
+        if (&by == &programs_->high) {
+            bindTo(2, sums_.high.texture.name());
+            program.setSampler("u_high", 2);
+        }
+        program.set("u_texel", 1.0f / glm::vec2(size_));
+        by.draw();
+    };
+    draw(programs_->low, next_.low);
+    draw(programs_->high, next_.high);
+    unbind(3);
+    glEnable(GL_DITHER);
+    std::swap(sums_, next_);
+}
+
+void PictureSum::drawShare(const WholePicture& by, gl::Name framebuffer,
+                           std::uint32_t largest) const {
+    drawPlainlyInto(framebuffer, size_);
+    const gl::Program& program = by.use();
+    bindTo(0, sums_.low.texture.name());
+    bindTo(1, sums_.high.texture.name());
+    program.setSampler("u_low", 0);
+    program.setSampler("u_high", 1);
+    program.set("u_texel", 1.0f / glm::vec2(size_));
+    program.set("u_scale", 255.0f / static_cast<float>(largest));
+    by.draw();
+    unbind(2);
+    glEnable(GL_DITHER);
+}
+
+gl::Name PictureSum::share(std::uint32_t largest) {
+    if (share_.texture.name() == 0) share_ = gl::ColorTarget(size_.x, size_.y);
+    drawShare(programs_->share, share_.framebuffer.name(), largest);
+    return share_.texture.name();
+}
+
+void PictureSum::show(gl::Name framebuffer, std::uint32_t largest) const {
+    drawShare(programs_->picture, framebuffer, largest);
+}
+
+std::vector<std::uint16_t> PictureSum::read() const {
+    const std::vector<std::uint8_t> low = bytesOf(sums_.low, size_),
+                                    high = bytesOf(sums_.high, size_);
+    std::vector<std::uint16_t> sums(low.size());
+    const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
+    for (std::size_t i = 0; i < sums.size(); ++i) { // the GL's rows go up
+        const std::size_t from = (static_cast<std::size_t>(size_.y) - 1 - i / row) * row + i % row;
+        sums[i] = static_cast<std::uint16_t>(low[from] | high[from] << 8);
+    }
+    return sums;
+}
+
+std::size_t PictureSum::bytes() const {
+    const std::size_t pictures = share_.texture.name() == 0 ? 4 : 5;
+    return pictures * 4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
+}
+
+} // namespace edgeshade
