@@ -4,6 +4,7 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
+#include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 
@@ -54,6 +55,7 @@ class Stage {
         if (anyNew) layersMs_ = 1e3 * watch.lap();
     }
 
+    const LoadedScene& loaded() const { return loaded_; }
     const FrameView& view() const { return view_; }
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
@@ -83,12 +85,13 @@ class Stage {
 struct Contender {
     Contender(const Setting& setting_, const RenderSettings& render, Stage& stage_,
               const gl::Capabilities& capabilities)
-        : setting(setting_), stage(stage_), renderer(render, capabilities), needs(needsOf(render)) {
-    }
+        : setting(setting_), stage(stage_), renderer(render, capabilities),
+          extendedLights(capabilities), needs(needsOf(render)) {}
 
     const Setting& setting;
     Stage& stage;
     Renderer renderer;
+    ExtendedLights extendedLights;
     Needs needs;
     std::vector<double> frameMs, planMs, vertexRuns, repeatMs;
     std::vector<StageMs> stages;
@@ -166,6 +169,9 @@ class Course {
         request.depth.near = task_.near;
         request.lights =
             task_.lightMoves ? movedLights(task_.lights, bounds_, share) : task_.lights;
+        for (const auto& contender : contenders_)
+            request.lightSamples =
+                std::max(request.lightSamples, contender->renderer.settings().lightSamples);
         for (const auto& stage : stages_)
             stage->look(request, task_.lightMoves, anyVolumes(*stage));
     }
@@ -187,8 +193,12 @@ class Course {
         Stage& stage = contender.stage;
         FrameView view = stage.view();
         view.divide(contender.setting.depthSlices);
-        contender.renderer.draw(stage.sceneFor(contender.needs, contender.renderer.settings()),
-                                view, clock);
+        for (FrameLight& of : view.lights)
+            of.points.resize(
+                std::min(of.points.size(), contender.renderer.settings().lightSamples));
+        drawWithExtents(contender.renderer, contender.extendedLights,
+                        stage.sceneFor(contender.needs, contender.renderer.settings()),
+                        stage.loaded(), view, clock);
         gl::requireNoError("drawing for measuring");
     }
 
@@ -248,7 +258,7 @@ class Course {
             result.capBytes += volumes->capBytes();
         }
         result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes();
-        result.maskBytes = contender.renderer.maskBytes();
+        result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
         result.lights = lightMethods(scene, contender.stage.view(), contender.renderer.settings());
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());

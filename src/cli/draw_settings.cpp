@@ -3,6 +3,7 @@
 #include "preprocess/base/error.hpp"
 #include "src/cli/options.hpp"
 #include "src/environment/reading.hpp"
+#include "src/shadow/geometry/light_extent.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +157,13 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
             "Parts of the view by depth, each with a depth range of its own (auto: as many as "
             "pay)")
         ->type_name("N|auto");
+    noted(verb.add_option("--light-samples", settings.render.lightSamples,
+                          "Points of each light that has an extent, 1 to " +
+                              std::to_string(mostLightPoints) +
+                              ": its shadow is exact for each (64)"),
+          settings.extentOptions)
+        ->check(CLI::Range(std::size_t{1}, mostLightPoints))
+        ->type_name("N");
     addMaskScale(verb, settings);
     addPrimitiveMapMemory(verb, settings);
     addShadingOptions(verb, settings);
@@ -273,6 +281,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},
+        {"light-samples", render.lightSamples},
         {"shading", nameIn(shadingNames, render.shading)},
         {"ambient", render.ambient}};
     if (render.shading == Shading::full) {

@@ -15,9 +15,19 @@ enum class LightChoice {
     fallback, ///< defaultLight()
 };
 
-/// `--light`, `--sun`, `--light-range`, `--lights`, and the sun by place and time.
+/// `--light-radius` or `--light-size`, of point lights, and `--sun-angle`, of directional ones.
+struct ExtentOptions {
+    std::optional<LightExtent> ofPoints, ofSuns;
+
+    bool typed() const { return ofPoints || ofSuns; }
+    /// Throws Error(usage) where there is no light to give it to.
+    void giveTo(std::vector<Light>& lights) const;
+};
+
+/// `--light`, `--sun`, `--light-range`, `--lights`, extents, and the sun by place and time.
 struct LightOptions {
     std::vector<Light> typed; ///< in the order in which they were typed
+    ExtentOptions extents;
     SunOptions sun;
     std::optional<LightChoice> choice;
 

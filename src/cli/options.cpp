@@ -275,6 +275,7 @@ std::vector<Light> lightsFor(const LightOptions& options, const Scene& scene) {
     std::vector<Light> lights = options.all();
     if (lights.empty() && options.choice != LightChoice::fallback) lights = lightsOf(scene);
     if (lights.empty()) lights.push_back(defaultLight());
+    options.extents.giveTo(lights);
     return lights;
 }
 

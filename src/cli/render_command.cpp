@@ -5,13 +5,17 @@
 #include "src/cli/explanation.hpp"
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
+#include "src/cli/still.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/image/png.hpp"
+#include "src/render/accumulation/extended_lights.hpp"
+#include "src/render/accumulation/subpixels.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/viewer/light_state.hpp"
 
+#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <memory>
 
@@ -28,9 +32,11 @@ struct RenderOptions : SceneOptions {
     bool explain = false;
     DebugPicture debug = DebugPicture::none;
     int samples = 0;
+    std::size_t subpixels = 1;
+    bool shadeSamples = false;
 };
 
-/// Pixels of a mask: surface, and lit surface.
+/// Pixels of a mask: surface, and surface that some light reaches.
 std::pair<std::size_t, std::size_t> countMask(const std::vector<std::uint8_t>& rgba) {
     std::size_t visible = 0, lit = 0;
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
@@ -109,6 +115,38 @@ void tintVolumes(GpuScene& scene, const FrameView& view, const Renderer& rendere
         tint.draw(scene, view, renderer.plan(), light);
 }
 
+nlohmann::ordered_json pointsJson(const std::vector<Light>& points) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const Light& point : points) {
+        const glm::dvec4& at = point.position;
+        json.push_back({at.x, at.y, at.z, at.w});
+    }
+    return json;
+}
+
+/// The points of the first light that has an extent.
+nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
+    for (const FrameLight& of : view.lights)
+        if (!of.points.empty()) return pointsJson(of.points);
+    return nlohmann::ordered_json::array();
+}
+
+void requireFitting(const RenderOptions& options, const std::vector<Light>& lights) {
+    const bool extended = std::any_of(lights.begin(), lights.end(),
+                                      [](const Light& light) { return light.extent.has_value(); });
+    if (!extended && (options.shadeSamples || !options.settings.extentOptions.empty()))
+        throw Error(ExitStatus::usage,
+                    (options.shadeSamples ? "--shade-samples" : "--light-samples") +
+                        std::string(" needs a light with an extent: --light-radius, --light-size "
+                                    "or --sun-angle."));
+    if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)
+        throw Error(ExitStatus::usage, "--debug volumes shows those of one light without an extent "
+                                       "in one picture, not of many added up.");
+    if (extended && options.samples > 0)
+        throw Error(ExitStatus::usage, "--samples does not go with lights that have an extent; "
+                                       "--smooth does.");
+}
+
 void render(const RenderOptions& options) {
     Stopwatch watch;
     const LoadedScene loaded =
@@ -116,11 +154,15 @@ void render(const RenderOptions& options) {
                      drawOppositeVertices(std::array{options.settings}));
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
-    FrameRequest request = requestFor(options.view, loaded.scene);
-    request.depth.slices = options.settings.depthSlices;
-    FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
-    view.mask = options.mask;
-    if (options.view.lights.sun.isDown()) view.lights.front().drawn = false;
+    StillTask task{.request = requestFor(options.view, loaded.scene),
+                   .subpixels = options.subpixels,
+                   .mask = options.mask,
+                   .shadeSamples = options.shadeSamples,
+                   .firstIsDown = options.view.lights.sun.isDown()};
+    task.request.depth.slices = options.settings.depthSlices;
+    task.request.lightSamples = options.settings.render.lightSamples;
+    requireFitting(options, task.request.lights);
+    const FrameView view = viewOf(loaded, task, 0);
     const std::vector<std::string> more = warningsOf(view);
     printWarnings(more);
     warnings.insert(warnings.end(), more.begin(), more.end());
@@ -131,13 +173,19 @@ void render(const RenderOptions& options) {
     settings.layout = layoutFor(options.settings.instancing, capabilities);
     Renderer renderer(settings, capabilities);
     GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
-    prepareScene(scene, loaded, view, settings, capabilities);
     const double loadSeconds = watch.lap();
 
-    renderer.draw(scene, view);
-    if (options.debug == DebugPicture::volumes) tintVolumes(scene, view, renderer, capabilities);
-    gl::requireNoError("drawing");
-    const std::vector<std::uint8_t> pixels = context.readPixels();
+    ProgressBar bar;
+    const bool slow = options.subpixels > 1 || ExtendedLights::points(view) > 0;
+    std::vector<std::uint8_t> pixels =
+        drawStill(loaded, task, view, renderer, scene, context, [&](double share) {
+            if (slow) bar.show(share, "drawing");
+        });
+    if (options.debug == DebugPicture::volumes) {
+        tintVolumes(scene, view, renderer, capabilities);
+        gl::requireNoError("drawing volumes");
+        pixels = context.readPixels();
+    }
     const double drawSeconds = watch.lap();
     writeFile(options.output, encodePng(pixels, view.width, view.height));
     if (options.explain || options.debug != DebugPicture::none)
@@ -169,7 +217,12 @@ void render(const RenderOptions& options) {
         {"seconds", {{"load", loadSeconds}, {"draw", drawSeconds}}},
         {"warnings", warnings},
     };
-    report["settings"].update({{"samples", capabilities.samples}, {"mask", options.mask}});
+    if (const auto points = lightSamplesJson(view); !points.empty())
+        report["light_samples"] = points;
+    report["settings"].update({{"samples", capabilities.samples},
+                               {"smooth", options.subpixels},
+                               {"shade-samples", options.shadeSamples},
+                               {"mask", options.mask}});
     report["settings"].update(options.sceneJson(loaded.scene));
     if (options.mask) {
         const auto [visible, lit] = countMask(pixels);
@@ -187,9 +240,19 @@ void addRenderCommand(CLI::App& program) {
     const auto options = std::make_shared<RenderOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
     verb->add_option("OUT", options->output, "The picture, .png")->required();
-    verb->add_flag("--mask", options->mask,
-                   "The lit mask of the first light: white lit, black in shadow, clear where "
-                   "nothing is");
+    verb->add_flag(
+        "--mask", options->mask,
+        "The lit mask of the first light: white lit, black in shadow, of a light with an "
+        "extent the share of its points that is seen, clear where nothing is");
+    verb->add_option("--smooth", options->subpixels,
+                     "Antialiasing by so many pictures, each sampled elsewhere within the pixels, "
+                     "shadows' boundaries included, 1 to " +
+                         std::to_string(mostSubpixels) + " (1)")
+        ->check(CLI::Range(std::size_t{1}, mostSubpixels))
+        ->type_name("N");
+    verb->add_flag("--shade-samples", options->shadeSamples,
+                   "Lights with an extent shade by each of their points, not by their centre and "
+                   "how much of them is seen");
     verb->add_flag("--explain", options->explain,
                    "Say what of the shadow volumes is drawn, how, and why, and what is left out");
     addChoice(

@@ -4,13 +4,15 @@
 
 namespace edgeshade {
 
-bool ExtendedLights::any(const FrameView& view) {
-    return std::any_of(view.lights.begin(), view.lights.end(),
-                       [](const FrameLight& of) { return !of.points.empty(); });
+std::size_t ExtendedLights::points(const FrameView& view) {
+    std::size_t most = 0;
+    for (const FrameLight& of : view.lights)
+        if (of.drawn) most = std::max(most, of.points.size());
+    return most;
 }
 
 void ExtendedLights::advance(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
-                             const FrameView& view, std::size_t most) {
+                             const FrameView& view, std::size_t most, StageClock* clock) {
     std::size_t end = counted_;
     for (std::size_t i = 0; i < view.lights.size(); ++i) {
         const FrameLight& of = view.lights[i];
@@ -20,7 +22,8 @@ void ExtendedLights::advance(Renderer& renderer, GpuScene& scene, const LoadedSc
         const std::size_t to = std::min(of.points.size(), counted_ + most);
         for (std::size_t first = counted_; first < to;) {
             const std::size_t count = std::min(to - first, LitCounter::lightsAtOnce(scene));
-            counter.add(renderer, scene, loaded, pointsView(view, i, first, count), view.lights);
+            counter.add(renderer, scene, loaded, pointsView(view, i, first, count), view.lights,
+                        clock);
             first += count;
         }
         end = std::max(end, to);
@@ -46,7 +49,7 @@ std::size_t ExtendedLights::bytes() const {
 void drawWithExtents(Renderer& renderer, ExtendedLights& lights, GpuScene& scene,
                      const LoadedScene& loaded, const FrameView& view, StageClock* clock) {
     lights.restart();
-    if (ExtendedLights::any(view)) lights.advance(renderer, scene, loaded, view, mostLightPoints);
+    lights.advance(renderer, scene, loaded, view, ExtendedLights::points(view), clock);
     renderer.draw(scene, view, clock, lights.visibility(view));
 }
 

@@ -12,8 +12,8 @@ class ExtendedLights {
   public:
     explicit ExtendedLights(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 
-    /// Whether the view has such lights.
-    static bool any(const FrameView& view);
+    /// The most points that one of the view's lights has which are drawn; 0: none has an extent.
+    static std::size_t points(const FrameView& view);
 
     /// Nothing is counted yet.
     void restart() { counted_ = 0; }
@@ -21,7 +21,7 @@ class ExtendedLights {
     /// Goes on with up to `most` further points of each such light. Until restart() the view, the
     /// scene and what `renderer` draws must be the same. Throws Error.
     void advance(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
-                 const FrameView& view, std::size_t most);
+                 const FrameView& view, std::size_t most, StageClock* clock = nullptr);
 
     /// Points of each light, so far.
     std::size_t counted() const { return counted_; }

@@ -11,7 +11,7 @@ namespace edgeshade {
 std::size_t LitCounter::lightsAtOnce(const GpuScene& scene) {
     constexpr std::size_t mostPlans = 16384; // of a batch in one light
     return std::clamp<std::size_t>(mostPlans / std::max<std::size_t>(scene.batches.size(), 1), 1,
-                                   mostSummed);
+                                   std::size_t{8});
 }
 
 void LitCounter::begin(int width, int height) {
@@ -30,7 +30,7 @@ void LitCounter::begin(int width, int height) {
 }
 
 void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
-                     const FrameView& view, std::span<const FrameLight> others) {
+                     const FrameView& view, std::span<const FrameLight> others, StageClock* clock) {
     if (lights_ + view.lights.size() > PictureSum::most)
         throw Error(ExitStatus::usage, "More than " + std::to_string(PictureSum::most) +
                                            " masks were to be added up.");
@@ -42,7 +42,7 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
     const gl::FramebufferKeeper keeper;
     glBindFramebuffer(GL_FRAMEBUFFER, masks_.framebuffer.name());
     glDisable(GL_DITHER); // bytes are counts
-    renderer.draw(scene, view);
+    renderer.draw(scene, view, clock);
     sum_.add(masks_.texture.name());
     lights_ += static_cast<std::uint32_t>(view.lights.size());
     ++pictures_;

@@ -37,7 +37,7 @@ class LitCounter {
     /// has at most mostSummed. Groups of casters that lights need are uploaded; those of `others`
     /// stay. Throws Error(usage) where more than PictureSum::most would be added up.
     void add(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-             std::span<const FrameLight> others = {});
+             std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
 
     std::uint32_t lights() const { return lights_; } ///< so far
     /// How many of them reach each pixel, as a share, until the next call.

@@ -57,6 +57,23 @@ std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, cons
     return among ? std::optional(plane) : std::nullopt;
 }
 
+/// Some of a light's points, as lights.
+std::vector<FrameLight> pointsOf(const FrameView& view, std::size_t light, std::size_t first,
+                                 std::size_t count) {
+    const FrameLight& of = view.lights[light];
+    std::vector<FrameLight> points;
+    for (std::size_t i = first; i < first + count; ++i) {
+        FrameLight& point = points.emplace_back();
+        point.light = of.points[i];
+        point.layers = of.layers;
+        point.drawn = of.drawn;
+        point.cut = cutAt(point.light, view.frustum, view.bounds);
+        point.atRest = false;
+        point.among = AmongPoints{light, regionOf(of.light)};
+    }
+    return points;
+}
+
 } // namespace
 
 double fittedNear(double nearest, double diagonal) {
@@ -95,19 +112,26 @@ FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest&
 FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
                      std::size_t count) {
     FrameView result = view;
-    const FrameLight of = view.lights[light];
-    result.lights.clear();
-    for (std::size_t i = first; i < first + count; ++i) {
-        FrameLight& point = result.lights.emplace_back();
-        point.light = of.points[i];
-        point.layers = of.layers;
-        point.drawn = of.drawn;
-        point.cut = cutAt(point.light, view.frustum, view.bounds);
-        point.atRest = false;
-        point.among = AmongPoints{light, regionOf(of.light)};
-    }
+    result.lights = pointsOf(view, light, first, count);
     result.mask = true;
     result.sumsMasks = true;
+    return result;
+}
+
+FrameView shadedByPoints(const FrameView& view) {
+    FrameView result = view;
+    result.lights.clear();
+    for (std::size_t i = 0; i < view.lights.size(); ++i) {
+        const FrameLight& light = view.lights[i];
+        if (light.points.empty()) {
+            result.lights.push_back(light);
+            continue;
+        }
+        for (FrameLight& point : pointsOf(view, i, 0, light.points.size())) {
+            point.weight = light.weight / static_cast<double>(light.points.size());
+            result.lights.push_back(std::move(point));
+        }
+    }
     return result;
 }
 

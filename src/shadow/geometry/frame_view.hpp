@@ -109,6 +109,9 @@ inline constexpr std::size_t mostSummed = 255;
 FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
                      std::size_t count);
 
+/// A view that has, in place of every light with points, these, each with its share of the light.
+FrameView shadedByPoints(const FrameView& view);
+
 /// Divides [near, farthest] into slices of equal ratios, from far to near. `count`: nothing for as
 /// many as pay.
 std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count);

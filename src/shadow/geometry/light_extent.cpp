@@ -1,6 +1,7 @@
 #include "src/shadow/geometry/light_extent.hpp"
 
 #include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/geometry/quasirandom.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
@@ -10,24 +11,6 @@
 
 namespace edgeshade {
 namespace {
-
-/// Roberts' sequence in so many dimensions, from (1/2, 1/2, ...) on: n times the powers of 1 / phi,
-/// phi^(dimensions + 1) = phi + 1, in 64 bits of fraction, the same on every machine.
-template <std::size_t Dimensions>
-std::array<double, Dimensions> evenly(std::uint64_t n) {
-    static_assert(Dimensions == 2 || Dimensions == 3);
-    constexpr std::array<std::uint64_t, 3> steps =
-        Dimensions == 2
-            ? std::array<std::uint64_t, 3>{0xc13fa9a902a6328full, 0x91e10da5c79e7b1cull, 0}
-            : std::array<std::uint64_t, 3>{0xd1b54a32d192ed03ull, 0xabc98388fb8fac02ull,
-                                           0x8cb92ba72f3d8dd7ull};
-    std::array<double, Dimensions> place;
-    for (std::size_t d = 0; d < Dimensions; ++d) {
-        const std::uint64_t fraction = 0x8000000000000000ull + n * steps[d];
-        place[d] = std::ldexp(static_cast<double>(fraction >> 11), -53);
-    }
-    return place;
-}
 
 /// A square's points evenly on a disc of radius 1, its middle in the middle (Shirley and Chiu
 /// 1997).
@@ -102,7 +85,6 @@ std::vector<Light> lightPoints(const Light& light, std::size_t count) {
     like.extent.reset();
     if (light.extent->shape == LightExtent::Shape::rectangle && !like.cone)
         like.cone = Cone{light.extent->direction, 0.0, std::numbers::pi / 2.0};
-    if (count == 1) return {like};
     std::vector<Light> points;
     for (std::uint64_t n = 0; n < count; ++n)
         points.push_back(like.at(pointOf(light, n)));

@@ -14,11 +14,10 @@ namespace edgeshade {
 inline constexpr std::size_t mostLightPoints = 4096;
 
 /// The points that stand for the light, itself without its extent: the first `count` of a fixed
-/// sequence that fills the extent evenly however many are taken (Roberts' R2 and R3, The
-/// Unreasonable Effectiveness of Quasirandom Sequences, 2018). One alone is the centre. Seen from
-/// anywhere, a sphere's fill its disc evenly, as a sphere does that is as bright from all sides.
-/// `count`: 1 to mostLightPoints; `light`: with an extent, and as its shape wants it, see
-/// LightExtent. A rectangle's shine to one side: as spots, where the light is none.
+/// sequence (quasirandom.hpp) that fills the extent evenly however many are taken. The first one is
+/// the centre. Seen from anywhere, a sphere's fill its disc evenly, as a sphere does that is as
+/// bright from all sides. `count`: 1 to mostLightPoints; `light`: with an extent, and as its shape
+/// wants it, see LightExtent. A rectangle's shine to one side: as spots, where the light is none.
 std::vector<Light> lightPoints(const Light& light, std::size_t count);
 
 /// Where all of a light's points are, in the world: homogeneous coordinates no farther from
