@@ -11,6 +11,7 @@
 #include "src/cli/contender.hpp"
 #include "src/image/png.hpp"
 #include "src/lab/compare.hpp"
+#include "src/lab/compare_counts.hpp"
 
 #include <iomanip>
 #include <sstream>
@@ -65,6 +66,64 @@ Json resultJson(const lab::CompareResult& result, DrawSettings settings,
     return json;
 }
 
+Json sumsJson(const lab::WrongSums& sums) {
+    return {{"pixels", sums.pixels},
+            {"visible_pixels", sums.visiblePixels},
+            {"points", sums.points},
+            {"wrong_points", sums.wrong},
+            {"wrong_points_percent", sums.percent()},
+            {"wrong_count_pixels", sums.wrongPixels},
+            {"wrong_count_beyond_1px", sums.beyond1px},
+            {"wrong_count_beyond_1px_not_tied", sums.beyond1pxNotTied},
+            {"largest_wrong_count", sums.largest}};
+}
+
+/// Of lights with an extent: how many of their points reach a pixel is what is compared.
+void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
+                    const std::vector<DrawSettings>& settings, lab::CompareTask& task) {
+    std::erase_if(task.views, [&](lab::LabView& view) {
+        const ExtentOptions& extents = options.view.lights.extents;
+        if (task.lights.empty())
+            view.light.extent = view.light.position.w != 0.0 ? extents.ofPoints : extents.ofSuns;
+        return !(task.lights.empty() ? view.light : task.lights.front()).extent;
+    });
+    if (task.views.empty())
+        throw Error(ExitStatus::usage,
+                    "No view's first light has an extent: --light-radius and --light-size are of "
+                    "point lights, --sun-angle is of directional ones.");
+    ProgressBar bar;
+    const auto results = lab::compareCounts(
+        loaded, task, [&](double share, const std::string& doing) { bar.show(share, doing); });
+    std::ostringstream text;
+    text << std::left << std::setw(34) << "of the points of visible pixels" << std::right
+         << std::setw(10) << "wrong, %" << std::setw(14) << "pixels wrong" << std::setw(12)
+         << "beyond 1px" << std::setw(10) << "not tied";
+    Json all = Json::array();
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const lab::WrongSums& sums = results[i].sums;
+        text << "\n"
+             << std::left << std::setw(34) << results[i].name << std::right << std::fixed
+             << std::setprecision(5) << std::setw(10) << sums.percent() << std::setw(14)
+             << sums.wrongPixels << std::setw(12) << sums.beyond1px << std::setw(10)
+             << sums.beyond1pxNotTied;
+        DrawSettings used = settings[i];
+        used.render = results[i].settings;
+        Json json = {{"name", results[i].name}, {"views", task.views.size()}};
+        json.update(sumsJson(sums));
+        json["settings"] = settingsJson(used);
+        json["settings"].update(options.sceneJson(loaded.scene));
+        json["by_view"] = Json::array();
+        for (std::size_t v = 0; v < task.views.size(); ++v) {
+            Json one = {{"name", task.views[v].name}};
+            one.update(sumsJson(results[i].byView[v]));
+            json["by_view"].push_back(std::move(one));
+        }
+        all.push_back(std::move(json));
+    }
+    printResult(text.str(), options.report);
+    writeReport(all.size() == 1 ? all.front() : Json{{"results", all}}, options.report);
+}
+
 std::string tableOf(const std::vector<lab::CompareResult>& results) {
     std::ostringstream text;
     text << std::left << std::setw(34) << "percent of visible pixels" << std::right << std::setw(12)
@@ -104,6 +163,14 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         task.contenders.push_back(contenderOf(options.against[i], settings[i + 1],
                                               variants.with(settings[i + 1].casters)));
 
+    if (options.view.lights.extents.typed()) {
+        if (!options.heatmap.empty())
+            throw Error(ExitStatus::usage,
+                        "--heatmap shows one wrong mask, not those of a light with an extent.");
+        return compareExtents(options, loaded, settings, task);
+    }
+    for (const DrawSettings& one : settings)
+        requireExtents(one, {});
     ProgressBar bar;
     const auto results = lab::compareAll(
         loaded, task, [&](double share, const std::string& doing) { bar.show(share, doing); });

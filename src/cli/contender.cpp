@@ -25,6 +25,7 @@ void lookAt(lab::CompareTask& task, const ViewOptions& view, const Scene& scene,
     task.lights = view.lights.all();
     if (view.lights.choice == LightChoice::file) task.lights = lightsOf(scene);
     if (view.lights.choice == LightChoice::fallback) task.lights = {defaultLight()};
+    if (!task.lights.empty()) view.lights.extents.giveTo(task.lights);
     if ((view.cameraMatrix || view.camera) && viewsTyped)
         throw Error(ExitStatus::usage, std::string(view.camera ? "--camera" : "--camera-matrix") +
                                            " is one view, so --views does not go with it.");

@@ -210,12 +210,22 @@ void resolve(DrawSettings& settings) {
                     settings.volumeOptions.front() + " needs --shadows volumes.");
 }
 
+void requireExtents(const DrawSettings& settings, std::span<const Light> lights) {
+    if (settings.extentOptions.empty()) return;
+    if (std::ranges::any_of(lights, [](const Light& light) { return light.extent.has_value(); }))
+        return;
+    throw Error(ExitStatus::usage, settings.extentOptions.front() +
+                                       " needs a light with an extent: --light-radius, "
+                                       "--light-size or --sun-angle.");
+}
+
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     DrawSettings settings = base;
     settings.mapOptions.clear();
     settings.volumeOptions.clear();
     settings.primitiveMapOptions.clear();
     settings.fullOptions.clear();
+    settings.extentOptions.clear();
     // Either of the two that is typed here says what the other one is.
     settings.multiplicity.reset();
     settings.layout.reset();

@@ -9,6 +9,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,10 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 /// layout or method follows from the other. Throws Error(usage) where they don't go together, and
 /// for options that another one makes meaningless; InputError.
 void resolve(DrawSettings& settings);
+
+/// Throws Error(usage) where there is an option that only lights with an extent have, and none of
+/// these has one.
+void requireExtents(const DrawSettings& settings, std::span<const Light> lights);
 
 /// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512",
 /// casters' too, e.g. "caster-error=0.01".

@@ -132,13 +132,8 @@ nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
 }
 
 void requireFitting(const RenderOptions& options, const std::vector<Light>& lights) {
-    const bool extended = std::any_of(lights.begin(), lights.end(),
-                                      [](const Light& light) { return light.extent.has_value(); });
-    if (!extended && (options.shadeSamples || !options.settings.extentOptions.empty()))
-        throw Error(ExitStatus::usage,
-                    (options.shadeSamples ? "--shade-samples" : "--light-samples") +
-                        std::string(" needs a light with an extent: --light-radius, --light-size "
-                                    "or --sun-angle."));
+    requireExtents(options.settings, lights);
+    const bool extended = options.view.lights.extents.typed();
     if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)
         throw Error(ExitStatus::usage, "--debug volumes shows those of one light without an extent "
                                        "in one picture, not of many added up.");
@@ -270,6 +265,7 @@ void addRenderCommand(CLI::App& program) {
     addReportOption(*verb, options->report);
     verb->callback([options] {
         resolve(options->settings);
+        if (options->shadeSamples) options->settings.extentOptions.push_back("--shade-samples");
         RenderSettings& drawn = options->settings.render;
         drawn.tintPrimitives = options->debug == DebugPicture::primitiveMap;
         if (drawn.tintPrimitives && (options->mask || !drawn.looksUpPrimitives()))

@@ -237,6 +237,9 @@ std::string limitsOf(const TradeoffOptions& options) {
 void tradeoff(const TradeoffOptions& options) {
     requirePlottable(options.plot);
     options.view.lights.sun.requireUp();
+    if (options.view.lights.extents.typed())
+        throw Error(ExitStatus::usage, "tradeoff is of hard shadows; 'bench' and 'compare' measure "
+                                       "lights with an extent.");
     const LoadedScene loaded =
         options.load(Shading::full, ShadowMethod::automatic, !options.culls.value_or(false));
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();

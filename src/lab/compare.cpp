@@ -1,9 +1,8 @@
 #include "src/lab/compare.hpp"
 
-#include "src/gl/headless_context.hpp"
 #include "src/lab/heatmap.hpp"
+#include "src/lab/studio.hpp"
 #include "src/lab/texture_alpha.hpp"
-#include "src/render/frame/prepare_scene.hpp"
 
 #include <array>
 #include <map>
@@ -14,50 +13,6 @@ namespace {
 
 constexpr std::array<float, 7> mapBiases = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f}; // texels
 constexpr std::size_t tuningViews = 3;
-
-/// Scenes on the GPU, in one context, by their records.
-class Studio {
-  public:
-    explicit Studio(const CompareTask& task)
-        : context_({task.width, task.height, 0, task.limits}) {}
-
-    /// A renderer for this studio's context.
-    Renderer rendererFor(const RenderSettings& settings) const {
-        return Renderer(settings, context_.capabilities());
-    }
-
-    std::vector<std::uint8_t> draw(Renderer& renderer, const LoadedScene& loaded,
-                                   const FrameView& view) {
-        const auto records = renderer.settings().records();
-        GpuScene& scene = sceneFor(loaded, records);
-        prepareScene(scene, loaded, view, renderer.settings(), context_.capabilities());
-        renderer.draw(scene, view);
-        methods_ = lightMethods(scene, view, renderer.settings());
-        gl::requireNoError("drawing for comparison");
-        return context_.readPixels();
-    }
-
-    /// How the last picture's shadows were made, light by light.
-    const std::vector<LightMethod>& methods() const { return methods_; }
-
-    SidesLayout bestLayout() const { return edgeshade::bestLayout(context_.capabilities()); }
-    int subpixelBits() const { return context_.capabilities().subpixelBits; }
-
-  private:
-    std::vector<LightMethod> methods_;
-
-    GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
-        const auto key = std::pair(&loaded, records);
-        auto found = scenes_.find(key);
-        if (found == scenes_.end())
-            found =
-                scenes_.emplace(key, uploadScene(loaded, records, context_.capabilities())).first;
-        return found->second;
-    }
-
-    gl::HeadlessContext context_;
-    std::map<std::pair<const LoadedScene*, std::optional<VolumeRecords>>, GpuScene> scenes_;
-};
 
 /// One view with its oracle, which all contenders share.
 struct JudgedView {
@@ -96,7 +51,8 @@ JudgedView judge(const LoadedScene& loaded, const CompareTask& task, const LabVi
 class Jury {
   public:
     Jury(const LoadedScene& loaded, const CompareTask& task)
-        : loaded_(loaded), task_(task), studio_(task), alpha_(textureAlpha(loaded)) {}
+        : loaded_(loaded), task_(task), studio_(task.width, task.height, task.limits),
+          alpha_(textureAlpha(loaded)) {}
 
     /// Moves on to another view.
     void see(const LabView& view) {

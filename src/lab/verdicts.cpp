@@ -1,14 +1,13 @@
 #include "src/lab/verdicts.hpp"
 
+#include "src/lab/all_cores.hpp"
 #include "src/lab/oracle_picture.hpp"
 #include "src/lab/tie.hpp"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <thread>
 
 namespace edgeshade::lab {
 namespace {
@@ -63,22 +62,6 @@ class View {
     OraclePicture expected_;
     int width_, height_;
 };
-
-/// Calls work(index) for indices 0 to count - 1 on all cores.
-template <class Work>
-void onAllCores(std::size_t count, Work work) {
-    std::atomic<std::size_t> next{0};
-    const auto loop = [&] {
-        for (std::size_t i = next++; i < count; i = next++)
-            work(i);
-    };
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
-        others.emplace_back(loop);
-    loop();
-    for (std::thread& other : others)
-        other.join();
-}
 
 } // namespace
 

@@ -1,0 +1,83 @@
+#include "src/lab/compare_counts.hpp"
+
+#include "src/lab/studio.hpp"
+#include "src/lab/texture_alpha.hpp"
+
+#include <algorithm>
+
+namespace edgeshade::lab {
+namespace {
+
+FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
+                  std::optional<int> slices) {
+    FrameView frame = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
+    frame.drawBlended = false;
+    frame.divide(slices);
+    return frame;
+}
+
+LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
+                const FrameView& frame) {
+    GpuScene& scene = studio.sceneFor(loaded, renderer.settings().records());
+    LitCounter counter(studio.capabilities());
+    counter.begin(frame.width, frame.height);
+    const std::size_t points = frame.lights.front().points.size();
+    for (std::size_t first = 0; first < points;) {
+        const std::size_t count = std::min(points - first, LitCounter::lightsAtOnce(scene));
+        counter.add(renderer, scene, loaded, pointsView(frame, 0, first, count));
+        first += count;
+    }
+    gl::requireNoError("drawing for comparison");
+    return counter.read();
+}
+
+} // namespace
+
+std::vector<CountResult>
+compareCounts(const LoadedScene& loaded, const CompareTask& task,
+              const std::function<void(double, const std::string&)>& progress) {
+    Studio studio(task.width, task.height, task.limits);
+    const AlphaLookup alpha = textureAlpha(loaded);
+    std::vector<CountResult> results;
+    std::size_t most = 1;
+    for (const Contender& contender : task.contenders) {
+        CountResult& result = results.emplace_back();
+        result.name = contender.name;
+        result.settings = contender.settings;
+        result.settings.layout = contender.layout.value_or(studio.bestLayout());
+        most = std::max(most, result.settings.lightSamples);
+    }
+    const double steps = static_cast<double>(task.views.size() * (results.size() + 1));
+    std::size_t done = 0;
+    for (const LabView& view : task.views) {
+        FrameRequest request;
+        request.frustum = view.frustum;
+        request.width = task.width;
+        request.height = task.height;
+        request.depth.near = task.near;
+        request.lights = {task.lights.empty() ? view.light : task.lights.front()};
+        request.lightSamples = most;
+        progress(static_cast<double>(done++) / steps, "view " + view.name + ", oracle");
+        const FrameView judged = frameOf(loaded, request, {});
+        PointOracle oracle({&loaded.scene, loaded.settings.castMasked, judged.frustum,
+                            judged.near(), lightPoints(request.lights.front(), most), task.width,
+                            task.height, loaded.cutoutsCast},
+                           alpha);
+        for (std::size_t c = 0; c < results.size(); ++c) {
+            CountResult& result = results[c];
+            progress(static_cast<double>(done++) / steps, "view " + view.name + ", " + result.name);
+            const Contender& contender = task.contenders[c];
+            request.lightSamples = result.settings.lightSamples;
+            Renderer renderer = studio.rendererFor(result.settings);
+            const LoadedScene& scene = contender.scene ? *contender.scene : loaded;
+            const LitCounts counts =
+                drawn(studio, renderer, scene, frameOf(scene, request, contender.depthSlices));
+            result.byView.push_back(oracle.compare(counts, request.lightSamples));
+            result.sums += result.byView.back();
+        }
+    }
+    progress(1.0, "done");
+    return results;
+}
+
+} // namespace edgeshade::lab

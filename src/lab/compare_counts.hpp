@@ -1,0 +1,23 @@
+#pragma once
+
+#include "src/lab/compare.hpp"
+#include "src/lab/point_counts.hpp"
+
+namespace edgeshade::lab {
+
+/// What comparing one contender's counts of a light's points found.
+struct CountResult {
+    std::string name;
+    RenderSettings settings; ///< with the layout that was used
+    WrongSums sums;
+    std::vector<WrongSums> byView;
+};
+
+/// Like compareAll(), of lights with an extent: counts, for every view and contender, how many of
+/// its points reach each pixel, and what of that is wrong. Of several lights of a view the first
+/// one counts, which must have an extent. Throws Error.
+std::vector<CountResult>
+compareCounts(const LoadedScene& loaded, const CompareTask& task,
+              const std::function<void(double, const std::string&)>& progress);
+
+} // namespace edgeshade::lab
