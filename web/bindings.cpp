@@ -101,6 +101,8 @@ class PageViewer {
     void wheel(double x, double y, double notches) { viewer_->wheel(x, y, notches); }
 
     std::string animations() const { return nlohmann::ordered_json(viewer_->animations()).dump(); }
+    std::string lightPoints() const { return viewer::toJson(viewer_->lightPoints()).dump(); }
+    double sceneSize() const { return viewer_->sceneSize(); }
     std::string sun() const { return viewer_->sun().dump(); }
     double animationSeconds() const { return viewer_->animationSeconds(); }
     bool wantsFrame() const { return viewer_->wantsFrame(); }
@@ -141,6 +143,8 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("pointer", &PageViewer::pointer)
         .function("wheel", &PageViewer::wheel)
         .function("animations", &PageViewer::animations)
+        .function("lightPoints", &PageViewer::lightPoints)
+        .function("sceneSize", &PageViewer::sceneSize)
         .function("sun", &PageViewer::sun)
         .function("animationSeconds", &PageViewer::animationSeconds)
         .function("wantsFrame", &PageViewer::wantsFrame)

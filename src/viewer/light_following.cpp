@@ -42,7 +42,10 @@ void followLights(std::vector<Light>& lights, const std::vector<Light>& before,
         const bool own = i < now.size() && (isSame(light, before[i]) || isSame(light, now[i]));
         std::size_t index = own ? i : indexIn(before, light);
         if (index == now.size()) index = indexIn(now, light);
-        if (index < now.size()) light = now[index];
+        if (index == now.size()) continue;
+        const std::optional<LightExtent> extent = light.extent; // files have none
+        light = now[index];
+        light.extent = extent;
     }
 }
 

@@ -1,5 +1,7 @@
 #include "src/viewer/light_state.hpp"
 
+#include "src/shadow/geometry/vectors.hpp"
+
 #include <algorithm>
 
 namespace edgeshade::viewer {
@@ -35,14 +37,17 @@ double angleFrom(const Field& field) {
     return glm::radians(field.number(0.0, 90.0));
 }
 
+glm::dvec3 directionFrom(const Field& field) {
+    const glm::dvec3 direction = field.place<3>();
+    if (direction == glm::dvec3(0.0)) field.fail("a direction");
+    return unitOf(direction);
+}
+
 Cone coneFrom(const Field& field) {
     Cone cone;
     field.forEachMember([&](const std::string& key, const Field& value) {
         if (key == "axis") {
-            cone.axis = value.place<3>();
-            if (cone.axis == glm::dvec3(0.0)) value.fail("a direction");
-            const glm::dvec3 size = glm::abs(cone.axis);
-            cone.axis = glm::normalize(cone.axis / std::max({size.x, size.y, size.z}));
+            cone.axis = directionFrom(value);
         } else if (key == "inner") {
             cone.inner = angleFrom(value);
         } else if (key == "outer") {
@@ -55,6 +60,37 @@ Cone coneFrom(const Field& field) {
     });
     if (cone.inner > cone.outer) field.fail("a cone whose 'inner' is no larger than its 'outer'");
     return cone;
+}
+
+glm::dvec2 sizeFrom(const Field& field) {
+    const glm::dvec2 size = field.place<2>();
+    if (!(size.x >= smallestLength && size.y >= smallestLength)) field.fail("above 0 both ways");
+    return size;
+}
+
+/// Reads a key that says what shape a light has; false: it is another key.
+bool readExtent(const std::string& key, const Field& value, std::optional<LightExtent>& extent) {
+    using Shape = LightExtent::Shape;
+    LightExtent read = extent.value_or(LightExtent());
+    const bool isFacing = key == "facing";
+    if (key == "radius") {
+        read.shape = Shape::sphere;
+        read.radius = value.number(smallestLength, farthestPlace);
+    } else if (key == "size") {
+        read.shape = Shape::rectangle;
+        read.size = sizeFrom(value);
+    } else if (isFacing) {
+        read.shape = Shape::rectangle;
+        read.direction = directionFrom(value);
+    } else if (key == "angle") {
+        read.shape = Shape::disc;
+        read.radius = glm::radians(0.5 * value.number(narrowestAngle, 90.0));
+    } else {
+        return false;
+    }
+    if (extent && extent->shape != read.shape) value.fail("of the shape that the light has");
+    extent = read;
+    return true;
 }
 
 Light lightFromObject(const Field& field) {
@@ -77,7 +113,7 @@ Light lightFromObject(const Field& field) {
         } else if (key == "cone") {
             light.cone = coneFrom(value);
         } else {
-            return false;
+            return readExtent(key, value, light.extent);
         }
         return true;
     });
@@ -87,6 +123,12 @@ Light lightFromObject(const Field& field) {
         if (light.cone || std::isfinite(light.range))
             field.fail("a point light, since it has a range or a cone");
     }
+    if (!light.extent) return light;
+    if ((light.extent->shape == LightExtent::Shape::disc) != (light.position.w == 0.0))
+        field.fail("a point light with a 'radius' or a 'size', or a directional one with an "
+                   "'angle'");
+    if (light.extent->shape == LightExtent::Shape::rectangle && light.extent->size.x == 0.0)
+        field.fail("a light with a 'size', since it has a 'facing'");
     return light;
 }
 
@@ -95,6 +137,24 @@ Light lightFromObject(const Field& field) {
 Light lightFrom(const Field& field) {
     return field.isObject() ? lightFromObject(field) : lightFromArray(field);
 }
+
+namespace {
+
+void addExtent(const LightExtent& extent, Json& json) {
+    switch (extent.shape) {
+    case LightExtent::Shape::sphere:
+        json["radius"] = extent.radius;
+        return;
+    case LightExtent::Shape::rectangle:
+        json["size"] = {extent.size.x, extent.size.y};
+        json["facing"] = toJson(extent.direction);
+        return;
+    case LightExtent::Shape::disc:
+        json["angle"] = glm::degrees(2.0 * extent.radius);
+    }
+}
+
+} // namespace
 
 Json namedJson(const Light& light) {
     Json json;
@@ -111,11 +171,12 @@ Json namedJson(const Light& light) {
         json["cone"] = {{"axis", toJson(light.cone->axis)},
                         {"inner", glm::degrees(light.cone->inner)},
                         {"outer", glm::degrees(light.cone->outer)}};
+    if (light.extent) addExtent(*light.extent, json);
     return json;
 }
 
 Json toJson(const Light& light) {
-    if (light.color != glm::vec3(1.0f) || light.photometric || light.isSpot())
+    if (light.color != glm::vec3(1.0f) || light.photometric || light.isSpot() || light.extent)
         return namedJson(light);
     const glm::dvec4& place = light.position;
     Json json = {place.x, place.y, place.z, place.w};

@@ -9,7 +9,9 @@ namespace edgeshade::viewer {
 /// number, or with names:
 /// {"position": [x,y,z] of a point light, or "direction": [x,y,z] towards a directional light,
 ///  "color": [r,g,b] linear, "intensity": candela or lux, "range": of a point light,
-///  "cone": {"axis": [x,y,z], where a spot shines, "inner": deg, "outer": deg}}
+///  "cone": {"axis": [x,y,z], where a spot shines, "inner": deg, "outer": deg},
+///  and its extent: "radius" of a sphere or "size": [width, height] and "facing": [x,y,z] of a
+///  rectangle, of a point light; "angle": deg, of a directional light's disc, at most 90}
 /// All but the place may be missing. A point light with an intensity falls off with the square of
 /// the distance. Throws Error(usage) that names the field and its value.
 Light lightFrom(const Field& field);

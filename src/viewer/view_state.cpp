@@ -120,6 +120,7 @@ Json toJson(const ViewState& state) {
     return {{"camera", toJson(state.camera)},
             {"lights", lights},
             {"chosen_light", state.chosenLight},
+            {"light_samples", state.lightSamples},
             {"sun", toJson(state.sun)},
             {"day_playing", state.dayPlays},
             {"shading", wordOf(shadingWords, state.shading)},
@@ -156,6 +157,9 @@ ViewState changed(const ViewState& base, const Json& changes) {
         else if (key == "chosen_light")
             state.chosenLight = static_cast<std::size_t>(
                 value.integer(0, std::max(0, static_cast<int>(state.lights.size()) - 1)));
+        else if (key == "light_samples")
+            state.lightSamples =
+                static_cast<std::size_t>(value.integer(1, static_cast<int>(mostLightPoints)));
         else if (key == "sun")
             state.sun = sunFrom(value, state.sun);
         else if (key == "day_playing")

@@ -17,6 +17,8 @@ struct SideSettings {
     int mapSize = 2048;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     int maskScale = 1; ///< see RenderSettings: 1, 2 or 4
+
+    bool operator==(const SideSettings&) const = default;
 };
 
 enum class DebugView {
@@ -37,8 +39,9 @@ struct ViewState {
     Camera camera;
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
-    std::optional<SunState> sun; ///< by place and time: the first light, see withSun()
-    bool dayPlays = false;       ///< its day
+    std::size_t lightSamples = 64; ///< points of lights with an extent, at rest
+    std::optional<SunState> sun;   ///< by place and time: the first light, see withSun()
+    bool dayPlays = false;         ///< its day
     Shading shading = Shading::full;
     float ambient = 0.45f;                              ///< see RenderSettings
     float exposure = 0.0f;                              ///< EV, within mostExposure
@@ -59,8 +62,8 @@ struct ViewState {
 };
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
-///  "chosen_light": 0, "sun": null or {"place": [latitude, longitude], "time":
-///  "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false, "shading": "full|base",
+///  "chosen_light": 0, "light_samples": 1..4096, "sun": null or {"place": [latitude, longitude],
+///  "time": "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false, "shading": "full|base",
 ///  "ambient": 0.45, "exposure": 0, "background": [r,g,b], "ground": "off|catcher|#rrggbb",
 ///  "cast_cutouts": false, "cull": "auto|off",
 ///  "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity":

@@ -5,6 +5,7 @@
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/shadow/geometry/scene_lights.hpp"
 #include "src/viewer/commands.hpp"
+#include "src/viewer/convergence.hpp"
 #include "src/viewer/day_clock.hpp"
 #include "src/viewer/frame_clock.hpp"
 #include "src/viewer/handle_drawing.hpp"
@@ -52,7 +53,7 @@ struct Viewer::Parts {
     struct Gpu {
         Gpu(const gl::Capabilities& capabilities_, const RenderSettings& settings)
             : capabilities(capabilities_), layout(settings.layout),
-              renderers(settings, capabilities_) {}
+              renderers(settings, capabilities_), convergence(capabilities_) {}
 
         VolumeTintPass& tintOf(const RenderSettings& drawn) {
             if (!tint || tintMethod != drawn.multiplicity)
@@ -68,6 +69,7 @@ struct Viewer::Parts {
         gl::Capabilities capabilities;
         SidesLayout layout;
         Renderers renderers;
+        Convergence convergence;
         OverlayPass overlay;
         std::unique_ptr<VolumeTintPass> tint; ///< made when it is first asked for
         MultiplicityMethod tintMethod = MultiplicityMethod::plane;
@@ -89,6 +91,7 @@ struct Viewer::Parts {
     bool mapsPending = false; ///< a light may get a primitive map soon
     std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
+    std::size_t poses = 0; ///< counts whatever of the scene has moved or changed
     bool timed = false;    ///< somebody asked for statistics
     bool unchecked = true; ///< something new is drawn, which the GL may refuse
     RecentMean frameMs, planMs, poseMs;
@@ -108,7 +111,12 @@ struct Viewer::Parts {
     void sceneMoved();
     void advanceMaps(double now);
     void draw();
-    void drawSide(const SideSettings& side, const FrameView& view, StageClock* stageClock);
+    void drawSide(std::size_t side, const FrameView& view, StageClock* stageClock);
+    const SideSettings& sideAt(std::size_t side) const {
+        return side == 0 ? state.left : state.right;
+    }
+    CountedScene countedScene(const FrameView& view) const;
+    void converge(double now);
     void groupCasters(const SideSettings& side, FrameView& view);
     const EdgeCounts& edgesNow();
 };
@@ -244,6 +252,7 @@ void Viewer::Parts::sceneMoved() {
     };
     edgeCounts.reset();
     layers.clear();
+    ++poses;
     if (gpu && gpu->scene) gpu->scene->groups.clear();
     dirty = true;
 }
@@ -262,15 +271,42 @@ void Viewer::Parts::groupCasters(const SideSettings& side, FrameView& view) {
     gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(side));
 }
 
-void Viewer::Parts::drawSide(const SideSettings& side, const FrameView& view,
-                             StageClock* stageClock) {
-    SideSettings drawn = side;
-    if (state.debug == DebugView::volumes && looksUp(side)) drawn.shadows = ShadowMethod::volumes;
+void Viewer::Parts::drawSide(std::size_t side, const FrameView& view, StageClock* stageClock) {
+    SideSettings drawn = sideAt(side);
+    if (state.debug == DebugView::volumes && looksUp(drawn)) drawn.shadows = ShadowMethod::volumes;
     Renderer& renderer = gpu->renderers.of(drawn, state);
-    renderer.draw(*gpu->scene, view, stageClock);
+    renderer.draw(*gpu->scene, view, stageClock, gpu->convergence.visibility(side));
     if (state.debug == DebugView::volumes && drawn.shadows == ShadowMethod::volumes)
         gpu->tintOf(renderer.settings())
             .draw(*gpu->scene, view, renderer.plan(), state.chosenLight);
+}
+
+CountedScene Viewer::Parts::countedScene(const FrameView& view) const {
+    CountedScene counted;
+    counted.frustum = view.frustum;
+    counted.size = {view.width, view.height};
+    counted.lights = state.lights;
+    for (const FrameLight& of : view.lights)
+        counted.drawn.push_back(of.drawn && state.debug == DebugView::none);
+    counted.lightSamples = state.lightSamples;
+    counted.sides = {state.left, state.split ? state.right : state.left};
+    counted.ground = view.ground;
+    counted.culls = view.culls;
+    counted.cutouts = state.castCutouts;
+    counted.pose = poses;
+    return counted;
+}
+
+/// Counts further points of lights with an extent; the picture is drawn anew where they make it
+/// better.
+void Viewer::Parts::converge(double now) {
+    if (dirty || !loaded || !gpu || !gpu->scene || !gpu->convergence.wantsMore()) return;
+    std::array<Renderer*, 2> renderers{};
+    for (std::size_t side = 0; side < (state.split ? 2u : 1u); ++side)
+        if (sideAt(side).shadows != ShadowMethod::none)
+            renderers[side] = &gpu->renderers.of(sideAt(side), state);
+    dirty = gpu->convergence.advance(renderers, *gpu->scene, *loaded, now);
+    unchecked = unchecked || dirty;
 }
 
 /// Goes on with primitive maps for the lights that rest, if some side looks them up.
@@ -294,7 +330,7 @@ void Viewer::Parts::advanceMaps(double now) {
     std::vector<FrameLight> lights;
     for (const Light& light : state.lights) {
         lights.push_back({light, {}});
-        lights.back().atRest = rest.rests(light, now);
+        lights.back().atRest = !light.extent && rest.rests(light, now);
     }
     lights.front().drawn = !sunIsDown(state);
     RenderSettings wanted = settings.render;
@@ -303,7 +339,8 @@ void Viewer::Parts::advanceMaps(double now) {
     if (prepareSceneMeanwhile(*gpu->scene, *loaded, lights, wanted, gpu->capabilities, buildingMs))
         dirty = true;
     for (const FrameLight& of : lights)
-        if (of.drawn && !gpu->scene->primitiveMaps.of(of.light)) mapsPending = true;
+        if (of.drawn && !of.light.extent && !gpu->scene->primitiveMaps.of(of.light))
+            mapsPending = true;
 }
 
 void Viewer::Parts::draw() {
@@ -317,6 +354,7 @@ void Viewer::Parts::draw() {
     request.ground = state.ground.has_value();
     FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
     view.lights.front().drawn = !sunIsDown(state);
+    gpu->convergence.see(countedScene(view), view);
     groupCasters(state.left, view);
     if (state.split) groupCasters(state.right, view);
     const double planSeconds = watch.lap();
@@ -325,14 +363,14 @@ void Viewer::Parts::draw() {
     const bool watched = timed && timedFrames++ % framesPerStageFrame == 1;
     StageClock* const stageClock = watched ? &stages : nullptr;
     if (!state.split) {
-        drawSide(state.left, view, stageClock);
+        drawSide(0, view, stageClock);
     } else {
         const int at = static_cast<int>(std::lround(state.splitAt * stage.width));
         glEnable(GL_SCISSOR_TEST);
         glScissor(0, 0, at, stage.height);
-        if (at > 0) drawSide(state.left, view, stageClock);
+        if (at > 0) drawSide(0, view, stageClock);
         glScissor(at, 0, stage.width - at, stage.height);
-        if (at < stage.width) drawSide(state.right, view, stageClock);
+        if (at < stage.width) drawSide(1, view, stageClock);
         glDisable(GL_SCISSOR_TEST);
         gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
     }
@@ -462,6 +500,16 @@ double Viewer::animationSeconds() const {
     return parts_->animation ? parts_->animation->duration : 0.0;
 }
 
+LightPoints Viewer::lightPoints() const {
+    if (!parts_->gpu) return {};
+    const Convergence& convergence = parts_->gpu->convergence;
+    return {convergence.shown(), convergence.of()};
+}
+
+double Viewer::sceneSize() const {
+    return parts_->loaded ? parts_->stage.bounds.diagonal() : 0.0;
+}
+
 nlohmann::ordered_json Viewer::sun() const {
     const auto& sun = parts_->state.sun;
     if (!sun) return nullptr;
@@ -477,6 +525,7 @@ bool Viewer::frame(double now) {
         parts.adopt(next);
     }
     parts.advanceMaps(now);
+    parts.converge(now);
     if (!parts.dirty || !parts.gpu) return false;
     parts.dirty = false;
     if (parts.loaded) {
@@ -495,7 +544,8 @@ void Viewer::invalidate() {
 
 bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
-    return parts_->gpu && (parts_->dirty || plays || parts_->state.dayPlays || parts_->mapsPending);
+    return parts_->gpu && (parts_->dirty || plays || parts_->state.dayPlays ||
+                           parts_->mapsPending || parts_->gpu->convergence.wantsMore());
 }
 
 FrameStats Viewer::stats() const {
@@ -514,7 +564,7 @@ FrameStats Viewer::stats() const {
     stats.silhouettes = counts.silhouettes;
     if (parts.gpu && parts.gpu->scene)
         stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.volumeBytes() +
-                            parts.gpu->renderers.maskBytes();
+                            parts.gpu->renderers.maskBytes() + parts.gpu->convergence.bytes();
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
     if (parts.gpu && parts.gpu->scene) {
         stats.primitiveMapBytes = parts.gpu->scene->primitiveMaps.bytes();
@@ -538,6 +588,10 @@ void Viewer::restoreGpu(const gl::Capabilities& capabilities) {
     parts_->unchecked = true;
     parts_->applyPose();
     invalidate();
+}
+
+nlohmann::ordered_json toJson(const LightPoints& points) {
+    return {{"shown", points.shown}, {"of", points.of}};
 }
 
 nlohmann::ordered_json toJson(const FrameStats& stats) {

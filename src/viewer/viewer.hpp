@@ -28,6 +28,15 @@ struct FrameStats {
     std::vector<LightMethod> lights; ///< how each one's shadows are made, on the left
 };
 
+/// How far soft shadows are: what each light with an extent is shown by.
+struct LightPoints {
+    std::size_t shown = 0; ///< points; 0: its centre alone
+    std::size_t of = 0;    ///< once nothing has moved for a while; 0: no light has an extent
+};
+
+/// {"shown", "of"}.
+nlohmann::ordered_json toJson(const LightPoints& points);
+
 /// {"frame_ms", "plan_ms", "pose_ms", "triangles", "edges", "records", "silhouettes",
 /// "shadow_bytes",
 ///  "map_bytes", "primitive_map_bytes", "lights": [{"method", "why", "build_ms", "bytes"}, …],
@@ -82,6 +91,13 @@ class Viewer {
 
     /// Length of that animation in seconds; 0: nothing moves.
     double animationSeconds() const;
+
+    /// Shadows of lights with an extent are hard while something moves, and become soft after that,
+    /// frame by frame.
+    LightPoints lightPoints() const;
+
+    /// The length of the scene's diagonal; 0: no scene, or one without a size.
+    double sceneSize() const;
 
     /// Where the state's sun by place and time is, and when it rises and sets that day, see
     /// sun_day.hpp; null where it has none.

@@ -16,6 +16,7 @@ ViewState someState() {
     state.camera = {{1.25, -2, 1e6 + 0.001}, {0.1, 0.2, 0.3}, 60.5};
     state.lights = {{{1, 2, 3, 1}, 4.5}, {{0.1, 0.7, -0.3, 0}}};
     state.chosenLight = 1;
+    state.lightSamples = 100;
     state.sun = {{-33.87, 151.21}, sun::localTimeFromText("2024-02-29T12:00:30+11:00"), -30.0};
     state.dayPlays = true;
     state.shading = Shading::base;
@@ -88,7 +89,7 @@ TEST(LightState, NamesSayWhatAnArrayCanNot) {
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 22u);
+    EXPECT_EQ(json.size(), 23u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }

@@ -1,12 +1,14 @@
 // The element's attributes as changes of the viewer's state.
 
+import { isSun, withExtent } from './lights.js';
+
 const sideKeys = {
   shadows: 'shadows', 'map-size': 'map_size', multiplicity: 'multiplicity', 'mask-scale': 'mask_scale',
 };
 const whole = new Set(['map-size', 'mask-scale']);
 
 /** Attributes that say one thing together: where one of them changes, all are read. */
-const together = [['light', 'sun'], ['place', 'time-of-day', 'north']];
+const together = [['light', 'sun', 'light-radius', 'sun-angle'], ['place', 'time-of-day', 'north']];
 
 /** These attributes and those that go with them. */
 export const withOthers = (names) =>
@@ -14,7 +16,7 @@ export const withOthers = (names) =>
 
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'place', 'time-of-day', 'north', 'day-playing', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
+  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'place', 'time-of-day', 'north', 'day-playing', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
   'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
   'speed', 'time',
 ];
@@ -84,8 +86,11 @@ export function changesFromAttributes(get) {
   if (has('camera')) changes.camera = cameraOf(get('camera'));
   if (has('light') || has('sun')) {
     const lights = lightsOf(get('light'), get('sun'));
-    if (lights.length) changes.lights = lights;
+    const extent = (name) => (has(name) ? number(name) : 0);
+    const sized = (light) => withExtent(light, extent(isSun(light) ? 'sun-angle' : 'light-radius'));
+    if (lights.length) changes.lights = has('light-radius') || has('sun-angle') ? lights.map(sized) : lights;
   }
+  if (has('light-samples')) changes.light_samples = number('light-samples');
   if (has('place') || has('time-of-day'))
     changes.sun = sunOf(get('place') ?? null, get('time-of-day') ?? null, get('north') ?? null);
   if (has('day-playing')) changes.day_playing = get('day-playing') !== 'off';

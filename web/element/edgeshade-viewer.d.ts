@@ -18,6 +18,8 @@ export interface LightStrength {
 /** A directional light; `direction` points towards it. */
 export interface SunLight extends LightStrength {
   direction: Vector;
+  /** Degrees that its disc measures, up to 90, for soft shadows; the sun's is 0.53. */
+  angle?: number;
 }
 
 /** A point light; with a cone a spot. */
@@ -28,6 +30,11 @@ export interface PointLight extends LightStrength {
   /** Where a spot shines, and the angles from there in degrees within which it does in full, and at
    * all. */
   cone?: { axis: Vector; inner?: number; outer?: number };
+  /** Of a sphere, in the scene's units, for soft shadows. */
+  radius?: number;
+  /** Width and height of a rectangle, in its place, and what that faces; its width is level. */
+  size?: [number, number];
+  facing?: Vector;
 }
 
 /** As an array, or by names; the state has names where an array doesn't say all. */
@@ -73,6 +80,8 @@ export interface ViewState {
   camera: { from: Vector; to: Vector; fov: number };
   lights: Light[];
   chosen_light: number;
+  /** Points of each light with an extent, once nothing moves; 1..4096. */
+  light_samples: number;
   /** By place and time: the first light, until somebody moves that. */
   sun: PlacedSun | null;
   /** Its day goes round and round, an hour a second. */
@@ -189,6 +198,9 @@ export interface EdgeshadeViewerEventMap {
  *               colour and candela, ":#rrggbb" or ":#rrggbb:intensity"
  *   sun         "x,y,z" towards the sun, separated likewise; perhaps with a colour and lux
  *               Without either: the file's lights (KHR_lights_punctual), or a sun from above
+ *   light-radius, sun-angle
+ *               of those points in the scene's units, of those suns in degrees: soft shadows
+ *   light-samples  points of each such light
  *   place       "latitude,longitude" in degrees, and with it
  *   time-of-day "2026-06-21T14:30+02:00": a sun as it is seen there and then, the first light
  *   north       where north is, degrees clockwise from -Z seen from above (0)
@@ -227,6 +239,11 @@ export class EdgeshadeViewer extends HTMLElement {
   /** A copy; null until the viewer has started. */
   readonly state: ViewState | null;
   readonly stats: Stats | null;
+  /** By how many points of each light with an extent the last picture is shown, 0 by its centre
+   * alone, and by how many it will be once nothing has moved for a while, 0 where none has one. */
+  readonly lightPoints: { shown: number; of: number } | null;
+  /** The length of the scene's diagonal. */
+  readonly sceneSize: number;
   /** Where the state's sun by place and time is; null where there is none. */
   readonly sun: SunNow | null;
   /** Names of the scene's animations. */

@@ -102,6 +102,14 @@ export class EdgeshadeViewer extends HTMLElement {
     return this.#viewer ? JSON.parse(this.#viewer.stats()) : null;
   }
 
+  get lightPoints() {
+    return this.#viewer ? JSON.parse(this.#viewer.lightPoints()) : null;
+  }
+
+  get sceneSize() {
+    return this.#viewer?.sceneSize() ?? 0;
+  }
+
   get sun() {
     return this.#viewer ? JSON.parse(this.#viewer.sun()) : null;
   }

@@ -1,8 +1,9 @@
 // The panel's controls, kept equal to the viewer's state in both directions.
 
-import { aimed, isSun, kindOf, placeOf } from './lights.js';
+import { aimed, isSun, kindOf, placeOf } from '../element/lights.js';
 import { check, slider } from './inputs.js';
 import { anglesOf, directionOf } from './sun.js';
+import { connectSoftness } from './softness.js';
 import { connectSun } from './sun-controls.js';
 
 const mapSizes = [256, 512, 1024, 2048, 4096];
@@ -86,6 +87,7 @@ export function connectControls(viewer) {
     time: slider('time', (v) => `${v.toFixed(1)} s`, (time) => viewer.change({ time, playing: false })),
   };
   const refreshSun = connectSun(viewer);
+  const refreshSoftness = connectSoftness(viewer);
   const sides = {};
   for (const side of ['left', 'right'])
     sides[side] = {
@@ -123,6 +125,7 @@ export function connectControls(viewer) {
       show.elevation(elevation);
     }
     refreshSun(state);
+    refreshSoftness(state);
     $('light-remove').disabled = state.lights.length < 2;
     show.ambient(state.ambient);
     show.exposure(state.exposure);

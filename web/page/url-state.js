@@ -15,6 +15,7 @@ export function hashOf(model, state) {
   put('camera', list([...state.camera.from, ...state.camera.to, state.camera.fov]));
   put('light', state.lights.map(lightText).join(';'));
   if (state.chosen_light) put('chosen', state.chosen_light);
+  if ((state.light_samples ?? 64) !== 64) put('light-samples', state.light_samples);
   if (state.sun) {
     put('place', list(state.sun.place));
     put('time-of-day', state.sun.time);
@@ -98,6 +99,7 @@ export function readHash(hash) {
   take('light', (text) => {
     changes.lights = text.split(';').map(lightOf);
   });
+  take('light-samples', (text) => { changes.light_samples = one('light-samples')(text); });
   take('chosen', (text) => { changes.chosen_light = one('chosen')(text); });
   if (words.has('place') || words.has('time-of-day')) {
     const sun = {};

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { changesFromAttributes } from '../element/attributes.js';
-import { aimed, isSun, kindOf, placeOf } from '../page/lights.js';
+import { aimed, isSun, kindOf, placeOf } from '../element/lights.js';
 import { hashOf, readHash } from '../page/url-state.js';
 
 const lightsOf = (attributes) => changesFromAttributes((name) => attributes[name] ?? null).lights;

@@ -17,7 +17,7 @@ MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& set
                 bool restingAlone) {
     MapTask task{{}, isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all};
     for (const FrameLight& of : lights)
-        if (of.drawn && of.points.empty() && (of.atRest || !restingAlone))
+        if (of.drawn && !of.light.extent && (of.atRest || !restingAlone))
             task.lights.push_back(of.light);
     return task;
 }
@@ -69,7 +69,7 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
         if (!settings.looksUpPrimitives()) continue;
-        if (!of.points.empty()) {
+        if (of.light.extent) {
             method.why = "it has an extent";
             continue;
         }

@@ -17,6 +17,7 @@ struct Frustum {
     glm::dvec2 low{-1.0}, high{1.0};
     bool orthographic = false;
 
+    bool operator==(const Frustum&) const = default;
     glm::dvec2 size() const { return high - low; }
     /// x and y of a picture point, (-1, -1) to (1, 1): a unit of depth, or at any depth.
     glm::dvec2 windowAt(const glm::dvec2& point) const {

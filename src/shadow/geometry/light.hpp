@@ -23,6 +23,8 @@ struct Cone {
     glm::dvec3 axis{0.0, 0.0, -1.0};       ///< where it shines, in the world; of length 1
     double inner = 0.0;                    ///< radians, 0 <= inner <= outer: all of it within
     double outer = std::numbers::pi / 4.0; ///< radians, 0 < outer <= pi/2: nothing from there on
+
+    bool operator==(const Cone&) const = default;
 };
 
 /// The shape that a light shines from, where it is more than a point or one direction. All of it
@@ -56,6 +58,7 @@ struct Light {
     std::optional<Cone> cone{}; ///< of a point light that is a spot; nothing: it shines everywhere
     std::optional<LightExtent> extent{}; ///< nothing: its shadows are hard
 
+    bool operator==(const Light&) const = default;
     bool hasRange() const { return position.w != 0.0 && std::isfinite(range); }
     bool isSpot() const { return position.w != 0.0 && cone.has_value(); }
     /// The same light elsewhere.

@@ -1,4 +1,4 @@
-// A light of the state, an array or by names (see edgeshade-viewer.d.ts), as the panel needs it.
+// A light of the state, an array or by names (see edgeshade-viewer.d.ts), as panel and attributes need it.
 
 export const isSun = (light) => (Array.isArray(light) ? light[3] === 0 : 'direction' in light);
 
@@ -14,4 +14,14 @@ export const aimed = (sun, direction) =>
 export function kindOf(light) {
   if (isSun(light)) return 'sun';
   return light.cone ? 'spot' : 'point light';
+}
+
+/** The light with another extent, by names; 0: none. A rectangle becomes a sphere. */
+export function withExtent(light, value) {
+  const named = Array.isArray(light)
+    ? { [isSun(light) ? 'direction' : 'position']: light.slice(0, 3), ...(light[4] && { range: light[4] }) }
+    : { ...light };
+  for (const key of ['radius', 'size', 'facing', 'angle']) delete named[key];
+  if (value > 0) named[isSun(light) ? 'angle' : 'radius'] = value;
+  return named;
 }

@@ -1,0 +1,69 @@
+#include "src/viewer/convergence.hpp"
+
+#include <algorithm>
+
+namespace edgeshade::viewer {
+namespace {
+
+constexpr std::size_t mostAtOnce = 8;
+constexpr double quick = 0.025, slow = 0.05; ///< seconds between frames
+
+/// How many points make the next picture worth drawing.
+std::size_t nextPicture(std::size_t counted, std::size_t of) {
+    std::size_t next = 4;
+    while (next <= counted)
+        next *= 4;
+    return std::min(next, of);
+}
+
+} // namespace
+
+void Convergence::see(const CountedScene& scene, const FrameView& view) {
+    if (view_ && scene == scene_) return;
+    scene_ = scene;
+    view_ = view;
+    counted_ = shown_ = of_ = 0;
+    last_.reset();
+    for (FrameLight& of : view_->lights)
+        if (of.light.extent && of.drawn) {
+            of.points = lightPoints(of.light, scene.lightSamples);
+            of_ = scene.lightSamples;
+        }
+    for (ExtendedLights& side : sides_)
+        side.restart();
+}
+
+void Convergence::pace(double now) {
+    if (last_ && now - *last_ < quick) atOnce_ = std::min(2 * atOnce_, mostAtOnce);
+    if (last_ && now - *last_ > slow) atOnce_ = std::max<std::size_t>(atOnce_ / 2, 1);
+    last_ = now;
+}
+
+bool Convergence::advance(std::array<Renderer*, 2> renderers, GpuScene& scene,
+                          const LoadedScene& loaded, double now) {
+    pace(now);
+    const std::size_t picture = nextPicture(counted_, of_);
+    const std::size_t end = std::min(counted_ + atOnce_, picture);
+    for (FrameLight& of : view_->lights) {
+        if (of.points.empty()) continue;
+        const std::span<const Light> next(of.points.data() + counted_, end - counted_);
+        of.layers = boundLayers(loaded.scene, loaded.settings.castMasked, next, stencilLimit);
+        if (of.layers.groupCount > 1) scene.groups.clear(); // other points' are others
+    }
+    for (std::size_t side = 0; side < sides_.size(); ++side) {
+        counts_[side] = renderers[side] != nullptr;
+        if (renderers[side])
+            sides_[side].advance(*renderers[side], scene, loaded, *view_, end - counted_);
+    }
+    counted_ = end;
+    if (counted_ < picture) return false;
+    shown_ = counted_;
+    return true;
+}
+
+std::vector<VisibilityLookup> Convergence::visibility(std::size_t side) {
+    if (shown_ == 0 || !counts_[side]) return {};
+    return sides_[side].visibility(*view_);
+}
+
+} // namespace edgeshade::viewer
