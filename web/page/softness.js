@@ -19,6 +19,13 @@ export function connectSoftness(viewer) {
   const angle = slider('sun-angle', (v) => (v > 0 ? `${v.toFixed(2)}°` : 'hard'), change);
   const radius = slider('light-radius',
     (v) => (v > 0 ? Number(radiusOf(v).toPrecision(2)) : 'hard'), (v) => change(radiusOf(v)));
+  const showPoints = () => {
+    const { shown, of } = viewer.lightPoints;
+    $('light-points').hidden = of === 0;
+    $('light-points').textContent = shown < of
+      ? `Soft shadow: ${shown} of ${of} points` : `Soft shadow of ${of} points`;
+  };
+  viewer.addEventListener('frame', showPoints);
   return function refresh(state) {
     const light = state.lights[state.chosen_light];
     const sun = isSun(light);
@@ -26,9 +33,6 @@ export function connectSoftness(viewer) {
     $('light-radius').parentElement.hidden = sun;
     if (sun) angle(light.angle ?? 0);
     else radius(100 * Math.sqrt(Math.min((light.radius ?? 0) / (largest() || 1), 1)));
-    const { shown, of } = viewer.lightPoints;
-    $('light-points').hidden = of === 0;
-    $('light-points').textContent = shown < of
-      ? `Soft shadow: ${shown} of ${of} points` : `Soft shadow of ${of} points`;
+    showPoints();
   };
 }

@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""How many points of lights with an extent are counted wrong, against the oracle, by scene, shape
+and number of points: the table of docs/measured/extended-lights.md. Of models in ../shared/scenes.
+
+    tests/bench/extended_lights.py           measures, then the table
+    tests/bench/extended_lights.py --table   the table from the results that are there
+
+EDGESHADE names the program.
+"""
+
+from edgeshade_runs import SCENES, figure, replace_between, report, results_of
+
+MODELS = {"temple": "temple.glb", "city": "city.draco.glb", "garden": "garden.draco.glb",
+          "car": "car.draco.glb", "bunny": "bunny.draco.glb",
+          "hospital, electrical": "hospital-electrical.glb"}
+POINTS = (16, 64, 255)
+VIEWS, SIZE = 3, "320x180"
+# Of the scene's diagonal, or degrees.
+SHAPES = {"sphere": ("--light-radius", 0.02), "rectangle": ("--light-size", 0.05),
+          "sun's disc": ("--sun-angle", 0.53), "sun of 6 degrees": ("--sun-angle", 6.0)}
+
+
+def extent(shape, diagonal):
+    option, size = SHAPES[shape]
+    if option == "--sun-angle":
+        return (option, size)
+    if option == "--light-size":
+        return (option, f"{size * diagonal},{0.5 * size * diagonal}")
+    return (option, size * diagonal)
+
+
+def measured():
+    found = {}
+    for name, file in MODELS.items():
+        path = SCENES / file
+        diagonal = report("info", path)["diagonal"]
+        for shape in SHAPES:
+            against = [word for points in POINTS[:-1] for word in ("--against", f"light-samples={points}")]
+            # Views of six kinds: points of light in some of them, suns in others.
+            told = report("compare", path, "--views", 2 * VIEWS, "--size", SIZE,
+                          *extent(shape, diagonal), "--light-samples", POINTS[-1], *against)["results"]
+            found.setdefault(name, {})[shape] = {
+                str(of["settings"]["light-samples"]): {key: of[key] for key in (
+                    "views", "visible_pixels", "points", "wrong_points", "wrong_points_percent",
+                    "wrong_count_pixels", "wrong_count_beyond_1px", "wrong_count_beyond_1px_not_tied",
+                    "largest_wrong_count")} for of in told}
+    return found
+
+
+def table(scenes):
+    lines = ["| scene | light | " + " | ".join(f"{n} points, wrong %" for n in POINTS)
+             + " | beyond 1 px | not tied | worst pixel |",
+             "|" + " --- |" * (5 + len(POINTS))]
+    for name, shapes in scenes.items():
+        for shape, by_points in shapes.items():
+            of = [by_points[str(n)] for n in POINTS]
+            lines.append(f"| {name} | {shape} | "
+                         + " | ".join(figure(one["wrong_points_percent"]) for one in of)
+                         + f" | {of[-1]['wrong_count_beyond_1px']}"
+                         + f" | {of[-1]['wrong_count_beyond_1px_not_tied']}"
+                         + f" | {of[-1]['largest_wrong_count']} |")
+    return "\n".join(lines)
+
+
+if __name__ == "__main__":
+    results = results_of("extended_lights", measured)
+    told = (f"{results['machine']['cores']} cores of {results['machine']['processor']}, "
+            f"{results['machine']['date']}, software renderer, {SIZE}; the last three columns are of "
+            f"{POINTS[-1]} points.")
+    replace_between("docs/measured/extended-lights.md", "counts", told + "\n\n" + table(results["scenes"]))
