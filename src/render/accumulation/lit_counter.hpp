@@ -49,7 +49,7 @@ class LitCounter {
 
   private:
     gl::Capabilities capabilities_;
-    gl::ColorTarget masks_; ///< of one call
+    gl::ColorTarget masks_;                        ///< of one call
     std::optional<gl::DepthStencil> depthStencil_; ///< none: masks are drawn elsewhere and copied
     PictureSum sum_;
     std::uint32_t lights_ = 0, pictures_ = 0;
