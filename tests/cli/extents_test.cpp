@@ -57,7 +57,7 @@ class Extents : public testing::Test {
     TempFolder folder_;
 };
 
-const Words lamp = {"--light", "0.5,4,1", "--light-radius", "0.5"};
+const Words lamp = {"--light", "0.5,4,1.3", "--light-radius", "0.5"};
 
 Words operator+(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
@@ -87,10 +87,10 @@ TEST_F(Extents, TheReportListsThePoints) {
     picture(lamp + Words{"--light-samples", "32"});
     const Json points = report()["light_samples"];
     ASSERT_EQ(points.size(), 32u);
-    EXPECT_EQ(points[0], Json::parse("[0.5, 4.0, 1.0, 1.0]"));
+    EXPECT_EQ(points[0], Json::parse("[0.5, 4.0, 1.3, 1.0]"));
     for (const Json& point : points)
         EXPECT_LE(std::hypot(point[0].get<double>() - 0.5, point[1].get<double>() - 4.0,
-                             point[2].get<double>() - 1.0),
+                             point[2].get<double>() - 1.3),
                   0.5);
     picture({"--sun", "1,2,1", "--sun-angle", "4", "--light-samples", "9"});
     EXPECT_EQ(report()["light_samples"].size(), 9u);

@@ -21,7 +21,7 @@ struct LitCounts {
     std::vector<std::uint16_t> surface; ///< 0..pictures: in how many of them a surface is there
 };
 
-/// Adds up exact lit masks (docs/method.md, Sums of tests), those of a light's points or any
+/// Adds up exact lit masks (docs/method.md, C41), those of a light's points or any
 /// others. Changes the viewport and the state of drawing; where the GL can't draw into a texture
 /// with depth and stencil (ES 2.0 doesn't guarantee it), also the picture that is bound, which must
 /// have 8 bits a channel, alpha, and one sample a pixel.

@@ -8,8 +8,7 @@
 
 namespace edgeshade {
 
-/// Lights with an extent, as points: shadows of all of them together are soft (docs/method.md,
-/// Sums of tests).
+/// Lights with an extent, as points: shadows of all of them together are soft (docs/method.md, C41).
 
 inline constexpr std::size_t mostLightPoints = 4096;
 
