@@ -30,6 +30,8 @@ Bytes pictureOf(const hours::Part& whole, const hours::HoursSettings& settings) 
                            placeText(settings),
                        std::to_string(whole.positions.size()) + " sun positions, one every " +
                            std::to_string(settings.step.count()) + " min"};
+    if (whole.settings.value("plan", nlohmann::ordered_json()) == true)
+        sheet.subtitles.front() += ", north up";
     if (settings.preset) sheet.subtitles.push_back(std::string(settings.preset->source));
     sheet.width = exposure.width;
     sheet.height = exposure.height;

@@ -26,7 +26,7 @@ class Sum {
         HoursSummary result = sum_;
         if (result.area == 0.0) return {};
         result.mean /= result.area;
-        result.areaAboveThreshold *= 100.0 / result.area;
+        result.areaAboveThreshold = 100.0 * (result.areaAboveThreshold / result.area);
         return result;
     }
 

@@ -7,7 +7,7 @@
 
 namespace edgeshade {
 
-/// A zlib stream (RFC 1950) of the bytes, at most 2^30 of them. Same bytes in, same bytes out.
+/// A zlib stream (RFC 1950) of the bytes, 1 to 2^30 of them. Same bytes in, same bytes out.
 /// Throws Error(unavailable) for more.
 Bytes deflated(std::span<const std::uint8_t> bytes);
 

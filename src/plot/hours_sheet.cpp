@@ -44,17 +44,20 @@ void drawScale(Canvas& canvas, const HoursSheet& sheet, const Rectangle& bar) {
             evenColor(0.5 * (low + high)));
     }
     outline(canvas, bar, frame);
+    const bool marked = sheet.threshold && *sheet.threshold <= sheet.most;
     for (const double tick : scaleTicks(sheet.most)) {
+        constexpr double textHeight = 14.0; // the threshold's own label takes the place
+        if (marked && std::abs(at(tick) - at(*sheet.threshold)) < textHeight) continue;
         const std::array<Point, 2> mark = {{{bar.right, at(tick)}, {bar.right + 5.0, at(tick)}}};
         canvas.line(mark, ink, 1.0, false);
         canvas.text({bar.right + 9.0, at(tick) + 4.0}, labelOf(tick), {.size = 12.0, .color = ink});
     }
-    if (sheet.threshold && *sheet.threshold <= sheet.most) {
+    if (marked) {
         const double y = at(*sheet.threshold);
-        const std::array<Point, 2> mark = {{{bar.left - 6.0, y}, {bar.right + 34.0, y}}};
-        canvas.line(mark, 0xD01010, 1.5, true);
-        canvas.text({bar.right + 36.0, y + 4.0}, labelOf(*sheet.threshold) + " h",
-                    {.size = 11.0, .color = 0xD01010, .bold = true});
+        const std::array<Point, 2> mark = {{{bar.left - 6.0, y}, {bar.right + 6.0, y}}};
+        canvas.line(mark, 0xD01010, 2.0, false);
+        canvas.text({bar.right + 9.0, y + 4.0}, labelOf(*sheet.threshold) + " h",
+                    {.size = 12.0, .color = 0xD01010, .bold = true});
     }
 }
 
