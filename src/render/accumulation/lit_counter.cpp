@@ -20,13 +20,10 @@ void LitCounter::begin(int width, int height) {
     const bool fits = sum_.size() == glm::ivec2(width, height);
     sum_.begin(width, height);
     if (fits) return;
-    depthStencil_.emplace(width, height, capabilities_);
     masks_ = gl::ColorTarget(width, height);
+    depthStencil_.emplace(width, height, capabilities_);
     depthStencil_->attach();
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ExitStatus::unavailable,
-                    "This GL can't draw into a texture with depth and stencil, which lights with "
-                    "an extent need.");
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) depthStencil_.reset();
 }
 
 void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
@@ -40,9 +37,14 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
         scene.groups.upload(loaded, lights, *records);
     }
     const gl::FramebufferKeeper keeper;
-    glBindFramebuffer(GL_FRAMEBUFFER, masks_.framebuffer.name());
+    if (depthStencil_) glBindFramebuffer(GL_FRAMEBUFFER, masks_.framebuffer.name());
     glDisable(GL_DITHER); // bytes are counts
     renderer.draw(scene, view, clock);
+    if (!depthStencil_) {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, masks_.texture.name());
+        glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, view.width, view.height);
+    }
     sum_.add(masks_.texture.name());
     lights_ += static_cast<std::uint32_t>(view.lights.size());
     ++pictures_;

@@ -22,7 +22,9 @@ struct LitCounts {
 };
 
 /// Adds up exact lit masks (docs/method.md, Sums of tests), those of a light's points or any
-/// others. Changes the framebuffer binding, the viewport and the state of drawing.
+/// others. Changes the viewport and the state of drawing; where the GL can't draw into a texture
+/// with depth and stencil (ES 2.0 doesn't guarantee it), also the picture that is bound, which must
+/// have 8 bits a channel, alpha, and one sample a pixel.
 class LitCounter {
   public:
     /// Lights that one picture's volumes are planned for at once, so that their plans stay small.
@@ -48,7 +50,7 @@ class LitCounter {
   private:
     gl::Capabilities capabilities_;
     gl::ColorTarget masks_; ///< of one call
-    std::optional<gl::DepthStencil> depthStencil_;
+    std::optional<gl::DepthStencil> depthStencil_; ///< none: masks are drawn elsewhere and copied
     PictureSum sum_;
     std::uint32_t lights_ = 0, pictures_ = 0;
 };

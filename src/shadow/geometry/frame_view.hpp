@@ -29,9 +29,9 @@ struct FrameRequest {
     int width = 1;
     int height = 1;
     std::vector<Light> lights;
-    std::size_t lightSamples = 0; ///< points of each light that has an extent; 0: none has any
-    DepthChoice depth;
+    DepthChoice depth{};
     bool ground = true; ///< the scene's ground is shown, if it has one and the eye is above it
+    std::size_t lightSamples = 0; ///< points of each light that has an extent; 0: none has any
 };
 
 /// Which light's point a light is.

@@ -1,0 +1,176 @@
+// Counts of lit points against rays, and whether what compares them sees a fault.
+
+#include "src/lab/point_counts.hpp"
+#include "src/render/accumulation/extended_lights.hpp"
+#include "src/render/frame/prepare_scene.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade {
+namespace {
+
+using test::pointLight;
+using test::SceneBuilder;
+using test::sun;
+using test::yard;
+
+constexpr int width = 128, height = 96;
+const lab::AlphaLookup opaque{[](auto&&...) { return 1.0f; }, {}};
+
+struct Case {
+    Scene scene;
+    Camera camera;
+    Light light;
+    std::size_t points;
+};
+
+Light lampAt(const glm::dvec3& place, double radius) {
+    Light light = pointLight(place);
+    light.extent = {.shape = LightExtent::Shape::sphere, .radius = radius};
+    return light;
+}
+
+Light panelAt(const glm::dvec3& place, const glm::dvec2& size, const glm::dvec3& direction) {
+    Light light = pointLight(place);
+    light.extent = {.shape = LightExtent::Shape::rectangle, .size = size, .direction = direction};
+    return light;
+}
+
+Light discTowards(const glm::dvec3& towards, double degrees) {
+    Light light = sun(towards);
+    light.extent = {.shape = LightExtent::Shape::disc, .radius = 0.5 * glm::radians(degrees)};
+    return light;
+}
+
+FrameView viewOf(const Case& test) {
+    FrameRequest request{.frustum = frustumOf(test.camera, static_cast<double>(width) / height),
+                         .width = width,
+                         .height = height,
+                         .lights = {test.light}};
+    request.lightSamples = test.points;
+    return makeFrameView(test.scene, false, request);
+}
+
+LitCounts drawn(const Case& test) {
+    const gl::HeadlessContext context({width, height});
+    RenderSettings settings;
+    settings.layout = bestLayout(context.capabilities());
+    LoadedScene loaded;
+    loaded.scene = test.scene;
+    loaded.planePairs = buildPlanePairs(test.scene, false);
+    GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
+    Renderer renderer(settings, context.capabilities());
+    const FrameView view = viewOf(test);
+    prepareScene(gpu, loaded, view, settings, context.capabilities());
+    ExtendedLights lights(context.capabilities());
+    lights.advance(renderer, gpu, loaded, view, test.points);
+    gl::requireNoError("drawing a test scene");
+    return lights.counts(0);
+}
+
+lab::PointOracle oracleOf(const Case& test) {
+    const FrameView view = viewOf(test);
+    return {{&test.scene, false, view.frustum, view.near(), lightPoints(test.light, test.points),
+             width, height},
+            opaque};
+}
+
+void expectRight(const Case& test, double mostPercent = 0.05) {
+    const lab::WrongSums sums = oracleOf(test).compare(drawn(test), test.points);
+    EXPECT_GT(sums.visiblePixels, 1000u);
+    EXPECT_EQ(sums.points, sums.visiblePixels * test.points);
+    EXPECT_LE(sums.percent(), mostPercent);
+    EXPECT_EQ(sums.beyond1pxNotTied, 0u);
+}
+
+const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
+
+TEST(PointCounts, SphereRectangleAndSun) {
+    expectRight({yard().scene(), corner, lampAt({0.3, 4, 0.7}, 0.5), 40});
+    expectRight({yard().scene(), corner, panelAt({0.3, 4, 0.7}, {2, 1}, {0, -1, 0}), 40});
+    expectRight({yard().scene(), corner, discTowards({0.5, 1, -0.3}, 6.0), 40});
+}
+
+TEST(PointCounts, ALampThatTouchesTheFloor) {
+    expectRight({yard().scene(), corner, lampAt({0.6, 0.3, 1.4}, 0.3), 40}, 0.2);
+}
+
+TEST(PointCounts, ALampHalfBuriedInAWall) {
+    // Its centre is in the wall's plane, and half of its points are behind.
+    const Scene scene = SceneBuilder()
+                            .floor(5)
+                            .quad({-3, 0, -1}, {3, 0, -1}, {3, 3, -1}, {-3, 3, -1})
+                            .box({-0.5f, 0, 0.2f}, {0.5f, 1, 1})
+                            .scene();
+    expectRight({scene, corner, lampAt({0.2, 1.5, -1}, 0.4), 40}, 0.2);
+}
+
+TEST(PointCounts, ALampHalfBuriedInABox) {
+    expectRight({SceneBuilder().floor(5).box({-1, 0, -1}, {1, 1, 1}).scene(), corner,
+                 lampAt({0.3, 1, 0.2}, 0.5), 40},
+                0.2);
+}
+
+TEST(PointCounts, AnEyeWithinTheLamp) {
+    expectRight({yard().scene(), corner, lampAt(corner.from, 1.5), 40}, 0.1);
+}
+
+TEST(PointCounts, APanelThatLiesOnABox) {
+    expectRight({SceneBuilder().floor(5).box({-1, 0, -1}, {1, 1, 1}).scene(), corner,
+                 panelAt({0, 1, 0}, {3, 3}, {0, -1, 0}), 40},
+                0.2);
+}
+
+TEST(PointCounts, ASunThatGrazesTheFloor) {
+    // Half of its disc is below the horizon.
+    expectRight({yard().scene(), corner, discTowards({1, 0.002, 0.4}, 4.0), 40}, 0.3);
+}
+
+TEST(PointCounts, FarFromTheOriginTinyAndHuge) {
+    for (const double scale : {1e-3, 1e4}) {
+        const glm::dmat4 place = glm::dmat4(glm::dmat3(scale));
+        const Camera camera{scale * corner.from, scale * corner.to, 50.0};
+        expectRight({yard().placedBy(place).scene(), camera,
+                     lampAt(scale * glm::dvec3(0.3, 4, 0.7), scale * 0.5), 20});
+    }
+    const glm::dvec3 far(4e6, 123.0, -5e6);
+    glm::dmat4 place(1.0);
+    place[3] = glm::dvec4(far, 1.0);
+    expectRight({yard().placedBy(place).scene(),
+                 {corner.from + far, corner.to + far, 50.0},
+                 lampAt(far + glm::dvec3(0.3, 4, 0.7), 0.5),
+                 20});
+}
+
+TEST(PointCounts, FewerPointsAreComparedWithTheFirstOnes) {
+    const Case many{yard().scene(), corner, lampAt({0.3, 4, 0.7}, 0.5), 40};
+    Case few = many;
+    few.points = 9;
+    lab::PointOracle oracle = oracleOf(many);
+    EXPECT_LE(oracle.compare(drawn(few), 9).percent(), 0.05);
+    EXPECT_GT(oracle.compare(drawn(few), 10).percent(), 1.0);
+}
+
+TEST(PointCounts, AFaultIsSeen) {
+    const Case test{yard().scene(), corner, lampAt({0.3, 4, 0.7}, 0.5), 16};
+    lab::PointOracle oracle = oracleOf(test);
+    LitCounts counts = drawn(test);
+    const lab::WrongSums before = oracle.compare(counts, 16);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < counts.lit.size() && changed < 5; i += 97)
+        if (counts.lit[i] == 16) {
+            counts.lit[i] = 3;
+            ++changed;
+        }
+    ASSERT_EQ(changed, 5u);
+    const lab::WrongSums after = oracle.compare(counts, 16);
+    EXPECT_GE(after.wrong, before.wrong + 5 * 13 - 16);
+    EXPECT_GE(after.wrongPixels, before.wrongPixels + 5);
+    EXPECT_EQ(after.largest, 13u);
+    EXPECT_GT(after.beyond1pxNotTied, 0u);
+}
+
+} // namespace
+} // namespace edgeshade
