@@ -61,6 +61,8 @@ void requireOneRun(const PartOfFile& part, const PartOfFile& first) {
     requireSame(part, first, "size", {a.exposure.width, a.exposure.height},
                 {b.exposure.width, b.exposure.height});
     requireSame(part, first, "probes", probePlaces(a), probePlaces(b));
+    requireSame(part, first, "materials", a.materials, b.materials);
+    requireSame(part, first, "nodes", a.nodes, b.nodes);
     requireSamePixels(part, first, "surface", a.exposure.surface, b.exposure.surface);
     requireSamePixels(part, first, "area", a.exposure.area, b.exposure.area);
     requireSamePixels(part, first, "material", a.exposure.material, b.exposure.material);

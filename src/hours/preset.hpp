@@ -19,7 +19,8 @@ struct Preset {
 };
 
 /// The year of a preset's day where no date was typed: a fixed one, so that the same words give
-/// the same picture in any year. The sun repeats from year to year to a quarter of a degree.
+/// the same picture in any year. From year to year the sun there
+/// differs by less than half a degree.
 inline constexpr std::chrono::year presetYear{2026};
 
 std::span<const Preset> presets();

@@ -201,6 +201,7 @@ TEST(Merge, WantsPartsOfOneRun) {
     expectWords(messageWith([](Part& p) { p.scene = "0"; }), {"scene"});
     expectWords(messageWith([](Part& p) { p.camera["ortho"] = 11.0; }), {"camera.ortho is 11"});
     expectWords(messageWith([](Part& p) { p.probes[0].point.x = 9.0; }), {"probes"});
+    expectWords(messageWith([](Part& p) { p.nodes[3] = "b"; }), {"nodes", "part 3"});
     expectWords(messageWith([](Part& p) { p.exposure.area[2] = 5.0f; }),
                 {"pixels.area of pixel 2"});
     expectWords(messageWith([](Part& p) { p.positions[0].time -= std::chrono::hours(9); }),
