@@ -25,8 +25,8 @@ void require(const Schedule& schedule) {
         throw Error(ExitStatus::usage,
                     "--step: " + std::to_string(schedule.step.count()) + " does not divide the " +
                         std::to_string(length.count()) + " minutes of a day that --hours leaves.");
-    // Years of minutes: refused before they are worked out.
-    constexpr std::size_t mostIntervals = 100 * mostPositions;
+    // Years of minutes are refused before they are worked out. The sun is up half of the time.
+    constexpr std::size_t mostIntervals = 4 * mostPositions;
     if (schedule.days() * static_cast<std::size_t>(length / schedule.step) > mostIntervals)
         throw Error(ExitStatus::usage,
                     "--step: " + std::to_string(schedule.days()) + " days by steps of " +
@@ -54,13 +54,12 @@ std::vector<Position> positionsOf(const Schedule& schedule) {
             positions.push_back({at.time, at.position.azimuth, at.position.altitude,
                                  sun::towardsSun(at.position, schedule.north)});
         }
+        if (positions.size() > mostPositions)
+            throw Error(ExitStatus::usage,
+                        "--step: the sun has more than " + std::to_string(mostPositions) +
+                            " positions in these days, which is the most that can be counted; take "
+                            "a longer --step, or fewer days. --part splits work, not counts.");
     }
-    if (positions.size() > mostPositions)
-        throw Error(ExitStatus::usage,
-                    "--step: the sun has " + std::to_string(positions.size()) +
-                        " positions in these days, but at most " + std::to_string(mostPositions) +
-                        " can be counted; take a longer --step, or fewer days. --part splits work, "
-                        "not counts.");
     return positions;
 }
 

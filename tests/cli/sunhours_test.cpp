@@ -69,14 +69,15 @@ class SunHours : public testing::Test {
     /// The same with boxes on it.
     std::string withBlocks(const std::string& name, const std::vector<Block>& blocks) {
         GltfBuilder gltf;
-        gltf.addShapeNode(box(glm::vec3(8.0f, 0.5f, 8.0f)),
-                          {{"name", "lawn"}, {"translation", {0, -0.5, 0}}});
+        gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(8.0f, 0.5f, 8.0f)))},
+                      {"name", "lawn"},
+                      {"translation", {0, -0.5, 0}}});
         int number = 0;
         for (const Block& block : blocks) {
             const glm::dvec3 center = 0.5 * (block.low + block.high);
-            gltf.addShapeNode(box(glm::vec3(0.5 * (block.high - block.low))),
-                              {{"name", "block " + std::to_string(++number)},
-                               {"translation", {center.x, center.y, center.z}}});
+            gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5 * (block.high - block.low))))},
+                          {"name", "block " + std::to_string(++number)},
+                          {"translation", {center.x, center.y, center.z}}});
         }
         return folder_.write(name, gltf.glb());
     }
@@ -109,7 +110,8 @@ class SunHours : public testing::Test {
     /// All positions' directions towards the sun.
     std::vector<glm::dvec3> directions() {
         std::vector<glm::dvec3> found;
-        for (const auto& position : report()["positions"])
+        const Json all = report();
+        for (const auto& position : all["positions"])
             found.emplace_back(position["direction"][0].get<double>(),
                                position["direction"][1].get<double>(),
                                position["direction"][2].get<double>());
@@ -176,7 +178,8 @@ TEST_F(SunHours, OfACourtyardAreThoseWorkedOutByHand) {
 
     // Its middle sees the sun above the wall: over 3 / max(|sin|, |cos|) of ground.
     std::size_t above = 0;
-    for (const auto& position : report()["positions"]) {
+    const Json all = report();
+    for (const auto& position : all["positions"]) {
         const double azimuth = glm::radians(position["azimuth"].get<double>());
         const double altitude = glm::radians(position["altitude"].get<double>());
         const double ground =

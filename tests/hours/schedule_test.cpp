@@ -126,8 +126,8 @@ TEST(Schedule, RefusesWhatCantBeCounted) {
     schedule.to += days(365);
     schedule.step = minutes(4);
     const std::string message = messageOf(schedule);
-    EXPECT_NE(message.find("--step: the sun has 6"), std::string::npos) << message;
-    EXPECT_NE(message.find("65535"), std::string::npos);
+    EXPECT_NE(message.find("--step: the sun has more than 65535 positions"), std::string::npos)
+        << message;
     EXPECT_NE(message.find("--part"), std::string::npos);
     schedule.from = sys_days(1900y / January / 1);
     schedule.step = minutes(1);

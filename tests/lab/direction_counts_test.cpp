@@ -73,7 +73,7 @@ TEST(DirectionCounts, AreThoseOfRays) {
     question.width = request.width;
     question.height = request.height;
     const WrongSums wrong = PointOracle(question, {}).compare(counts, directions.size());
-    EXPECT_GT(wrong.visiblePixels, 5000u);
+    EXPECT_GT(wrong.visiblePixels, 3000u);
     EXPECT_EQ(wrong.beyond1pxNotTied, 0u);
     EXPECT_LT(wrong.percent(), 0.5);
 }
