@@ -20,7 +20,7 @@ ROOMS = (
     "preprocess/volumes",
     "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/plan", "src/shadow/plan/published",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
-    "src/image", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
+    "src/image", "src/hours", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
     "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/frame", "src/render/accumulation",
     "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
@@ -29,7 +29,7 @@ ROOMS = (
 GL = ("GLES2/", "EGL/", "GLFW/", "emscripten")
 JSON = ("nlohmann/", "tiny_gltf.h")
 PURE = ROOMS[:11]                      # neither GL nor JSON
-NO_GL = ROOMS[:16]
+NO_GL = ROOMS[:17]
 # Nor do these see JSON: what draws and what judges know nothing of files.
 NO_FILES = PURE + ("src/gl",) + tuple(
     room for room in ROOMS if room.startswith(("src/render/", "src/lab", "src/bench", "src/plot")))

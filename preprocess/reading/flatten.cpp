@@ -178,6 +178,9 @@ Geometry geometryOf(const GltfDocument& document, const std::vector<Piece>& piec
         if (geometry.groups.empty() || geometry.groups.back().material != piece.material)
             geometry.groups.push_back(
                 {piece.material, static_cast<std::uint32_t>(geometry.indices.size()), 0});
+        if (geometry.sources.empty() || geometry.sources.back().node != piece.node)
+            geometry.sources.push_back(
+                {static_cast<std::uint32_t>(geometry.indices.size()), piece.node});
         const std::size_t firstVertex = geometry.positions.size();
         std::vector<std::uint32_t> corners =
             PieceAppender(document, origin, materials[piece.material], geometry).append(piece);
@@ -221,14 +224,17 @@ void appendShared(const GltfDocument& document, const NodeWalk& walk, SharedMesh
     sortByMaterial(mesh.pieces, scene.materials);
     const glm::dvec3 origin = localOrigin(mesh.pieces);
     Geometry geometry = geometryOf(document, mesh.pieces, origin, scene.materials, nullptr);
+    geometry.sources.clear(); // each place has a node of its own
     double scale = 0.0;
     for (const NodePlace& place : mesh.places)
         scale = std::max(scale, longestAxis(place.animatedFromNode));
     if (weldTolerance > 0.0 && scale > 0.0)
         snapPositions(geometry.positions, weldTolerance / scale);
     const CopyOnWrite<Geometry> shared(std::move(geometry));
-    for (const NodePlace& place : mesh.places) {
+    for (std::size_t i = 0; i < mesh.places.size(); ++i) {
+        const NodePlace& place = mesh.places[i];
         Batch& batch = scene.batches.emplace_back();
+        batch.placedBy = mesh.nodes[i];
         batch.node = place.animatedNode;
         batch.nodeFromBatch = glm::translate(place.animatedFromNode, origin);
         batch.worldFromBatch = place.animatedNode < 0

@@ -231,7 +231,7 @@ class PieceGatherer {
         if (isNew) {
             for (const auto& primitive : *use.primitives)
                 counter_.countVertices(*primitive, use.visit->node);
-            gathered_.shared.push_back({piecesOf(use, glm::dmat4(1.0)), {}});
+            gathered_.shared.push_back({piecesOf(use, glm::dmat4(1.0)), {}, {}});
         }
         counter_.countPlaces(use.triangles(), use.visit->node,
                              instanceCount(document_, use.visit->node));
@@ -242,6 +242,7 @@ class PieceGatherer {
             if (isWellPlaced(animatedFromMesh)) {
                 gathered_.shared[at->second].places.push_back(
                     {place.animatedNode, animatedFromMesh});
+                gathered_.shared[at->second].nodes.push_back(use.visit->node);
                 continue;
             }
             for (Piece& piece : piecesOf(use, animatedFromMesh)) {

@@ -46,6 +46,7 @@ using PiecesByMover = std::map<Mover, std::vector<Piece>>;
 struct SharedMesh {
     std::vector<Piece> pieces;     ///< in the mesh's own space
     std::vector<NodePlace> places; ///< where it stands: `animatedFromNode` is animatedFromMesh
+    std::vector<int> nodes;        ///< whose mesh it is there, a node each
 };
 
 /// All that visible nodes have.

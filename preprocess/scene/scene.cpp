@@ -1,5 +1,6 @@
 #include "preprocess/scene/scene.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace edgeshade {
@@ -11,6 +12,14 @@ std::vector<std::size_t> firstOfGeometry(const std::vector<Batch>& batches) {
     for (std::size_t i = 0; i < batches.size(); ++i)
         first.push_back(known.emplace(&*batches[i].geometry, i).first->second);
     return first;
+}
+
+int nodeOf(const Batch& batch, std::uint32_t index) {
+    const std::vector<SourceNode>& sources = batch.geometry->sources;
+    const auto after = std::upper_bound(
+        sources.begin(), sources.end(), index,
+        [](std::uint32_t at, const SourceNode& source) { return at < source.firstIndex; });
+    return after == sources.begin() ? batch.placedBy : (after - 1)->node;
 }
 
 Box worldBounds(const Scene& scene) {

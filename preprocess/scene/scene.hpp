@@ -32,6 +32,12 @@ struct AnimatedNode {
     glm::dmat4 parentFromAnimated{1.0}; ///< at rest
 };
 
+/// Whose triangles begin at an index.
+struct SourceNode {
+    std::uint32_t firstIndex = 0; ///< of a triangle; they go on until the next one's
+    int node = -1;                ///< in glTF
+};
+
 /// Triangles in a space of their own.
 ///
 /// Positions are floats relative to a local origin, so that survey coordinates keep their detail
@@ -48,6 +54,7 @@ struct Geometry {
     std::vector<glm::vec4> tangents;
     std::vector<std::uint32_t> indices; ///< counter-clockwise is the outside
     std::vector<SurfaceGroup> groups;   ///< opaque first, then mask, then blend
+    std::vector<SourceNode> sources;    ///< by index; empty: Batch::placedBy says
     /// Corners of what casts in place of the opaque triangles, three a triangle, as
     /// simplifyCasters() found them; nothing: they cast themselves.
     std::optional<std::vector<std::uint32_t>> simplifiedCasters;
@@ -61,6 +68,7 @@ struct Batch {
     glm::dmat4 worldFromBatch{1.0}; ///< at rest
     glm::dmat4 nodeFromBatch{1.0};  ///< to the animated node, or to the world
     CopyOnWrite<Geometry> geometry;
+    int placedBy = -1; ///< the glTF node that places a mesh kept once here; -1: Geometry::sources
 
     /// It is the ground, which the program lays beneath a scene: no file has it, and it is seen
     /// from above alone.
@@ -98,6 +106,9 @@ struct Scene {
 
 /// By batch: the first of those that have its geometry, which may be itself.
 std::vector<std::size_t> firstOfGeometry(const std::vector<Batch>& batches);
+
+/// The glTF node whose mesh has the triangle at that index; -1: none, the ground's.
+int nodeOf(const Batch& batch, std::uint32_t index);
 
 /// The box of all vertices in the world, but for the ground's.
 Box worldBounds(const Scene& scene);

@@ -11,6 +11,8 @@ void addRenderCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addBenchCommand(CLI::App& program);
 void addTradeoffCommand(CLI::App& program);
+void addSunHoursCommand(CLI::App& program);
+void addSunHoursMergeCommand(CLI::App& program);
 void addViewCommand(CLI::App& program);
 
 } // namespace edgeshade::cli

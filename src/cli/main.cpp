@@ -48,6 +48,8 @@ int run(int argc, char** argv) {
     edgeshade::cli::addCompareCommand(program);
     edgeshade::cli::addBenchCommand(program);
     edgeshade::cli::addTradeoffCommand(program);
+    edgeshade::cli::addSunHoursCommand(program);
+    edgeshade::cli::addSunHoursMergeCommand(program);
     edgeshade::cli::addViewCommand(program);
     requireKnownVerb(program, argc, argv);
     try {

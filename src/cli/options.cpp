@@ -85,7 +85,6 @@ void addViewOptions(CLI::App& verb, ViewOptions& options) {
                       if (*options.depth.near <= 0.0)
                           throw CLI::ValidationError("--near", "'" + text + "' is not above 0");
                   });
-    addLightOptions(verb, options.lights);
 }
 
 } // namespace
@@ -161,6 +160,11 @@ void addSamplesOption(CLI::App& verb, int& samples) {
 }
 
 void addSceneOptions(CLI::App& verb, SceneOptions& options) {
+    addUnlitSceneOptions(verb, options);
+    addLightOptions(verb, options.view.lights);
+}
+
+void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options) {
     addViewOptions(verb, options.view);
     addCasterOptions(verb, options.casters);
     addChoice(verb, "--gl-limits", options.glLimits, limitNames,

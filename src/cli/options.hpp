@@ -91,6 +91,8 @@ void addCasterChanges(CLI::App& verb, CasterChanges& changes);
 void addReportOption(CLI::App& verb, std::string& path);
 void addSamplesOption(CLI::App& verb, int& samples);
 void addSceneOptions(CLI::App& verb, SceneOptions& options);
+/// All but lights.
+void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options);
 
 /// The words of `--cull`.
 inline const Choices<bool> cullNames = {{"auto", true}, {"off", false}};

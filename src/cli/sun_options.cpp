@@ -7,19 +7,6 @@
 #include <cstdio>
 
 namespace edgeshade::cli {
-namespace {
-
-/// What `read` makes of the text; its errors as those of the option.
-template <class Read>
-auto readAs(const std::string& option, Read read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        throw CLI::ValidationError(option, error.what());
-    }
-}
-
-} // namespace
 
 sun::SunPosition SunOptions::position() const {
     return sun::sunPosition(*place, time->instant);
@@ -58,18 +45,40 @@ void SunOptions::requireUp() const {
                                            ", so there is no shadow of it to measure.");
 }
 
+CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place,
+                            const std::string& help) {
+    return verb
+        .add_option_function<std::string>(
+            "--place",
+            [&](const std::string& text) {
+                const auto at = numbersFrom<2>(text, "--place", "of the form LAT,LON");
+                place = readAs("--place", [&] { return sun::placeAt(at[0], at[1]); });
+            },
+            help)
+        ->type_name("LAT,LON");
+}
+
+CLI::Option* addNorthOption(CLI::App& verb, double& north) {
+    return verb
+        .add_option_function<std::string>(
+            "--north",
+            [&](const std::string& text) {
+                north = numberFrom(text, "--north");
+                if (std::abs(north) > 360.0)
+                    throw CLI::ValidationError("--north",
+                                               "'" + text + "' is not between -360 and 360");
+            },
+            "Where the scene's north is: degrees clockwise from -Z, seen from above (0: -Z is "
+            "north, +X east)")
+        ->type_name("DEG");
+}
+
 void addSunOptions(CLI::App& verb, SunOptions& options) {
     CLI::Option* const place =
-        verb.add_option_function<std::string>(
-                "--place",
-                [&](const std::string& text) {
-                    const auto at = numbersFrom<2>(text, "--place", "of the form LAT,LON");
-                    options.place = readAs("--place", [&] { return sun::placeAt(at[0], at[1]); });
-                },
-                "A sun as it stands over this place at --time-of-day: degrees north and east, "
-                "those south and west negative. It is a light like --sun, the first one; where it "
-                "is below the horizon it is left out")
-            ->type_name("LAT,LON");
+        addPlaceOption(verb, options.place,
+                       "A sun as it stands over this place at --time-of-day: degrees north and "
+                       "east, those south and west negative. It is a light like --sun, the first "
+                       "one; where it is below the horizon it is left out");
     CLI::Option* const time =
         verb.add_option_function<std::string>(
                 "--time-of-day",
@@ -82,18 +91,7 @@ void addSunOptions(CLI::App& verb, SunOptions& options) {
             ->type_name("TIME");
     place->needs(time)->excludes(verb.get_option("--sun"));
     time->needs(place);
-    verb.add_option_function<std::string>(
-            "--north",
-            [&](const std::string& text) {
-                options.north = numberFrom(text, "--north");
-                if (std::abs(options.north) > 360.0)
-                    throw CLI::ValidationError("--north",
-                                               "'" + text + "' is not between -360 and 360");
-            },
-            "Where the scene's north is: degrees clockwise from -Z, seen from above (0: -Z is "
-            "north, +X east)")
-        ->type_name("DEG")
-        ->needs(place);
+    addNorthOption(verb, options.north)->needs(place);
 }
 
 } // namespace edgeshade::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/base/error.hpp"
 #include "src/shadow/geometry/light.hpp"
 #include "src/sun/ephemeris.hpp"
 
@@ -33,6 +34,21 @@ struct SunOptions {
     /// measured.
     void requireUp() const;
 };
+
+/// What `read` makes of an option's text; its Error as CLI::ValidationError of the option.
+template <class Read>
+auto readAs(const std::string& option, Read read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        throw CLI::ValidationError(option, error.what());
+    }
+}
+
+/// `--place` and `--north`.
+CLI::Option* addPlaceOption(CLI::App& verb, std::optional<sun::Place>& place,
+                            const std::string& help);
+CLI::Option* addNorthOption(CLI::App& verb, double& north);
 
 /// Adds the options to a verb that has `--sun`, with which they don't go; `options` must outlive
 /// parsing.

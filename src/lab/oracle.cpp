@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <embree3/rtcore.h>
@@ -358,6 +359,21 @@ std::vector<std::uint32_t> Oracle::candidates(const glm::dvec3& origin, const gl
         return false;
     });
     return found;
+}
+
+bool Oracle::isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const {
+    bool blocked = false;
+    tree_->traverse(glm::dvec3(0.0), direction, infinity, [&](std::uint32_t i) {
+        const EyeTriangle& other = triangles_[i];
+        const auto isBeneath = [&](std::uint32_t surface) {
+            return surface == i || isNearlyCoplanar(triangles_[surface], other);
+        };
+        if (!other.casts || std::ranges::any_of(own, isBeneath)) return false;
+        const Meeting meeting = intersect(other, glm::dvec3(0.0), 0.0, direction);
+        blocked = meeting.inside() && meeting.t > 0.0 && !isHole(other, meeting.u, meeting.v);
+        return blocked;
+    });
+    return !blocked;
 }
 
 std::vector<Answer> traceAll(const Oracle& oracle, const std::function<void(double)>& progress) {

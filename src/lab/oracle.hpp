@@ -7,6 +7,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace edgeshade::lab {
@@ -97,6 +98,10 @@ class Oracle {
     /// t > 0 (t < 1 if `segment`), rounding allowed for: candidates for a more exact judge.
     std::vector<std::uint32_t> candidates(const glm::dvec3& origin, const glm::dvec3& direction,
                                           bool segment) const;
+
+    /// Whether no caster lies in a direction from the camera's position, however far; `own`
+    /// triangles, on which that is, and what lies in their planes do not count.
+    bool isOpen(std::span<const std::uint32_t> own, const glm::dvec3& direction) const;
 
     const Question& question() const { return question_; }
     const std::vector<EyeTriangle>& triangles() const { return triangles_; }

@@ -17,6 +17,11 @@ struct Point {
     double y = 0.0; ///< from the top
 };
 
+/// A rectangle in pixels.
+struct Rectangle {
+    double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+};
+
 enum class Anchor { start, middle, end };
 
 struct TextStyle {
@@ -33,6 +38,10 @@ class Canvas {
     virtual ~Canvas() = default;
     virtual void line(std::span<const Point> points, Color color, double width, bool dashed) = 0;
     virtual void disc(Point center, double radius, Color fill, Color rim) = 0;
+    virtual void rectangle(const Rectangle& rectangle, Color fill) = 0;
+    /// Fills the rectangle with a picture of RGBA pixels, rows top to bottom; each keeps its edges.
+    virtual void image(const Rectangle& rectangle, std::span<const std::uint8_t> rgba, int width,
+                       int height) = 0;
     virtual void text(Point baseline, const std::string& text, const TextStyle& style) = 0;
     /// The finished file.
     virtual Bytes file() = 0;

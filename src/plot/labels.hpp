@@ -6,11 +6,6 @@
 
 namespace edgeshade::plot {
 
-/// A rectangle in pixels.
-struct Rectangle {
-    double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
-};
-
 /// Finds places for names beside points, where they cover as little as they can of each other, of
 /// the points and of what is outside.
 class LabelPlaces {

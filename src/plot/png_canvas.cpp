@@ -50,6 +50,41 @@ class PngCanvas : public Canvas {
         cairo_stroke(cairo_.get());
     }
 
+    void rectangle(const Rectangle& rectangle, Color fill) override {
+        addPath(rectangle);
+        use(fill);
+        cairo_fill(cairo_.get());
+    }
+
+    void image(const Rectangle& rectangle, std::span<const std::uint8_t> rgba, int width,
+               int height) override {
+        const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> picture(
+            cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height), cairo_surface_destroy);
+        cairo_surface_flush(picture.get());
+        unsigned char* row = cairo_image_surface_get_data(picture.get());
+        const int stride = cairo_image_surface_get_stride(picture.get());
+        for (int y = 0; y < height; ++y, row += stride)
+            for (int x = 0; x < width; ++x) {
+                const std::uint8_t* from =
+                    &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(x))];
+                const std::uint32_t alpha = from[3]; // by which cairo wants colours multiplied
+                std::uint32_t pixel = alpha << 24;
+                for (int c = 0; c < 3; ++c)
+                    pixel |= (from[c] * alpha + 127) / 255 << (16 - 8 * c);
+                reinterpret_cast<std::uint32_t*>(row)[x] = pixel;
+            }
+        cairo_surface_mark_dirty(picture.get());
+        cairo_save(cairo_.get());
+        cairo_translate(cairo_.get(), rectangle.left, rectangle.top);
+        cairo_scale(cairo_.get(), (rectangle.right - rectangle.left) / width,
+                    (rectangle.bottom - rectangle.top) / height);
+        cairo_set_source_surface(cairo_.get(), picture.get(), 0.0, 0.0);
+        cairo_pattern_set_filter(cairo_get_source(cairo_.get()), CAIRO_FILTER_NEAREST);
+        cairo_paint(cairo_.get());
+        cairo_restore(cairo_.get());
+    }
+
     void text(Point baseline, const std::string& text, const TextStyle& style) override {
         cairo_select_font_face(cairo_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                                style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
@@ -83,6 +118,11 @@ class PngCanvas : public Canvas {
     }
 
   private:
+    void addPath(const Rectangle& rectangle) {
+        cairo_rectangle(cairo_.get(), rectangle.left, rectangle.top,
+                        rectangle.right - rectangle.left, rectangle.bottom - rectangle.top);
+    }
+
     void use(Color color) {
         const auto part = [&](int shift) { return (color >> shift & 0xFF) / 255.0; };
         cairo_set_source_rgb(cairo_.get(), part(16), part(8), part(0));

@@ -1,5 +1,8 @@
 #include "src/plot/canvas.hpp"
 
+#include "preprocess/base/base64.hpp"
+#include "src/image/png.hpp"
+
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -35,6 +38,13 @@ std::string hex(Color color) {
     return text.str();
 }
 
+/// A rectangle's attributes.
+std::string placed(const Rectangle& rectangle) {
+    return " x=\"" + number(rectangle.left) + "\" y=\"" + number(rectangle.top) + "\" width=\"" +
+           number(rectangle.right - rectangle.left) + "\" height=\"" +
+           number(rectangle.bottom - rectangle.top) + "\"";
+}
+
 class SvgCanvas : public Canvas {
   public:
     SvgCanvas(int width, int height) {
@@ -57,6 +67,18 @@ class SvgCanvas : public Canvas {
         text_ << "<circle cx=\"" << number(center.x) << "\" cy=\"" << number(center.y) << "\" r=\""
               << number(radius) << "\" fill=\"" << hex(fill) << "\" stroke=\"" << hex(rim)
               << "\" stroke-width=\"1.5\"/>\n";
+    }
+
+    void rectangle(const Rectangle& rectangle, Color fill) override {
+        text_ << "<rect" << placed(rectangle) << " fill=\"" << hex(fill) << "\"/>\n";
+    }
+
+    void image(const Rectangle& rectangle, std::span<const std::uint8_t> rgba, int width,
+               int height) override {
+        text_ << "<image" << placed(rectangle)
+              << " preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" "
+                 "href=\"data:image/png;base64,"
+              << base64(encodePng(rgba, width, height)) << "\"/>\n";
     }
 
     void text(Point baseline, const std::string& text, const TextStyle& style) override {

@@ -15,16 +15,15 @@ constexpr int largestOffset = 14 * 60; ///< minutes: that of the Line Islands
 /// Reads one field after the other, and says of the first that is wrong what is.
 class FieldReader {
   public:
-    explicit FieldReader(std::string_view text) : text_(text), rest_(text) {}
+    /// `thing`: what the text should be, of which form.
+    FieldReader(std::string_view text, const char* thing, const char* form)
+        : text_(text), rest_(text), thing_(thing), form_(form) {}
 
     [[noreturn]] void fail(const std::string& why) const {
-        throw Error(ExitStatus::usage, "'" + std::string(text_) + "' is no time: " + why);
+        throw Error(ExitStatus::usage, "'" + std::string(text_) + "' is no " + thing_ + ": " + why);
     }
 
-    [[noreturn]] void failForm() const {
-        fail("it is not of the form 2026-06-21T14:30+02:00, seconds behind the minutes allowed, Z "
-             "for +00:00");
-    }
+    [[noreturn]] void failForm() const { fail(std::string("it is not of the form ") + form_); }
 
     /// So many digits, as a number from 0 to `most`.
     int number(int digits, int most, const char* name) {
@@ -53,6 +52,7 @@ class FieldReader {
 
   private:
     std::string_view text_, rest_;
+    const char *thing_, *form_;
 };
 
 sys_days dateFrom(FieldReader& reader) {
@@ -89,7 +89,8 @@ minutes offsetFrom(FieldReader& reader) {
 } // namespace
 
 LocalTime localTimeFromText(std::string_view text) {
-    FieldReader reader(text);
+    FieldReader reader(text, "time",
+                       "2026-06-21T14:30+02:00, seconds behind the minutes allowed, Z for +00:00");
     sys_seconds shown = dateFrom(reader);
     reader.require('T');
     shown += hours(reader.number(2, 23, "hour"));
@@ -104,23 +105,46 @@ LocalTime localTimeFromText(std::string_view text) {
 std::string textOf(const LocalTime& time) {
     const sys_seconds shown = time.instant + time.offset;
     const sys_days date = floor<days>(shown);
-    const year_month_day ymd(date);
     const hh_mm_ss clock(shown - date);
-    const auto offset = static_cast<int>(abs(time.offset).count());
-    std::array<char, 48> text{};
-    int length = std::snprintf(
-        text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d", static_cast<int>(ymd.year()),
-        static_cast<unsigned>(ymd.month()), static_cast<unsigned>(ymd.day()),
-        static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()));
-    std::string all(text.data(), static_cast<std::size_t>(length));
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "T%02d:%02d", static_cast<int>(clock.hours().count()),
+                  static_cast<int>(clock.minutes().count()));
+    std::string all = textOf(date) + text.data();
     if (clock.seconds().count() != 0) {
-        length = std::snprintf(text.data(), text.size(), ":%02d",
-                               static_cast<int>(clock.seconds().count()));
-        all.append(text.data(), static_cast<std::size_t>(length));
+        std::snprintf(text.data(), text.size(), ":%02d", static_cast<int>(clock.seconds().count()));
+        all += text.data();
     }
-    length = std::snprintf(text.data(), text.size(), "%c%02d:%02d",
-                           time.offset < minutes(0) ? '-' : '+', offset / 60, offset % 60);
-    return all.append(text.data(), static_cast<std::size_t>(length));
+    return all + textOf(time.offset);
+}
+
+sys_days dateFromText(std::string_view text) {
+    FieldReader reader(text, "date", "2026-06-21");
+    const sys_days date = dateFrom(reader);
+    if (!reader.atEnd()) reader.failForm();
+    return date;
+}
+
+std::string textOf(sys_days date) {
+    const year_month_day ymd(date);
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%04d-%02u-%02u", static_cast<int>(ymd.year()),
+                  static_cast<unsigned>(ymd.month()), static_cast<unsigned>(ymd.day()));
+    return text.data();
+}
+
+minutes offsetFromText(std::string_view text) {
+    FieldReader reader(text, "offset from UTC", "+02:00, or Z");
+    const minutes offset = offsetFrom(reader);
+    if (!reader.atEnd()) reader.failForm();
+    return offset;
+}
+
+std::string textOf(minutes offset) {
+    const auto size = static_cast<int>(abs(offset).count());
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%c%02d:%02d", offset < minutes(0) ? '-' : '+',
+                  size / 60, size % 60);
+    return text.data();
 }
 
 Instant startOfDay(const LocalTime& time) {

@@ -30,6 +30,14 @@ LocalTime localTimeFromText(std::string_view text);
 /// The other way, with seconds only where there are some.
 std::string textOf(const LocalTime& time);
 
+/// "2026-06-21". Throws Error(usage) likewise.
+std::chrono::sys_days dateFromText(std::string_view text);
+std::string textOf(std::chrono::sys_days date);
+
+/// An offset from UTC, "+02:00" or "Z", of at most 14 hours. Throws Error(usage) likewise.
+std::chrono::minutes offsetFromText(std::string_view text);
+std::string textOf(std::chrono::minutes offset);
+
 /// When the day of that clock began: 00:00.
 Instant startOfDay(const LocalTime& time);
 

@@ -15,8 +15,8 @@ void expectHelp(const std::vector<std::string>& arguments, const std::string& wo
 } // namespace
 
 TEST(Help, TheProgramNamesItsVerbsAndStatuses) {
-    for (const char* word :
-         {"pack", "info", "render", "compare", "bench", "tradeoff", "view", "Exit status"})
+    for (const char* word : {"pack", "info", "render", "compare", "bench", "tradeoff", "sunhours",
+                             "sunhours-merge", "view", "Exit status"})
         expectHelp({"--help"}, word);
 }
 

@@ -1,0 +1,219 @@
+#include "preprocess/base/error.hpp"
+#include "src/cli/commands.hpp"
+#include "src/cli/report.hpp"
+#include "src/cli/sunhours_options.hpp"
+
+#include <memory>
+
+#ifdef EDGESHADE_HAS_LAB
+#include "preprocess/mesh/topology.hpp"
+#include "preprocess/reading/scene_names.hpp"
+#include "src/cli/draw_settings.hpp"
+#include "src/cli/sunhours_files.hpp"
+#include "src/gl/headless_context.hpp"
+#include "src/hours/part_file.hpp"
+#include "src/lab/pixel_surfaces.hpp"
+#include "src/lab/sun_probe.hpp"
+#include "src/lab/texture_alpha.hpp"
+#include "src/render/accumulation/direction_counts.hpp"
+#include "src/shadow/geometry/plan_view.hpp"
+
+#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
+#endif
+
+namespace edgeshade::cli {
+namespace {
+
+#ifdef EDGESHADE_HAS_LAB
+
+using Json = nlohmann::ordered_json;
+
+/// What of the bar each stage takes.
+constexpr double surfacesFrom = 0.85, probesFrom = 0.95;
+
+Json cameraJson(const Frustum& frustum) {
+    Json camera = {{"matrix", std::vector<double>(glm::value_ptr(frustum.viewFromWorld),
+                                                  glm::value_ptr(frustum.viewFromWorld) + 16)}};
+    if (frustum.orthographic)
+        camera["ortho"] = frustum.size().y;
+    else
+        camera["fov"] = glm::degrees(2.0 * std::atan(0.5 * frustum.size().y));
+    return camera;
+}
+
+/// Of all triangles and where they are, 64-bit FNV-1a, 16 digits.
+std::string hashOf(const Scene& scene) {
+    std::uint64_t hash = 0xCBF29CE484222325;
+    const auto add = [&hash](const auto& values) {
+        const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+        for (std::size_t i = 0; i < values.size() * sizeof(values[0]); ++i)
+            hash = (hash ^ bytes[i]) * 0x100000001B3;
+    };
+    for (const Batch& batch : scene.batches) {
+        const double* matrix = glm::value_ptr(batch.worldFromBatch);
+        add(std::span(matrix, 16));
+        add(batch.geometry->positions);
+        add(batch.geometry->indices);
+    }
+    char text[17];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    return text;
+}
+
+FrameRequest requestOf(const SunHoursOptions& options, const Scene& scene) {
+    FrameRequest request = requestFor(options.view, scene);
+    if (options.plan) request.frustum = planView(scene, options.view.aspect(), options.typed.north);
+    return request;
+}
+
+std::vector<hours::Position> partOf(const std::vector<hours::Position>& positions,
+                                    std::size_t number, std::size_t of) {
+    std::vector<hours::Position> some;
+    for (std::size_t i = number - 1; i < positions.size(); i += of)
+        some.push_back(positions[i]);
+    return some;
+}
+
+std::vector<glm::dvec3> directionsOf(const std::vector<hours::Position>& positions) {
+    std::vector<glm::dvec3> directions;
+    for (const hours::Position& position : positions)
+        directions.push_back(position.direction);
+    return directions;
+}
+
+LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
+                   const FrameRequest& request, const std::vector<glm::dvec3>& directions,
+                   ProgressBar& bar) {
+    const gl::HeadlessContext context({request.width, request.height, 0, options.glLimits});
+    DrawSettings draw;
+    draw.render.shading = Shading::base;
+    resolve(draw);
+    draw.render.layout = layoutFor(InstancingChoice::automatic, context.capabilities());
+    Renderer renderer(draw.render, context.capabilities());
+    GpuScene scene = uploadScene(loaded, draw.render.records(), context.capabilities());
+    return countDirections(
+        loaded, request, directions, renderer, scene, context.capabilities(), [&](double share) {
+            bar.show(surfacesFrom * share,
+                     "counting " + std::to_string(directions.size()) + " sun positions");
+        });
+}
+
+/// What pixels show, by area, material and node, into the part.
+void addSurfaces(const LoadedScene& loaded, const FrameRequest& request,
+                 const lab::AlphaLookup& alpha, hours::Part& part, ProgressBar& bar) {
+    const FrameView view = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
+    lab::Question question;
+    question.scene = &loaded.scene;
+    question.castMasked = loaded.settings.castMasked;
+    question.frustum = view.frustum;
+    question.near = view.near();
+    question.width = request.width;
+    question.height = request.height;
+    const lab::Oracle oracle(question, alpha);
+    const std::vector<lab::PixelSurface> surfaces = lab::pixelSurfaces(oracle, [&](double share) {
+        bar.show(surfacesFrom + (probesFrom - surfacesFrom) * share, "measuring surfaces");
+    });
+
+    hours::Exposure& exposure = part.exposure;
+    exposure.material.assign(surfaces.size(), hours::Exposure::none);
+    exposure.node.assign(surfaces.size(), hours::Exposure::none);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        const bool known = exposure.surface[i] != 0 && surfaces[i].area > 0.0;
+        exposure.area.push_back(known ? static_cast<float>(surfaces[i].area) : 0.0f);
+        if (!known) continue;
+        const lab::EyeTriangle& triangle = oracle.triangles()[surfaces[i].triangle];
+        const Batch& batch = loaded.scene.batches[triangle.batch];
+        if (batch.ground) continue;
+        const auto node = static_cast<std::uint32_t>(nodeOf(batch, triangle.firstIndex));
+        exposure.material[i] = triangle.material;
+        exposure.node[i] = node;
+        if (!part.materials.contains(triangle.material))
+            part.materials[triangle.material] = materialTitle(*loaded.document, triangle.material);
+        if (!part.nodes.contains(node)) part.nodes[node] = nodeTitle(*loaded.document, node);
+    }
+}
+
+void sunHours(const SunHoursOptions& options) {
+    const hours::Schedule schedule = options.schedule();
+    const std::vector<hours::Position> positions = hours::positionsOf(schedule);
+    LoadedScene loaded = options.load(Shading::base, ShadowMethod::volumes, false);
+    Warnings& warnings = loaded.scene.warnings;
+    if (positions.empty())
+        warnings.add("The sun is never higher than " +
+                     CLI::detail::to_string(schedule.minAltitude) +
+                     " degrees in these hours, so there are none of sun.");
+    if (const std::string about = options.dateWarning(); !about.empty()) warnings.add(about);
+    printWarnings(warnings.sentences());
+    if (!options.offset)
+        printProgress("Clock: UTC" + sun::textOf(schedule.offset) +
+                      ", by the longitude; --utc-offset sets another.");
+    const FrameRequest request = requestOf(options, loaded.scene);
+
+    hours::Part part;
+    std::tie(part.number, part.of) =
+        options.part.value_or(std::pair<std::size_t, std::size_t>(1, 1));
+    part.settings = options.settingsJson(schedule, loaded.scene);
+    part.camera = cameraJson(request.frustum);
+    part.scene = hashOf(loaded.scene);
+    part.warnings = warnings.sentences();
+    part.positionsOfRun = positions.size();
+    part.positions = partOf(positions, part.number, part.of);
+    part.offset = schedule.offset;
+
+    ProgressBar bar;
+    const std::vector<glm::dvec3> directions = directionsOf(part.positions);
+    const LitCounts counts = countLit(options, loaded, request, directions, bar);
+    hours::Exposure& exposure = part.exposure;
+    exposure.width = counts.width;
+    exposure.height = counts.height;
+    exposure.lit = counts.lit;
+    for (const std::uint16_t drawn : counts.surface)
+        exposure.surface.push_back(drawn > 0);
+
+    const lab::AlphaLookup alpha = lab::textureAlpha(loaded);
+    addSurfaces(loaded, request, alpha, part, bar);
+    for (const hours::ProbePoint& probe : options.probes) {
+        bar.show(probesFrom, "asking points");
+        part.probes.push_back(
+            {probe, lab::seenFrom(loaded, alpha, probe.point, probe.normal, directions)});
+    }
+    bar.show(1.0, "done");
+    if (!options.part) return writeSunHours(part, options.input, options.files);
+    writeFile(options.files.picture, std::string_view(hours::textOf(part)));
+    printResult(options.files.picture + ": part " + std::to_string(part.number) + " of " +
+                    std::to_string(part.of) + ", " + std::to_string(part.positions.size()) +
+                    " of " + std::to_string(positions.size()) + " sun positions",
+                "");
+}
+
+#else
+
+void sunHours(const SunHoursOptions&) {
+    throw Error(ExitStatus::unavailable, "sunhours needs rays to measure surfaces with, and this "
+                                         "program was built without Embree.");
+}
+
+#endif
+
+} // namespace
+
+void addSunHoursCommand(CLI::App& program) {
+    CLI::App* verb = program.add_subcommand(
+        "sunhours", "Count the hours of sun that each visible surface gets, exactly, as a picture "
+                    "and a report");
+    const auto options = std::make_shared<SunHoursOptions>();
+    verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not")->required();
+    verb->add_option("OUT", options->files.picture, "The picture, .png; with --part the part")
+        ->required();
+    addSunHoursOptions(*verb, *options);
+    verb->callback([options] {
+        if (options->cutoutsCast)
+            throw Error(ExitStatus::usage,
+                        "--cast-cutouts does not go with sunhours, whose shadow volumes count no "
+                        "cutouts; --cast-masked casts whole triangles.");
+        sunHours(*options);
+    });
+}
+
+} // namespace edgeshade::cli

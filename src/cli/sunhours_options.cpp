@@ -1,0 +1,268 @@
+#include "src/cli/sunhours_options.hpp"
+
+#include "src/cli/number_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace edgeshade::cli {
+namespace {
+
+using namespace std::chrono;
+
+std::string presetWords() {
+    std::string words;
+    for (const hours::Preset& preset : hours::presets())
+        words += (words.empty() ? "" : "|") + std::string(preset.name);
+    return words;
+}
+
+/// "9" or "9:30", minutes since 0:00; nothing where it is neither.
+std::optional<minutes> clockFrom(std::string_view text) {
+    int hour = 0, minute = 0;
+    const char* const end = text.data() + text.size();
+    auto read = std::from_chars(text.data(), end, hour);
+    if (read.ec != std::errc() || hour < 0 || hour > 24) return std::nullopt;
+    if (read.ptr != end) {
+        if (*read.ptr != ':' || end - read.ptr != 3) return std::nullopt;
+        read = std::from_chars(read.ptr + 1, end, minute);
+        if (read.ec != std::errc() || read.ptr != end || minute < 0 || minute > 59)
+            return std::nullopt;
+    }
+    const minutes clock(60 * hour + minute);
+    return clock <= days(1) ? std::optional(clock) : std::nullopt;
+}
+
+std::string clockText(minutes clock) {
+    const auto count = static_cast<int>(clock.count());
+    char text[24];
+    std::snprintf(text, sizeof text, "%d:%02d", count / 60, count % 60);
+    return text;
+}
+
+hours::ProbePoint probeFrom(const std::string& text) {
+    hours::ProbePoint probe;
+    if (std::ranges::count(text, ',') == 2) {
+        probe.point = vectorFrom(text, "--at");
+        return probe;
+    }
+    const auto numbers = numbersFrom<6>(text, "--at", "of the form X,Y,Z or X,Y,Z,NX,NY,NZ");
+    probe.point = {numbers[0], numbers[1], numbers[2]};
+    probe.normal = glm::dvec3(numbers[3], numbers[4], numbers[5]);
+    if (*probe.normal == glm::dvec3(0.0))
+        throw CLI::ValidationError("--at", "'" + text + "' has the normal 0,0,0");
+    return probe;
+}
+
+std::pair<std::size_t, std::size_t> partFrom(const std::string& text) {
+    std::size_t part = 0, of = 0;
+    const char* const end = text.data() + text.size();
+    auto read = std::from_chars(text.data(), end, part);
+    bool right = read.ec == std::errc() && read.ptr != end && *read.ptr == '/';
+    if (right) {
+        read = std::from_chars(read.ptr + 1, end, of);
+        right = read.ec == std::errc() && read.ptr == end;
+    }
+    if (!right || part < 1 || part > of || of > hours::mostPositions)
+        throw CLI::ValidationError("--part", "'" + text +
+                                                 "' is not of the form K/N with 1 <= K <= N <= " +
+                                                 std::to_string(hours::mostPositions));
+    return {part, of};
+}
+
+template <class Use>
+CLI::Option* addText(CLI::App& verb, const std::string& name, const std::string& type,
+                     const std::string& help, Use use) {
+    return verb.add_option_function<std::string>(name, use, help)->type_name(type);
+}
+
+void addDates(CLI::App& verb, SunHoursOptions& options) {
+    const auto addDate = [&](const std::string& name, std::optional<sys_days>& date,
+                             const std::string& help) {
+        return addText(verb, name, "DATE", help, [&date, name](const std::string& text) {
+            date = readAs(name, [&] { return sun::dateFromText(text); });
+        });
+    };
+    CLI::Option* const date = addDate("--date", options.date, "The day, e.g. 2026-03-21");
+    CLI::Option* const from = addDate("--from", options.from, "The first of several days");
+    CLI::Option* const to = addDate("--to", options.to, "The last of them");
+    from->needs(to)->excludes(date);
+    to->needs(from)->excludes(date);
+    addText(verb, "--step", "MIN",
+            "Minutes that each sun position stands for, in their middle; they must divide the "
+            "day's clock hours (10)",
+            [&](const std::string& text) {
+                const double step = numberFrom(text, "--step");
+                if (step != std::floor(step) || step < 1.0 || step > 1440.0)
+                    throw CLI::ValidationError("--step",
+                                               "'" + text + "' is no whole number from 1 to 1440");
+                options.typed.step = minutes(static_cast<int>(step));
+            });
+    addText(verb, "--hours", "A-B",
+            "Clock hours of each day that count, e.g. 9-17 or 9:30-15:00 (0-24)",
+            [&](const std::string& text) {
+                const std::size_t dash = std::min(text.find('-'), text.size() - 1);
+                const auto opens = clockFrom(std::string_view(text).substr(0, dash)),
+                           closes = clockFrom(std::string_view(text).substr(dash + 1));
+                if (!opens || !closes || *opens >= *closes)
+                    throw CLI::ValidationError("--hours",
+                                               "'" + text +
+                                                   "' is not of the form A-B with clock hours A "
+                                                   "before B, both from 0 to 24");
+                options.typed.opens = *opens;
+                options.typed.closes = *closes;
+            });
+    addText(verb, "--utc-offset", "+HH:MM",
+            "The clock's offset from UTC, summer time included (whole hours, nearest to the "
+            "longitude / 15)",
+            [&](const std::string& text) {
+                options.offset = readAs("--utc-offset", [&] { return sun::offsetFromText(text); });
+            });
+    addText(verb, "--min-altitude", "DEG",
+            "The sun counts where it is seen higher than so many degrees, from 0 to 90 (0)",
+            [&](const std::string& text) {
+                options.typed.minAltitude = numberFrom(text, "--min-altitude");
+                if (options.typed.minAltitude < 0.0 || options.typed.minAltitude > 90.0)
+                    throw CLI::ValidationError("--min-altitude",
+                                               "'" + text + "' is not between 0 and 90");
+            });
+}
+
+void addThresholds(CLI::App& verb, SunHoursOptions& options) {
+    CLI::Option* const threshold = addText(
+        verb, "--threshold", "H",
+        "Hours of sun a day: the report says how much of the area has as many",
+        [&](const std::string& text) {
+            options.threshold = numberFrom(text, "--threshold");
+            if (*options.threshold < 0.0 || *options.threshold > 24.0)
+                throw CLI::ValidationError("--threshold", "'" + text + "' is not between 0 and 24");
+        });
+    addText(verb, "--preset", presetWords(),
+            "The threshold of a recommendation, EN 17037's 1.5, 3 or 4 hours or BRE 209's 2 hours "
+            "on half of a garden, and where no date is typed 21 March " +
+                std::to_string(static_cast<int>(hours::presetYear)),
+            [&](const std::string& text) {
+                options.preset = hours::findPreset(text);
+                if (!options.preset)
+                    throw CLI::ValidationError("--preset",
+                                               "'" + text + "' is none of " + presetWords());
+            })
+        ->excludes(threshold);
+}
+
+} // namespace
+
+hours::Schedule SunHoursOptions::schedule() const {
+    hours::Schedule schedule = typed;
+    schedule.place = *place;
+    schedule.offset = offset.value_or(hours::offsetNear(place->longitude));
+    if (date) {
+        schedule.from = schedule.to = *date;
+    } else if (from) {
+        schedule.from = *from;
+        schedule.to = *to;
+    } else if (preset) {
+        const month_day& day = preset->last;
+        schedule.from = schedule.to = hours::presetYear / day.month() / day.day();
+    } else {
+        throw Error(ExitStatus::usage,
+                    "sunhours needs --date, or --from and --to, or a --preset, which has a date.");
+    }
+    return schedule;
+}
+
+std::optional<double> SunHoursOptions::hoursWanted() const {
+    return preset ? std::optional(preset->threshold) : threshold;
+}
+
+std::string SunHoursOptions::dateWarning() const {
+    if (!preset || (!date && !from)) return "";
+    const auto fits = [&](sys_days day) {
+        const year_month_day ymd(day);
+        const month_day at(ymd.month(), ymd.day());
+        return preset->first <= at && at <= preset->last;
+    };
+    const sys_days first = date ? *date : *from, last = date ? *date : *to;
+    if (fits(first) && fits(last) && last - first < days(366)) return "";
+    const auto text = [](month_day day) {
+        return sun::textOf(sys_days(hours::presetYear / day.month() / day.day())).substr(5);
+    };
+    return "--preset " + std::string(preset->name) + " is for " +
+           (preset->first == preset->last
+                ? text(preset->last)
+                : "a day from " + text(preset->first) + " to " + text(preset->last)) +
+           " (month-day), which " + sun::textOf(first) + " to " + sun::textOf(last) + " is not.";
+}
+
+nlohmann::ordered_json SunHoursOptions::settingsJson(const hours::Schedule& schedule,
+                                                     const Scene& scene) const {
+    using Json = nlohmann::ordered_json;
+    const std::optional<double> wanted = hoursWanted();
+    Json settings = {
+        {"file", std::filesystem::path(input).filename().string()},
+        {"place", {schedule.place.latitude, schedule.place.longitude}},
+        {"from", sun::textOf(schedule.from)},
+        {"to", sun::textOf(schedule.to)},
+        {"step", schedule.step.count()},
+        {"hours", clockText(schedule.opens) + "-" + clockText(schedule.closes)},
+        {"utc-offset", sun::textOf(schedule.offset)},
+        {"utc-offset-typed", offset.has_value()},
+        {"min-altitude", schedule.minAltitude},
+        {"north", schedule.north},
+        {"plan", plan},
+        {"threshold", wanted ? Json(*wanted) : Json(nullptr)},
+        {"preset", preset ? Json(preset->name) : Json(nullptr)},
+        {"cast-masked", casters.castMasked},
+        {"gl-limits", glLimitsName(glLimits)},
+    };
+    if (!variant.empty()) settings["variant"] = variant;
+    settings.update(sceneJson(scene));
+    return settings;
+}
+
+void addSunHoursFileOptions(CLI::App& verb, SunHoursFiles& files) {
+    verb.add_option("--counts", files.counts,
+                    "Write how many sun positions see each pixel's surface, 16-bit grey; clear "
+                    "where nothing is")
+        ->type_name("OUT.png");
+    addReportOption(verb, files.report);
+}
+
+void addSunHoursOptions(CLI::App& verb, SunHoursOptions& options) {
+    addPlaceOption(verb, options.place,
+                   "Where it is: degrees north and east, those south and "
+                   "west negative")
+        ->required();
+    addDates(verb, options);
+    addNorthOption(verb, options.typed.north);
+    addThresholds(verb, options);
+    addUnlitSceneOptions(verb, options);
+    CLI::Option* const plan =
+        verb.add_flag("--plan", options.plan, "The whole scene from straight above, north up");
+    for (const char* other : {"--camera", "--camera-from", "--camera-to", "--camera-matrix",
+                              "--ortho", "--fov", "--near"})
+        plan->excludes(verb.get_option(other));
+    verb.add_option_function<std::vector<std::string>>(
+            "--at",
+            [&](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts)
+                    options.probes.push_back(probeFrom(text));
+            },
+            "A point whose hours of sun the report lists, with the direction that it faces if "
+            "it faces one; may be repeated")
+        ->type_name("X,Y,Z[,NX,NY,NZ]")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    addSunHoursFileOptions(verb, options.files);
+    CLI::Option* const part =
+        addText(verb, "--part", "K/N",
+                "Only every N-th sun position, from the K-th on; OUT becomes a part for "
+                "sunhours-merge",
+                [&](const std::string& text) { options.part = partFrom(text); });
+    part->excludes(verb.get_option("--counts"))->excludes(verb.get_option("--report"));
+}
+
+} // namespace edgeshade::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "preprocess/base/file_io.hpp"
+#include "src/hours/part.hpp"
+
+#include <filesystem>
+
+namespace edgeshade::hours {
+
+/// A part as a file: JSON, whose arrays of pixels are data URIs of zlib streams, little-endian.
+/// Version 1. Same part, same bytes. Throws Error(unavailable) for more than 2^28 pixels.
+///
+///     {"edgeshade_sunhours_part": 1, "part": K, "parts": N, "scene": "16 hex digits",
+///      "settings": {...}, "camera": {...}, "warnings": [...], "positions_of_run": P,
+///      "positions": [{"time", "azimuth", "altitude", "direction"}, ...],
+///      "probes": [{"point", "normal" or null, "lit": "0110..."}, ...],
+///      "materials": [{"index", "name"}, ...], "nodes": [...], "size": [W, H],
+///      "pixels": {"lit" 16 bits, "surface" 8, "area" float, "material" 32, "node" 32}}
+std::string textOf(const Part& part);
+
+/// The part in a file. Safe on untrusted input. Throws InputError that names file, field and value
+/// for whatever is wrong with it: after it all of Part's rules hold.
+Part partFrom(const std::filesystem::path& path);
+
+/// A position as parts and reports have it.
+nlohmann::ordered_json jsonOf(const Position& position, std::chrono::minutes offset);
+
+} // namespace edgeshade::hours

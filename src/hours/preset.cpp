@@ -1,0 +1,31 @@
+#include "src/hours/preset.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace edgeshade::hours {
+namespace {
+
+using namespace std::chrono;
+
+constexpr month_day february = February / 1, equinox = March / 21;
+
+constexpr std::array<Preset, 4> all = {{
+    {"en17037-minimum", "EN 17037, minimum", 1.5, false, february, equinox},
+    {"en17037-medium", "EN 17037, medium", 3.0, false, february, equinox},
+    {"en17037-high", "EN 17037, high", 4.0, false, february, equinox},
+    {"bre-garden", "BRE 209, gardens and open spaces", 2.0, true, equinox, equinox},
+}};
+
+} // namespace
+
+std::span<const Preset> presets() {
+    return all;
+}
+
+const Preset* findPreset(std::string_view name) {
+    const auto found = std::ranges::find(all, name, &Preset::name);
+    return found == all.end() ? nullptr : &*found;
+}
+
+} // namespace edgeshade::hours

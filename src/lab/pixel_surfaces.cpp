@@ -1,0 +1,63 @@
+#include "src/lab/pixel_surfaces.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace edgeshade::lab {
+namespace {
+
+PixelSurface surfaceAt(const Oracle& oracle, double x, double y) {
+    const std::vector<Oracle::Hit> hits = oracle.surfacesAt(x, y);
+    if (hits.empty()) return {};
+    // Of coinciding surfaces the first one, as it is drawn.
+    const auto nearest =
+        std::min_element(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
+            return std::pair(a.depth, a.triangle) < std::pair(b.depth, b.triangle);
+        });
+    return {nearest->triangle,
+            footprintArea(oracle.question(), oracle.triangles()[nearest->triangle],
+                          pixelRay(oracle.question(), x, y), nearest->depth)};
+}
+
+} // namespace
+
+double footprintArea(const Question& question, const EyeTriangle& triangle, const PixelRay& ray,
+                     double depth) {
+    const glm::dvec2 window = question.frustum.size();
+    const double pixel =
+        window.x * window.y / (static_cast<double>(question.width) * question.height);
+    const glm::dvec3 normal = normalOf(triangle);
+    const double along = glm::length(ray.direction);
+    const double length = glm::length(normal) * along;
+    if (length == 0.0) return 0.0;
+    const double cosine = std::max(std::abs(glm::dot(normal, ray.direction)) / length, leastCosine);
+    // A perspective's window is a unit of depth away, slanted to the ray by 1 / along.
+    const double acrossRay = question.frustum.orthographic ? pixel : pixel * depth * depth / along;
+    return acrossRay / cosine;
+}
+
+std::vector<PixelSurface> pixelSurfaces(const Oracle& oracle,
+                                        const std::function<void(double)>& progress) {
+    const int width = oracle.question().width, height = oracle.question().height;
+    std::vector<PixelSurface> surfaces(static_cast<std::size_t>(width) *
+                                       static_cast<std::size_t>(height));
+    std::atomic<int> nextRow{0};
+    const auto work = [&](bool reports) {
+        for (int y = nextRow++; y < height; y = nextRow++) {
+            for (int x = 0; x < width; ++x)
+                surfaces[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x)] = surfaceAt(oracle, x + 0.5, y + 0.5);
+            if (reports && progress) progress(static_cast<double>(y + 1) / height);
+        }
+    };
+    std::vector<std::thread> others;
+    for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+        others.emplace_back(work, false);
+    work(true);
+    for (std::thread& other : others)
+        other.join();
+    return surfaces;
+}
+
+} // namespace edgeshade::lab

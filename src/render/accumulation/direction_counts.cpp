@@ -1,0 +1,50 @@
+#include "src/render/accumulation/direction_counts.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+FrameView masksView(const LoadedScene& loaded, FrameRequest request,
+                    std::span<const glm::dvec3> directions) {
+    request.lights.clear();
+    for (const glm::dvec3& direction : directions)
+        request.lights.push_back({glm::dvec4(direction, 0.0)});
+    FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
+    view.drawBlended = false;
+    view.mask = true;
+    view.sumsMasks = true;
+    return view;
+}
+
+} // namespace
+
+LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request,
+                          std::span<const glm::dvec3> directions, Renderer& renderer,
+                          GpuScene& scene, const gl::Capabilities& capabilities,
+                          const std::function<void(double)>& progress) {
+    LitCounter counter(capabilities);
+    counter.begin(request.width, request.height);
+    if (directions.empty()) {
+        // What surfaces there are, in a light that isn't counted.
+        const glm::dvec3 up(0.0, 1.0, 0.0);
+        counter.add(renderer, scene, loaded, masksView(loaded, request, {&up, 1}));
+        gl::requireNoError("counting sun positions");
+        LitCounts counts = counter.read();
+        std::ranges::fill(counts.lit, std::uint16_t{0});
+        counts.lights = 0;
+        return counts;
+    }
+    const std::size_t atOnce = std::min(LitCounter::lightsAtOnce(scene), mostLights);
+    for (std::size_t first = 0; first < directions.size();) {
+        const std::size_t count = std::min(directions.size() - first, atOnce);
+        counter.add(renderer, scene, loaded,
+                    masksView(loaded, request, directions.subspan(first, count)));
+        first += count;
+        progress(static_cast<double>(first) / static_cast<double>(directions.size()));
+    }
+    gl::requireNoError("counting sun positions");
+    return counter.read();
+}
+
+} // namespace edgeshade

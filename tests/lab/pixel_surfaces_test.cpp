@@ -1,0 +1,108 @@
+// What pixels show by area, and what a point sees.
+#include "src/lab/pixel_surfaces.hpp"
+#include "src/lab/sun_probe.hpp"
+#include "src/shadow/geometry/plan_view.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace edgeshade::lab {
+namespace {
+
+double areaSeen(const Scene& scene, const Frustum& frustum, int width, int height) {
+    Question question;
+    question.scene = &scene;
+    question.frustum = standingBack(frustum, worldBounds(scene));
+    question.width = width;
+    question.height = height;
+    const Oracle oracle(question, {});
+    double area = 0.0;
+    for (const PixelSurface& pixel : pixelSurfaces(oracle, {}))
+        area += pixel.area;
+    return area;
+}
+
+LoadedScene loadedOf(const Scene& scene) {
+    LoadedScene loaded;
+    loaded.scene = scene;
+    return loaded;
+}
+
+bool sees(const LoadedScene& loaded, const glm::dvec3& point,
+          const std::optional<glm::dvec3>& normal, const glm::dvec3& direction) {
+    return seenFrom(loaded, {}, point, normal, {&direction, 1}).front();
+}
+
+} // namespace
+
+TEST(PixelSurfaces, AreAsLargeAsWhatIsSeen) {
+    // A floor of 10 x 10, straight from above, from aside, and in perspective.
+    const Scene floor = test::SceneBuilder().floor(5.0f).scene();
+    EXPECT_NEAR(areaSeen(floor, planView(floor, 1.5, 0.0), 300, 200), 100.0, 1.0);
+    EXPECT_NEAR(areaSeen(floor, planView(floor, 1.0, 30.0), 200, 200), 100.0, 1.0);
+    const Camera aside{{9.0, 6.0, 12.0}, {0.0, 0.0, 0.0}, 60.0};
+    EXPECT_NEAR(areaSeen(floor, frustumOf(aside, 1.0), 300, 300), 100.0, 1.0);
+    EXPECT_NEAR(areaSeen(floor, frustumOf(aside, 1.0, 16.0), 300, 300), 100.0, 1.0);
+    const Camera close{{0.0, 4.0, 8.0}, {0.0, 0.0, 0.0}, 100.0};
+    EXPECT_NEAR(areaSeen(floor, frustumOf(close, 1.3), 390, 300), 100.0, 1.0);
+}
+
+TEST(PixelSurfaces, GrazingOnesDoNotGrowForEver) {
+    const Scene wall =
+        test::SceneBuilder().quad({0, 0, 0}, {0, 0, 1}, {1e-7f, 1, 1}, {1e-7f, 1, 0}).scene();
+    Question question;
+    question.scene = &wall;
+    question.frustum = planView(wall, 1.0, 0.0);
+    const EyeTriangle triangle = eyeTriangles(wall, question.frustum, false, false).front();
+    const PixelRay ray = pixelRay(question, 0.5, 0.5);
+    const glm::dvec2 size = question.frustum.size();
+    EXPECT_NEAR(footprintArea(question, triangle, ray, 1.0), size.x * size.y / leastCosine,
+                1e-9 * size.x * size.y / leastCosine);
+}
+
+TEST(PlanView, HasNorthUp) {
+    const Scene scene =
+        test::SceneBuilder().floor(2.0f).box({3.0f, 0.0f, -1.0f}, {4.0f, 5.0f, 1.0f}).scene();
+    for (const double north : {0.0, 90.0, -37.0}) {
+        const Frustum plan = planView(scene, 1.6, north);
+        const double turn = glm::radians(north);
+        const glm::dvec3 up(std::sin(turn), 0.0, -std::cos(turn));
+        EXPECT_NEAR((glm::dmat3(plan.viewFromWorld) * up).y, 1.0, 1e-12);
+        EXPECT_NEAR(plan.forward().y, -1.0, 1e-12);
+        for (const glm::vec3& position : scene.batches[0].geometry->positions) {
+            const glm::dvec4 seen = plan.viewFromWorld * glm::dvec4(position, 1.0);
+            EXPECT_LT(std::abs(seen.x), plan.high.x);
+            EXPECT_LT(std::abs(seen.y), plan.high.y);
+            EXPECT_LE(seen.z, 1e-9);
+        }
+    }
+}
+
+TEST(SunProbe, IsBlockedByCastersOnTheWay) {
+    const LoadedScene loaded =
+        loadedOf(test::SceneBuilder().floor(5.0f).box({1, 0, -1}, {2, 3, 1}).scene());
+    const glm::dvec3 up(0.0, 1.0, 0.0);
+    // From 1 before a wall of 3: free above 3 : 1.
+    EXPECT_FALSE(sees(loaded, {0, 0, 0}, up, {1.0, 2.99, 0.0}));
+    EXPECT_TRUE(sees(loaded, {0, 0, 0}, up, {1.0, 3.01, 0.0}));
+    EXPECT_TRUE(sees(loaded, {0, 0, 0}, up, {-1.0, 0.01, 0.0}));
+    EXPECT_FALSE(sees(loaded, {0, 0, 0}, up, {-1.0, -0.01, 0.0})); // faces away
+    // Inside of the box, in the open air, below the floor.
+    EXPECT_FALSE(sees(loaded, {1.5, 1.0, 0.0}, {}, {0.3, 1.0, 0.2}));
+    EXPECT_TRUE(sees(loaded, {1.5, 4.0, 0.0}, {}, {0.3, 1.0, 0.2}));
+    EXPECT_FALSE(sees(loaded, {0.2, -0.5, 0.0}, {}, {0.3, 1.0, 0.2}));
+}
+
+TEST(SunProbe, IsNotBlockedByTheSurfaceItLiesOn) {
+    const LoadedScene loaded = loadedOf(
+        test::SceneBuilder().floor(5.0f, 0.1f).box({1.1f, 0.1f, -1}, {2.3f, 3.7f, 1}).scene());
+    for (const double x : {0.1, 0.3, -0.7, 4.9, 0.0}) // typed decimals that are no floats
+        for (const double z : {0.3, -1.7, 0.0})       // 0, 0 lies on the floor's diagonal
+            EXPECT_TRUE(sees(loaded, {x, 0.1, z}, {}, {-0.001, 1.0, 0.002})) << x << " " << z;
+    EXPECT_TRUE(sees(loaded, {1.7, 3.7, 0.3}, glm::dvec3(0, 1, 0), {0.9, 0.2, 0.1}));
+    EXPECT_TRUE(sees(loaded, {1.1, 2.0, 0.3}, glm::dvec3(-1, 0, 0), {-0.9, 0.2, 0.1}));
+    EXPECT_FALSE(sees(loaded, {1.1, 2.0, 0.3}, {}, {0.9, 0.2, 0.1})); // through the box
+}
+
+} // namespace edgeshade::lab
