@@ -32,6 +32,7 @@ const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
 
 const Choices<Shading> shadingNames = {{"full", Shading::full}, {"base", Shading::base}};
+const Choices<SoftShadows> softNames = {{"none", SoftShadows::none}, {"pcss", SoftShadows::pcss}};
 const Choices<bool> terminatorNames = {{"soft", true}, {"exact", false}};
 const Choices<int> maskScaleNames = {{"1", 1}, {"1/2", 2}, {"1/4", 4}};
 
@@ -65,6 +66,10 @@ void addMapOptions(CLI::App& verb, DrawSettings& settings) {
     add("--pcf", map.pcf, "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
         ->check(CLI::IsMember({1, 3, 5, 7}))
         ->type_name("N");
+    addChoice(verb, "--soft", map.soft, softNames,
+              "What lights with an extent get of their maps: hard shadows of all of their points, "
+              "added up, or percentage-closer soft shadows of the map of their centre (none)");
+    noted(verb.get_option("--soft"), settings.mapOptions);
 }
 
 void addPrimitiveMapMemory(CLI::App& verb, DrawSettings& settings) {
@@ -211,10 +216,11 @@ void resolve(DrawSettings& settings) {
 }
 
 void requireExtents(const DrawSettings& settings, std::span<const Light> lights) {
-    if (settings.extentOptions.empty()) return;
+    const bool soft = settings.render.map.soft == SoftShadows::pcss;
+    if (settings.extentOptions.empty() && !soft) return;
     if (std::ranges::any_of(lights, [](const Light& light) { return light.extent.has_value(); }))
         return;
-    throw Error(ExitStatus::usage, settings.extentOptions.front() +
+    throw Error(ExitStatus::usage, (soft ? "--soft pcss" : settings.extentOptions.front()) +
                                        " needs a light with an extent: --light-radius, "
                                        "--light-size or --sun-angle.");
 }
@@ -276,6 +282,8 @@ std::string shortName(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     std::string name = nameIn(shadowNames, render.shadows);
     if (render.shadows == ShadowMethod::map) name += " " + std::to_string(render.map.size);
+    if (render.shadows == ShadowMethod::map && render.map.soft == SoftShadows::pcss)
+        name += ", pcss";
     if (render.shadows == ShadowMethod::volumes && render.maskScale > 1)
         name += ", mask " + nameIn(maskScaleNames, render.maskScale);
     return name;
@@ -304,7 +312,8 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     if (render.shadows == ShadowMethod::map)
         json.update({{"map-size", render.map.size},
                      {"map-bias", render.map.biasTexels},
-                     {"pcf", render.map.pcf}});
+                     {"pcf", render.map.pcf},
+                     {"soft", nameIn(softNames, render.map.soft)}});
     if (render.looksUpPrimitives()) json["primitive-map-memory"] = render.primitiveMap.mostBytes;
     return json;
 }

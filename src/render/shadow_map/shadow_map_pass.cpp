@@ -64,12 +64,14 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
         drawFaces(scene, view, map);
         drawn_[kind] = std::move(subject);
     }
-    return {map.kind(),
-            map.textures(),
-            view.mapFromWorld,
-            static_cast<float>(view.step),
-            static_cast<float>(view.texel),
-            settings_.biasTexels};
+    ShadowMapLookup lookup{map.kind(),
+                           map.textures(),
+                           view.mapFromWorld,
+                           static_cast<float>(view.step),
+                           static_cast<float>(view.texel),
+                           settings_.biasTexels};
+    if (settings_.soft == SoftShadows::pcss && light.extent) lookup.pcss = pcssLight(light, view);
+    return lookup;
 }
 
 ShadowMapPass::Subject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds,
