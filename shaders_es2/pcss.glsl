@@ -1,7 +1,7 @@
 // Percentage-closer soft shadows (Fernando 2005): how much of a light with an extent reaches a
-// fragment, by the map of its centre. Of the light as a whole the mean distance of what the map has
-// before the receiver is looked for; the penumbra that a caster there would have is what is
-// filtered. PCSS_RECTANGLE: the light is a rectangle around a point light; else a sphere around one
+// fragment, by the map of its centre. The mean distance of what the map has between the receiver and
+// any part of the light is looked for; the penumbra that a caster there has is what is filtered.
+// PCSS_RECTANGLE: the light is a rectangle around a point light; else a sphere around one
 // or, with MAP_DIRECTIONAL, a disc. Wants what shadow_map_lookup.glsl has.
 const int searchTaps = 16;
 const int filterTaps = 32;
@@ -31,6 +31,15 @@ vec2 tapOnLight(float n, float count) {
 #else
     float angle = 2.3999632297 * n;
     return sqrt((n + 0.5) / count) * vec2(cos(angle), sin(angle));
+#endif
+}
+
+// How far from the light's middle that is, as a share of its extent.
+float shareOfExtent(vec2 onLight) {
+#ifdef PCSS_RECTANGLE
+    return max(abs(onLight.x), abs(onLight.y));
+#else
+    return length(onLight);
 #endif
 }
 
@@ -118,9 +127,16 @@ float lightFromMap(vec3 normal, vec3 light) {
     widest = max(widest, r.leastSpread);
     float before = 0.0, casters = 0.0;
     for (int i = 0; i < searchTaps; ++i) {
-        vec3 tap = tapAt(r, tapOnLight(float(i), float(searchTaps)), widest);
-        float gap = planeDistance(r, tap) - storedDistance(tap);
-        if (gap > 0.0) {
+        // Densest where the light's middle is seen, for casters near the receiver.
+        vec2 onLight = tapOnLight(float(i), float(searchTaps));
+        float away = shareOfExtent(onLight);
+        float reach = widest * away * away * away;
+        vec3 tap = tapAt(r, onLight, reach);
+        float stored = storedDistance(tap);
+        float gap = planeDistance(r, tap) - stored;
+        // What lies beside all ways to the light is no caster.
+        bool isBetween = reach * away <= max(spreadOf(stored, stored + gap), r.leastSpread);
+        if (gap > 0.0 && isBetween) {
             before += gap;
             casters += 1.0;
         }
