@@ -135,7 +135,7 @@ void requireFitting(const RenderOptions& options, const std::vector<Light>& ligh
     requireExtents(options.settings, lights);
     if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
         throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
-                                           " does not go with --soft pcss, which looks up a map "
+                                           " does not go with --soft, which looks up a map "
                                            "of the light's centre alone.");
     const bool extended = options.view.lights.extents.typed();
     if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)

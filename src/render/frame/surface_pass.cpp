@@ -279,7 +279,8 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     Variant variant{};
     variant.alphaMode = material.alphaMode;
     if (shading.map) variant.map = shading.map->kind;
-    variant.pcss = shading.map && shading.map->pcss;
+    variant.softMap = shading.map && shading.map->soft;
+    variant.pcss = variant.softMap && shading.map->pcss;
     variant.rectangle = variant.pcss && shading.map->pcss->rectangle;
     if (shading.primitives)
         variant.primitives = {shading.primitives->kind, shading.primitives->longestList,
@@ -333,6 +334,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         defines.push_back("PCF " + std::to_string(pcf_));
         if (*variant.map == ShadowMapKind::directional) defines.push_back("MAP_DIRECTIONAL");
         if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
+        if (variant.softMap) defines.push_back("SOFT_MAP");
         if (variant.pcss) defines.push_back("PCSS");
         if (variant.rectangle) defines.push_back("PCSS_RECTANGLE");
     }

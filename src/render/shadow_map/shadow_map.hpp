@@ -12,6 +12,7 @@ namespace edgeshade {
 /// What lights with an extent get of their shadow maps.
 enum class SoftShadows {
     none, ///< hard shadows of their points, each with a map, added up
+    pcf,  ///< the map of their centre, filtered as wide as any
     pcss, ///< percentage-closer soft shadows (Fernando 2005) of the map of their centre
 };
 
@@ -38,7 +39,8 @@ struct ShadowMapLookup {
     float step = 0.0f;  ///< from texel to texel in the map; for a cube at distance 1
     float texel = 0.0f; ///< the same as a length in the world
     float biasTexels = 0.0f;
-    std::optional<PcssLight> pcss{}; ///< of a light with an extent, where that is soft
+    bool soft = false; ///< of a light with an extent, instead of maps of its points
+    std::optional<PcssLight> pcss{};
 };
 
 } // namespace edgeshade

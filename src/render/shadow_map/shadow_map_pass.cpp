@@ -70,6 +70,7 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
                            static_cast<float>(view.step),
                            static_cast<float>(view.texel),
                            settings_.biasTexels};
+    lookup.soft = settings_.soft != SoftShadows::none && light.extent;
     if (settings_.soft == SoftShadows::pcss && light.extent) lookup.pcss = pcssLight(light, view);
     return lookup;
 }

@@ -47,7 +47,7 @@ struct RenderSettings {
 
     /// How many points of each light that has an extent are counted; 0: its map knows better.
     std::size_t countedPoints() const {
-        return shadows == ShadowMethod::map && map.soft == SoftShadows::pcss ? 0 : lightSamples;
+        return shadows == ShadowMethod::map && map.soft != SoftShadows::none ? 0 : lightSamples;
     }
 
     bool looksUpPrimitives() const {
