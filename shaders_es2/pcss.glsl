@@ -23,15 +23,28 @@ uniform vec3 u_mapScale; // map space per length in the world, along each axis
 uniform float u_nearestCaster; // in map space
 #endif
 
-// Where the n-th of `count` taps is on the light, evenly spread: Vogel's disc of radius 1, or Roberts'
-// sequence in a square from -1 to 1.
-vec2 tapOnLight(float n, float count) {
+// Where the n-th of `count` taps is on a disc of radius 1, evenly spread (Vogel 1979).
+vec2 tapOnDisc(float n, float count) {
+    float angle = 2.3999632297 * n;
+    return sqrt((n + 0.5) / count) * vec2(cos(angle), sin(angle));
+}
+
+// The filter's, on the light; of a rectangle Roberts' sequence in a square from -1 to 1.
+vec2 filterTap(float n) {
 #ifdef PCSS_RECTANGLE
     return fract((n + 0.5) * vec2(0.7548776662, 0.5698402910)) * 2.0 - 1.0;
 #else
-    float angle = 2.3999632297 * n;
-    return sqrt((n + 0.5) / count) * vec2(cos(angle), sin(angle));
+    return tapOnDisc(n, float(filterTaps));
 #endif
+}
+
+// The search's: as a share of the extent as far from its middle as on the disc.
+vec2 searchTap(float n) {
+    vec2 tap = tapOnDisc(n, float(searchTaps));
+#ifdef PCSS_RECTANGLE
+    tap *= length(tap) / max(abs(tap.x), abs(tap.y));
+#endif
+    return tap;
 }
 
 // How far from the light's middle that is, as a share of its extent.
@@ -128,7 +141,7 @@ float lightFromMap(vec3 normal, vec3 light) {
     float before = 0.0, casters = 0.0;
     for (int i = 0; i < searchTaps; ++i) {
         // Densest where the light's middle is seen, for casters near the receiver.
-        vec2 onLight = tapOnLight(float(i), float(searchTaps));
+        vec2 onLight = searchTap(float(i));
         float away = shareOfExtent(onLight);
         float reach = widest * away * away * away;
         vec3 tap = tapAt(r, onLight, reach);
@@ -146,7 +159,7 @@ float lightFromMap(vec3 normal, vec3 light) {
     float spread = clamp(spreadOf(caster, r.own), r.leastSpread, widest);
     float lit = 0.0;
     for (int i = 0; i < filterTaps; ++i) {
-        vec3 tap = tapAt(r, tapOnLight(float(i), float(filterTaps)), spread);
+        vec3 tap = tapAt(r, filterTap(float(i)), spread);
         lit += planeDistance(r, tap) <= storedDistance(tap) ? 1.0 : 0.0;
     }
     return lit / float(filterTaps);

@@ -1,12 +1,8 @@
 #pragma once
 
-#include "src/shadow/geometry/light.hpp"
-
 #include <glm/glm.hpp>
 
 namespace edgeshade {
-
-struct ShadowMapView;
 
 /// A light's extent as percentage-closer soft shadows look for it in the map of its centre
 /// (shaders_es2/pcss.glsl). Map space: see ShadowMapView.
@@ -19,8 +15,5 @@ struct PcssLight {
     float nearestCaster = 0.0f;       ///< of a point light, in map space
     glm::vec3 mapScale{1.0f};         ///< map space per length in the world, along each axis
 };
-
-/// `light`: with an extent, as its shape wants it (LightExtent); `view`: of its centre.
-PcssLight pcssLight(const Light& light, const ShadowMapView& view);
 
 } // namespace edgeshade

@@ -4,6 +4,7 @@
 #include "shaders_es2.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/drawing/attributes.hpp"
+#include "src/render/shadow_map/pcss_view.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,5 @@
-#include "src/render/shadow_map/pcss_light.hpp"
+#include "src/render/shadow_map/pcss_view.hpp"
 
-#include "src/render/shadow_map/shadow_map_view.hpp"
 #include "src/shadow/geometry/light_extent.hpp"
 
 #include <algorithm>
