@@ -5,10 +5,11 @@
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <ostream>
 
 namespace edgeshade {
 namespace {
@@ -105,6 +106,8 @@ struct Penumbra {
     double halfWidth;
     double (*share)(double);
     bool facesApart = false;
+
+    friend void PrintTo(const Penumbra& of, std::ostream* stream) { *stream << of.name; }
 };
 
 class Penumbras : public testing::TestWithParam<Penumbra> {};
