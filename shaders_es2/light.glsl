@@ -1,6 +1,6 @@
 // Of LIT variants of surface.frag and material.frag: where the light is seen from a fragment, how
 // far it reaches, and whether shadow lets it through: by the light's shadow map (MAP, with
-// MAP_DIRECTIONAL and PCF as in shadow_map_lookup.glsl), by a mask of lower resolution
+// MAP_DIRECTIONAL, PCF and PCSS as in shadow_map_lookup.glsl; SOFT_MAP: of a light with an extent), by a mask of lower resolution
 // (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl), by how many of
 // its points are seen from there (VISIBILITY), or as the stencil says. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
 // everywhere, see light_window.glsl. DERIVATIVES: the GL has some, which COARSE_MASK needs.

@@ -1,5 +1,5 @@
 // How much of a light reaches a fragment by its shadow map: PCF x PCF texels around it compared
-// with its own distance. MAP_DIRECTIONAL: one flat map; MAP_APART: a cube around a point light, its
+// with its own distance, or with PCSS what pcss.glsl makes of it. MAP_DIRECTIONAL: one flat map; MAP_APART: a cube around a point light, its
 // faces in textures of their own; else a cube map.
 #include "shadow_map_distance.glsl"
 
@@ -55,8 +55,9 @@ vec4 texelTowards(vec3 d) {
 }
 #endif
 
-// `normal` and `light` have unit length and lie on the same side of the surface.
-float lightFromMap(vec3 normal, vec3 light) {
+// Where the fragment is looked up, for a filter of `width` by `width` texels. `normal` and `light`
+// have unit length and lie on the same side of the surface.
+vec3 biasedReceiver(vec3 normal, vec3 light, float width) {
 #ifdef MAP_DIRECTIONAL
     float texel = u_mapTexel;
 #else
@@ -68,9 +69,16 @@ float lightFromMap(vec3 normal, vec3 light) {
     float cosine = dot(normal, light);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     float slope = min(sine / max(cosine, 0.001), steepSlope);
-    float reach = u_mapBias * texel * 0.5 * float(PCF + 1);
+    float reach = u_mapBias * texel * 0.5 * (width + 1.0);
     vec3 bias = light * (leastSlope + slope) + normal * max(sine - steepSlope * cosine, 0.0);
-    vec3 at = v_mapPosition + u_mapFromWorld * (bias * reach);
+    return v_mapPosition + u_mapFromWorld * (bias * reach);
+}
+
+#ifdef PCSS
+#include "pcss.glsl"
+#else
+float lightFromMap(vec3 normal, vec3 light) {
+    vec3 at = biasedReceiver(normal, light, float(PCF));
 #ifdef MAP_DIRECTIONAL
     float own = at.z;
 #else
@@ -99,3 +107,4 @@ float lightFromMap(vec3 normal, vec3 light) {
         }
     return lit / float(PCF * PCF);
 }
+#endif

@@ -74,8 +74,8 @@ vec4 primitiveTint() {
 #endif
 
 #ifdef LIT
-// The light's share of a colour; nothing in the mask where it doesn't reach, which knows no half
-// shadow.
+// The light's share of a colour; nothing in the mask where it doesn't reach, which knows half shadow
+// only of lights with an extent.
 float shareOfLight(float lit, vec3 normal) {
     vec3 light = towardsLight();
     float lambert = max(dot(normal, light), 0.0);
@@ -88,8 +88,8 @@ float shareOfLight(float lit, vec3 normal) {
     float window = lightWindow();
     lit = lightThrough(lit, normal, light, lambert * window);
 #ifdef MASK
-#ifdef VISIBILITY
-    return lit;
+#if defined(VISIBILITY) || defined(SOFT_MAP)
+    return window > 0.0 ? lit : 0.0;
 #else
     return window > 0.0 ? step(0.5, lit) : 0.0;
 #endif

@@ -171,7 +171,7 @@ class Course {
             task_.lightMoves ? movedLights(task_.lights, bounds_, share) : task_.lights;
         for (const auto& contender : contenders_)
             request.lightSamples =
-                std::max(request.lightSamples, contender->renderer.settings().lightSamples);
+                std::max(request.lightSamples, contender->renderer.settings().countedPoints());
         for (const auto& stage : stages_)
             stage->look(request, task_.lightMoves, anyVolumes(*stage));
     }
@@ -195,7 +195,7 @@ class Course {
         view.divide(contender.setting.depthSlices);
         for (FrameLight& of : view.lights)
             of.points.resize(
-                std::min(of.points.size(), contender.renderer.settings().lightSamples));
+                std::min(of.points.size(), contender.renderer.settings().countedPoints()));
         drawWithExtents(contender.renderer, contender.extendedLights,
                         stage.sceneFor(contender.needs, contender.renderer.settings()),
                         stage.loaded(), view, clock);

@@ -32,6 +32,8 @@ const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
 
 const Choices<Shading> shadingNames = {{"full", Shading::full}, {"base", Shading::base}};
+const Choices<SoftShadows> softNames = {
+    {"none", SoftShadows::none}, {"pcf", SoftShadows::pcf}, {"pcss", SoftShadows::pcss}};
 const Choices<bool> terminatorNames = {{"soft", true}, {"exact", false}};
 const Choices<int> maskScaleNames = {{"1", 1}, {"1/2", 2}, {"1/4", 4}};
 
@@ -65,6 +67,12 @@ void addMapOptions(CLI::App& verb, DrawSettings& settings) {
     add("--pcf", map.pcf, "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
         ->check(CLI::IsMember({1, 3, 5, 7}))
         ->type_name("N");
+    addChoice(
+        verb, "--soft", map.soft, softNames,
+        "What lights with an extent get of their maps: hard shadows of all of their points, "
+        "added up, or of the map of their centre what --pcf filters or percentage-closer soft "
+        "shadows (none)");
+    noted(verb.get_option("--soft"), settings.mapOptions);
 }
 
 void addPrimitiveMapMemory(CLI::App& verb, DrawSettings& settings) {
@@ -211,12 +219,15 @@ void resolve(DrawSettings& settings) {
 }
 
 void requireExtents(const DrawSettings& settings, std::span<const Light> lights) {
-    if (settings.extentOptions.empty()) return;
+    const SoftShadows choice = settings.render.map.soft;
+    const bool soft = choice != SoftShadows::none;
+    if (settings.extentOptions.empty() && !soft) return;
     if (std::ranges::any_of(lights, [](const Light& light) { return light.extent.has_value(); }))
         return;
-    throw Error(ExitStatus::usage, settings.extentOptions.front() +
-                                       " needs a light with an extent: --light-radius, "
-                                       "--light-size or --sun-angle.");
+    throw Error(ExitStatus::usage,
+                (soft ? "--soft " + nameIn(softNames, choice) : settings.extentOptions.front()) +
+                    " needs a light with an extent: --light-radius, "
+                    "--light-size or --sun-angle.");
 }
 
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
@@ -276,6 +287,8 @@ std::string shortName(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     std::string name = nameIn(shadowNames, render.shadows);
     if (render.shadows == ShadowMethod::map) name += " " + std::to_string(render.map.size);
+    if (render.shadows == ShadowMethod::map && render.map.soft != SoftShadows::none)
+        name += ", " + nameIn(softNames, render.map.soft);
     if (render.shadows == ShadowMethod::volumes && render.maskScale > 1)
         name += ", mask " + nameIn(maskScaleNames, render.maskScale);
     return name;
@@ -304,7 +317,8 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     if (render.shadows == ShadowMethod::map)
         json.update({{"map-size", render.map.size},
                      {"map-bias", render.map.biasTexels},
-                     {"pcf", render.map.pcf}});
+                     {"pcf", render.map.pcf},
+                     {"soft", nameIn(softNames, render.map.soft)}});
     if (render.looksUpPrimitives()) json["primitive-map-memory"] = render.primitiveMap.mostBytes;
     return json;
 }

@@ -48,8 +48,8 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 /// for options that another one makes meaningless; InputError.
 void resolve(DrawSettings& settings);
 
-/// Throws Error(usage) where there is an option that only lights with an extent have, and none of
-/// these has one.
+/// Throws Error(usage) where there is an option or a choice that only lights with an extent have,
+/// and none of these has one.
 void requireExtents(const DrawSettings& settings, std::span<const Light> lights);
 
 /// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512",

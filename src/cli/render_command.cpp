@@ -133,6 +133,10 @@ nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
 
 void requireFitting(const RenderOptions& options, const std::vector<Light>& lights) {
     requireExtents(options.settings, lights);
+    if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
+        throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
+                                           " does not go with --soft, which looks up a map "
+                                           "of the light's centre alone.");
     const bool extended = options.view.lights.extents.typed();
     if ((extended || options.subpixels > 1) && options.debug == DebugPicture::volumes)
         throw Error(ExitStatus::usage, "--debug volumes shows those of one light without an extent "
@@ -155,7 +159,7 @@ void render(const RenderOptions& options) {
                    .shadeSamples = options.shadeSamples,
                    .firstIsDown = options.view.lights.sun.isDown()};
     task.request.depth.slices = options.settings.depthSlices;
-    task.request.lightSamples = options.settings.render.lightSamples;
+    task.request.lightSamples = options.settings.render.countedPoints();
     requireFitting(options, task.request.lights);
     const FrameView view = viewOf(loaded, task, 0);
     const std::vector<std::string> more = warningsOf(view);

@@ -160,7 +160,9 @@ std::vector<std::uint8_t> drawStill(const LoadedScene& loaded, const StillTask& 
                                     const std::function<void(double)>& progress) {
     if (task.shadeSamples) requireSums(first, renderer, context.capabilities());
     Sitting sitting(loaded, task, renderer, scene, context, progress);
-    return isGrey(task) ? sitting.mask(first) : sitting.picture(first);
+    // A soft map's mask is a picture already.
+    const bool sums = isGrey(task) && renderer.settings().countedPoints() > 0;
+    return sums ? sitting.mask(first) : sitting.picture(first);
 }
 
 } // namespace edgeshade::cli

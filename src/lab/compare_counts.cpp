@@ -31,6 +31,19 @@ LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
     return counter.read();
 }
 
+/// A soft map's mask as counts: the share that it says is lit, of so many points.
+LitCounts shares(Studio& studio, Renderer& renderer, const LoadedScene& loaded, FrameView frame,
+                 std::size_t points) {
+    frame.mask = true;
+    const std::vector<std::uint8_t> mask = studio.draw(renderer, loaded, frame);
+    LitCounts counts{frame.width, frame.height, static_cast<std::uint32_t>(points), 1, {}, {}};
+    for (std::size_t i = 0; i < mask.size(); i += 4) {
+        counts.lit.push_back(static_cast<std::uint16_t>((2 * points * mask[i] + 255) / 510));
+        counts.surface.push_back(mask[i + 3] != 0);
+    }
+    return counts;
+}
+
 } // namespace
 
 std::vector<CountResult>
@@ -67,12 +80,15 @@ compareCounts(const LoadedScene& loaded, const CompareTask& task,
             CountResult& result = results[c];
             progress(static_cast<double>(done++) / steps, "view " + view.name + ", " + result.name);
             const Contender& contender = task.contenders[c];
-            request.lightSamples = result.settings.lightSamples;
+            request.lightSamples = result.settings.countedPoints();
+            const std::size_t points = result.settings.lightSamples;
             Renderer renderer = studio.rendererFor(result.settings);
             const LoadedScene& scene = contender.scene ? *contender.scene : loaded;
-            const LitCounts counts =
-                drawn(studio, renderer, scene, frameOf(scene, request, contender.depthSlices));
-            result.byView.push_back(oracle.compare(counts, request.lightSamples));
+            const FrameView frame = frameOf(scene, request, contender.depthSlices);
+            const LitCounts counts = request.lightSamples > 0
+                                         ? drawn(studio, renderer, scene, frame)
+                                         : shares(studio, renderer, scene, frame, points);
+            result.byView.push_back(oracle.compare(counts, points));
             result.sums += result.byView.back();
         }
     }

@@ -337,6 +337,28 @@ TEST(Rendering, AMaskIsBlackWhiteOrClear) {
     EXPECT_GT(clear, 0u);
 }
 
+TEST(Rendering, SoftMapsMakeAMaskGreyWithoutCountingPoints) {
+    const auto greysOf = [](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"--mask", "--shadows", "map"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Image mask = decodeImage(pictureOf(pavilion, words), "mask");
+        std::set<int> greys;
+        for (std::size_t i = 0; i < mask.rgba.size(); i += 4)
+            if (mask.rgba[i + 3] == 255) greys.insert(mask.rgba[i]);
+        return greys;
+    };
+    const std::vector<std::string> sun = {"--sun", "1,1,0.5", "--sun-angle", "6"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.end(), sun.begin(), sun.end());
+        return greysOf(more);
+    };
+    EXPECT_GT(with({"--soft", "pcss"}).size(), 10u);
+    EXPECT_GT(with({"--soft", "pcss", "--smooth", "2"}).size(), 10u);
+    EXPECT_GT(with({"--soft", "pcf", "--pcf", "5"}).size(), 10u);
+    EXPECT_EQ(with({"--soft", "pcf"}), (std::set<int>{0, 255}));
+    EXPECT_EQ(with({"--soft", "none", "--light-samples", "2"}), (std::set<int>{0, 128, 255}));
+}
+
 TEST(Rendering, PackedFilesGiveThePictureOfTheirSource) {
     const TempFolder folder;
     for (const char* encoding : {"expanded", "indexed", "none"}) {

@@ -58,6 +58,16 @@ constexpr int unitsOfLookups(const SurfaceShading& shading) {
     return shading.coarse ? 3 : 1;
 }
 
+void setPcss(gl::Program& program, const PcssLight& light) {
+    program.set("u_lightRadius", light.radius);
+    program.set("u_lightAcross", light.across);
+    program.set("u_lightUp", light.up);
+    program.set("u_lightFacing", light.facing);
+    program.set("u_leastSpread", light.leastSpread);
+    program.set("u_nearestCaster", light.nearestCaster);
+    program.set("u_mapScale", light.mapScale);
+}
+
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
     const bool apart = map.kind == ShadowMapKind::pointApart;
     const GLenum target = map.kind == ShadowMapKind::point ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
@@ -74,6 +84,7 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
     program.set("u_mapTexel", map.texel);
     program.set("u_mapBias", map.biasTexels);
     program.set("u_casts", casts ? 1.0f : 0.0f);
+    if (map.pcss) setPcss(program, *map.pcss);
 }
 
 void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const BatchView& view,
@@ -268,6 +279,9 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     Variant variant{};
     variant.alphaMode = material.alphaMode;
     if (shading.map) variant.map = shading.map->kind;
+    variant.softMap = shading.map && shading.map->soft;
+    variant.pcss = variant.softMap && shading.map->pcss;
+    variant.rectangle = variant.pcss && shading.map->pcss->rectangle;
     if (shading.primitives)
         variant.primitives = {shading.primitives->kind, shading.primitives->longestList,
                               shading.primitives->cutouts != nullptr, shading.tintPrimitives};
@@ -320,6 +334,9 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         defines.push_back("PCF " + std::to_string(pcf_));
         if (*variant.map == ShadowMapKind::directional) defines.push_back("MAP_DIRECTIONAL");
         if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
+        if (variant.softMap) defines.push_back("SOFT_MAP");
+        if (variant.pcss) defines.push_back("PCSS");
+        if (variant.rectangle) defines.push_back("PCSS_RECTANGLE");
     }
     if (variant.primitives)
         addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->longestList, defines);

@@ -98,6 +98,9 @@ class SurfacePass {
         std::optional<MaterialFeatures> material; ///< of material.frag
         std::optional<ShadowMapKind> map;
         std::optional<PrimitiveMapVariant> primitives;
+        bool softMap;        ///< the map is that of a light with an extent
+        bool pcss;           ///< which gets percentage-closer soft shadows
+        bool rectangle;      ///< and is a rectangle
         bool plain;          ///< full shading of what needs no material.frag
         bool linear;         ///< writes light itself
         bool softTerminator; ///< dims the light where it grazes facets
@@ -119,10 +122,10 @@ class SurfacePass {
         bool sided;        ///< its vertices know which side the light is on
 
         auto key() const {
-            return std::tie(alphaMode, material, map, primitives, plain, linear, softTerminator,
-                            catcher, textured, colored, lit, falloff, withAmbient, directional,
-                            ranged, spot, mask, sliced, coarse, visibility, planes, orthographic,
-                            sided);
+            return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
+                            linear, softTerminator, catcher, textured, colored, lit, falloff,
+                            withAmbient, directional, ranged, spot, mask, sliced, coarse,
+                            visibility, planes, orthographic, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

@@ -4,6 +4,7 @@
 #include "shaders_es2.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/drawing/attributes.hpp"
+#include "src/render/shadow_map/pcss_view.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -64,12 +65,15 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, co
         drawFaces(scene, view, map);
         drawn_[kind] = std::move(subject);
     }
-    return {map.kind(),
-            map.textures(),
-            view.mapFromWorld,
-            static_cast<float>(view.step),
-            static_cast<float>(view.texel),
-            settings_.biasTexels};
+    ShadowMapLookup lookup{map.kind(),
+                           map.textures(),
+                           view.mapFromWorld,
+                           static_cast<float>(view.step),
+                           static_cast<float>(view.texel),
+                           settings_.biasTexels};
+    lookup.soft = settings_.soft != SoftShadows::none && light.extent;
+    if (settings_.soft == SoftShadows::pcss && light.extent) lookup.pcss = pcssLight(light, view);
+    return lookup;
 }
 
 ShadowMapPass::Subject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds,

@@ -71,6 +71,7 @@ ShadowMapView pointView(const glm::dvec3& light, const Box& sceneBounds, double 
              !apart && sees(face, offsets)});
     view.step = 2.0 / settings.size;
     view.texel = view.step * range;
+    view.near = near;
     return view;
 }
 

@@ -25,6 +25,7 @@ struct ShadowMapView {
     std::vector<Face> faces; ///< six in the order of GL's cube map targets, or one
     double step = 0.0;       ///< see ShadowMapLookup
     double texel = 0.0;
+    double near = 0.0; ///< no caster is nearer to the light, in map space
 };
 
 /// The view for a light and the scene's bounds, which must not be empty; of what a light with a

@@ -45,6 +45,11 @@ struct RenderSettings {
     float exposure = 0.0f;       ///< of full shading, in EV: light is taken 2^exposure times
     glm::vec3 background{0.86f, 0.89f, 0.92f};
 
+    /// How many points of each light that has an extent are counted; 0: its map knows better.
+    std::size_t countedPoints() const {
+        return shadows == ShadowMethod::map && map.soft != SoftShadows::none ? 0 : lightSamples;
+    }
+
     bool looksUpPrimitives() const {
         return shadows == ShadowMethod::primitiveMap || shadows == ShadowMethod::automatic;
     }

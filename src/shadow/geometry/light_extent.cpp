@@ -46,14 +46,6 @@ glm::dvec3 inBall(std::uint64_t n) {
            glm::dvec3(across * std::cos(angle), across * std::sin(angle), z);
 }
 
-/// Across and up a rectangle that faces there, its width level.
-std::array<glm::dvec3, 2> axesOf(const glm::dvec3& direction) {
-    const glm::dvec3 level = glm::cross(direction, glm::dvec3(0.0, 1.0, 0.0));
-    const bool upright = glm::length(level) < 1e-6;
-    const glm::dvec3 across = upright ? glm::dvec3(1.0, 0.0, 0.0) : glm::normalize(level);
-    return {across, glm::normalize(glm::cross(across, direction))};
-}
-
 /// The n-th place.
 glm::dvec4 pointOf(const Light& light, std::uint64_t n) {
     const LightExtent& extent = *light.extent;
@@ -71,7 +63,7 @@ glm::dvec4 pointOf(const Light& light, std::uint64_t n) {
     if (extent.shape == LightExtent::Shape::sphere) {
         offset = extent.radius * inBall(n);
     } else {
-        const auto [across, up] = axesOf(extent.direction);
+        const auto [across, up] = rectangleAxes(extent.direction);
         const std::array<double, 2> place = evenly<2>(n);
         offset = (place[0] - 0.5) * extent.size.x * across + (place[1] - 0.5) * extent.size.y * up;
     }
@@ -79,6 +71,13 @@ glm::dvec4 pointOf(const Light& light, std::uint64_t n) {
 }
 
 } // namespace
+
+std::array<glm::dvec3, 2> rectangleAxes(const glm::dvec3& direction) {
+    const glm::dvec3 level = glm::cross(direction, glm::dvec3(0.0, 1.0, 0.0));
+    const bool upright = glm::length(level) < 1e-6;
+    const glm::dvec3 across = upright ? glm::dvec3(1.0, 0.0, 0.0) : glm::normalize(level);
+    return {across, glm::normalize(glm::cross(across, direction))};
+}
 
 std::vector<Light> lightPoints(const Light& light, std::size_t count) {
     Light like = light;

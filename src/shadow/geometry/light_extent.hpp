@@ -3,6 +3,7 @@
 #include "src/shadow/geometry/light.hpp"
 #include "src/shadow/geometry/light_ball.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -18,6 +19,9 @@ inline constexpr std::size_t mostLightPoints = 4096;
 /// bright from all sides. `count`: 1 to mostLightPoints; `light`: with an extent, and as its shape
 /// wants it, see LightExtent. A rectangle's shine to one side: as spots, where the light is none.
 std::vector<Light> lightPoints(const Light& light, std::size_t count);
+
+/// Across and up a rectangle that faces there, of length 1, its width level.
+std::array<glm::dvec3, 2> rectangleAxes(const glm::dvec3& direction);
 
 /// Where all of a light's points are, in the world: homogeneous coordinates no farther from
 /// `center` than `radius`; of directional lights those of length 1.

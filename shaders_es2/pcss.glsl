@@ -1,0 +1,166 @@
+// Percentage-closer soft shadows (Fernando 2005): how much of a light with an extent reaches a
+// fragment, by the map of its centre. The mean distance of what the map has between the receiver and
+// any part of the light is looked for; the penumbra that a caster there has is what is filtered.
+// PCSS_RECTANGLE: the light is a rectangle around a point light; else a sphere around one
+// or, with MAP_DIRECTIONAL, a disc. Wants what shadow_map_lookup.glsl has.
+const int searchTaps = 16;
+const int filterTaps = 32;
+// Casters nearer to a point light than this share of the receiver's distance are not looked for: the
+// search would be so wide that it finds everything else.
+const float nearestShare = 0.25;
+
+#ifdef PCSS_RECTANGLE
+uniform vec3 u_lightAcross; // half of it, in map space
+uniform vec3 u_lightUp;
+uniform vec3 u_lightFacing;
+#else
+uniform float u_lightRadius; // of a sphere in map space; of a disc its angle's tangent
+#endif
+uniform float u_leastSpread; // what is as wide as a texel; for a cube at distance 1
+#ifdef MAP_DIRECTIONAL
+uniform vec3 u_mapScale; // map space per length in the world, along each axis
+#else
+uniform float u_nearestCaster; // in map space
+#endif
+
+// Where the n-th of `count` taps is on a disc of radius 1, evenly spread (Vogel 1979).
+vec2 tapOnDisc(float n, float count) {
+    float angle = 2.3999632297 * n;
+    return sqrt((n + 0.5) / count) * vec2(cos(angle), sin(angle));
+}
+
+// The filter's, on the light; of a rectangle Roberts' sequence in a square from -1 to 1.
+vec2 filterTap(float n) {
+#ifdef PCSS_RECTANGLE
+    return fract((n + 0.5) * vec2(0.7548776662, 0.5698402910)) * 2.0 - 1.0;
+#else
+    return tapOnDisc(n, float(filterTaps));
+#endif
+}
+
+// The search's: as a share of the extent as far from its middle as on the disc.
+vec2 searchTap(float n) {
+    vec2 tap = tapOnDisc(n, float(searchTaps));
+#ifdef PCSS_RECTANGLE
+    tap *= length(tap) / max(abs(tap.x), abs(tap.y));
+#endif
+    return tap;
+}
+
+// How far from the light's middle that is, as a share of its extent.
+float shareOfExtent(vec2 onLight) {
+#ifdef PCSS_RECTANGLE
+    return max(abs(onLight.x), abs(onLight.y));
+#else
+    return length(onLight);
+#endif
+}
+
+struct Receiver {
+    vec3 at;           // in map space
+    float own;         // its distance
+    vec3 plane;        // its normal there
+    vec3 across, up;   // what the light's axes are in the map, per unit of spread
+    float leastSpread; // as wide as a texel
+};
+
+Receiver receiverAt(vec3 at, vec3 normal) {
+    Receiver r;
+    r.at = at;
+#ifdef MAP_DIRECTIONAL
+    r.own = at.z;
+    r.plane = u_mapFromWorld * normal / (u_mapScale * u_mapScale);
+    r.across = vec3(u_lightRadius * u_mapScale.x, 0.0, 0.0);
+    r.up = vec3(0.0, u_lightRadius * u_mapScale.y, 0.0);
+    r.leastSpread = u_leastSpread;
+#else
+    r.own = length(at);
+    r.plane = normal;
+    r.leastSpread = u_leastSpread * largestAxis(at);
+#ifdef PCSS_RECTANGLE
+    r.across = u_lightAcross;
+    r.up = u_lightUp;
+#else
+    vec3 along = at / r.own;
+    vec3 aside = abs(along.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+    r.across = u_lightRadius * normalize(cross(along, aside));
+    r.up = cross(along, r.across);
+#endif
+#endif
+    return r;
+}
+
+// How widely what a caster at that distance leaves of the light spreads over the map: a length in
+// the world of directional lights, of others a share of their size.
+float spreadOf(float caster, float own) {
+#ifdef MAP_DIRECTIONAL
+    return (own - caster) / abs(u_mapScale.z);
+#else
+    return own / caster - 1.0;
+#endif
+}
+
+// The distance that the receiver's plane has where a tap is, so that a wide filter doesn't find the
+// receiver before itself (Isidoro 2006).
+float planeDistance(Receiver r, vec3 tap) {
+    vec3 aside = tap - r.at;
+#ifdef MAP_DIRECTIONAL
+    float steepest = steepSlope * length(aside.xy / u_mapScale.xy) * abs(u_mapScale.z);
+    float rise = -dot(r.plane.xy, aside.xy) / min(r.plane.z, -1e-6);
+    return min(r.own + min(rise, steepest), 1.0);
+#else
+    float distance = dot(r.plane, r.at) / min(dot(r.plane, tap), -1e-6) * length(tap);
+    return min(min(distance, r.own + steepSlope * length(aside)), 1.0);
+#endif
+}
+
+float storedDistance(vec3 tap) {
+#ifdef MAP_DIRECTIONAL
+    return unpackDistance(texture2D(u_map, tap.xy));
+#else
+    return unpackDistance(texelTowards(tap));
+#endif
+}
+
+vec3 tapAt(Receiver r, vec2 onLight, float spread) {
+    return r.at + spread * (onLight.x * r.across + onLight.y * r.up);
+}
+
+// `normal` and `light` as in shadow_map_lookup.glsl.
+float lightFromMap(vec3 normal, vec3 light) {
+    Receiver r = receiverAt(biasedReceiver(normal, light, 1.0), normal);
+#ifdef PCSS_RECTANGLE
+    if (dot(u_lightFacing, r.at) <= 0.0) return 0.0; // behind it
+#endif
+#ifdef MAP_DIRECTIONAL
+    float widest = spreadOf(0.0, r.own);
+#else
+    float widest = spreadOf(max(u_nearestCaster, nearestShare * r.own), r.own);
+#endif
+    widest = max(widest, r.leastSpread);
+    float before = 0.0, casters = 0.0;
+    for (int i = 0; i < searchTaps; ++i) {
+        // Densest where the light's middle is seen, for casters near the receiver.
+        vec2 onLight = searchTap(float(i));
+        float away = shareOfExtent(onLight);
+        float reach = widest * away * away * away;
+        vec3 tap = tapAt(r, onLight, reach);
+        float stored = storedDistance(tap);
+        float gap = planeDistance(r, tap) - stored;
+        // What lies beside all ways to the light is no caster.
+        bool isBetween = reach * away <= max(spreadOf(stored, stored + gap), r.leastSpread);
+        if (gap > 0.0 && isBetween) {
+            before += gap;
+            casters += 1.0;
+        }
+    }
+    if (casters == 0.0) return 1.0;
+    float caster = max(r.own - before / casters, 1e-6);
+    float spread = clamp(spreadOf(caster, r.own), r.leastSpread, widest);
+    float lit = 0.0;
+    for (int i = 0; i < filterTaps; ++i) {
+        vec3 tap = tapAt(r, filterTap(float(i)), spread);
+        lit += planeDistance(r, tap) <= storedDistance(tap) ? 1.0 : 0.0;
+    }
+    return lit / float(filterTaps);
+}
