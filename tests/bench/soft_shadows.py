@@ -29,7 +29,7 @@ LAMP_SHARE = 0.02  # of the scene's diagonal, the lamp's radius
 SUN = ("--sun", "1,2,0.5", "--sun-angle", "2")
 PICTURES = ROOT / "docs" / "pictures"
 
-CONTENDERS = {f"{count:,} points": {"light-samples": count} for count in (1, 4, 16, 64, 256, 1024)}
+CONTENDERS = {f"{count:,} point{'s' * (count > 1)}": {"light-samples": count} for count in (1, 4, 16, 64, 256, 1024)}
 CONTENDERS |= {f"map 2048, PCF {width} x {width}":
                {"shadows": "map", "map-size": 2048, "soft": "pcf", "pcf": width}
                for width in (1, 3, 7)}
