@@ -76,4 +76,7 @@ Light defaultLight();
 /// invertible.
 glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject);
 
+/// A distance in an object's space that is nowhere less than `range` in the world.
+double rangeInObject(double range, const glm::dmat4& worldFromObject);
+
 } // namespace edgeshade

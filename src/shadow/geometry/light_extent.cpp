@@ -1,6 +1,5 @@
 #include "src/shadow/geometry/light_extent.hpp"
 
-#include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/geometry/quasirandom.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 

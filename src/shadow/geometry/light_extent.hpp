@@ -9,7 +9,8 @@
 
 namespace edgeshade {
 
-/// Lights with an extent, as points: shadows of all of them together are soft (docs/method.md, C41).
+/// Lights with an extent, as points: shadows of all of them together are soft (docs/method.md,
+/// C41).
 
 inline constexpr std::size_t mostLightPoints = 4096;
 

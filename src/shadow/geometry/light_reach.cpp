@@ -150,17 +150,4 @@ bool isBeyond(const Box& box, const glm::dvec3& light, double range) {
     return glm::length(away) > widening * range;
 }
 
-double rangeInObject(double range, const glm::dmat4& worldFromObject) {
-    // A length in the object's space is at most so many times that in the world: the root of the
-    // largest eigenvalue of A^T A, which no sum of a row's absolute values is below. For rotations
-    // and scales along the axes it is just that.
-    const glm::dmat3 a = glm::inverse(glm::dmat3(worldFromObject));
-    const glm::dmat3 squared = glm::transpose(a) * a;
-    double largest = 0.0;
-    for (glm::length_t i = 0; i < 3; ++i)
-        largest = std::max(largest, std::abs(squared[i].x) + std::abs(squared[i].y) +
-                                        std::abs(squared[i].z));
-    return range * std::sqrt(largest);
-}
-
 } // namespace edgeshade

@@ -24,7 +24,4 @@ PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,
 /// the range in the world. `range`: as rangeInObject() has it.
 bool isBeyond(const Box& box, const glm::dvec3& light, double range);
 
-/// A distance in an object's space that is nowhere less than `range` in the world.
-double rangeInObject(double range, const glm::dmat4& worldFromObject);
-
 } // namespace edgeshade
