@@ -42,9 +42,8 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
         {}, scene,
         {}, test.culledCaps ? buildPlanePairs(scene, castMasked) : uncullable(scene, castMasked),
         {}, {0.0, castMasked}};
-    FrameView view =
-        makeFrameView(loaded.scene, loaded.settings.castMasked,
-                      {test.seen(), test.width, test.height, test.lights, 0, test.depth});
+    FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
+                                   {test.seen(), test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;
     if (test.drawnLights)
         for (std::size_t i = 0; i < view.lights.size(); ++i)
