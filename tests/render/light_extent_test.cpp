@@ -166,6 +166,18 @@ TEST(LightExtent, OneListOfSilhouettesServesAllPoints) {
     EXPECT_EQ(silhouettes.made(), 1u);
 }
 
+TEST(LightExtent, InSomePlaneIsAskedOfEveryPoint) {
+    // The first point is in the plane of the box's top, the second one isn't in any.
+    const Scene scene = test::SceneBuilder().box({-1, 0, -1}, {1, 1, 1}).scene();
+    const auto shadow = buildPlanePairs(scene, false).front();
+    PotentialSilhouettes silhouettes(23);
+    silhouettes.beginFrame(std::make_shared<const int>(0));
+    const LightBall around{glm::vec4(3, 1.5f, 4, 1), 2.0f};
+    EXPECT_TRUE(silhouettes.of({shadow, 0, 0, around}, {3, 1, 4, 1}).lightInPlane);
+    EXPECT_FALSE(silhouettes.of({shadow, 0, 0, around}, {3, 1.5f, 4, 1}).lightInPlane);
+    EXPECT_TRUE(silhouettes.of({shadow, 0, 0, around}, {3, 1, 4.5f, 1}).lightInPlane);
+}
+
 TEST(Subpixels, TheFirstIsTheMiddleAndAllAreWithinThePixel) {
     EXPECT_EQ(subpixelOffset(0), glm::dvec2(0.0));
     glm::dvec2 sum(0.0);
