@@ -64,13 +64,16 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
         state.camera = options.view.cameraMatrix ? cameraOfMatrix(options.view, scene)
                                                  : cameraFor(options.view, scene);
     state.lights = request.lights;
+    state.lightSamples = render.lightSamples;
+    requireExtents(options.settings, state.lights);
     state.left = {render.shadows, render.map.size, render.multiplicity, render.maskScale};
     state.shading = render.shading;
     state.ambient = render.ambient;
     state.exposure = render.exposure;
     const Json all = viewer::toJson(state);
     Json typed;
-    for (const char* key : {"camera", "lights", "shading", "ambient", "exposure", "left"})
+    for (const char* key :
+         {"camera", "lights", "light_samples", "shading", "ambient", "exposure", "left"})
         typed[key] = all[key];
     if (const SunOptions& sun = options.view.lights.sun; sun.typed()) {
         typed["sun"] =
@@ -120,10 +123,12 @@ void view(const WindowOptions& options) {
         app.show(options.input, std::move(*loaded));
         app.viewer().change(state);
     }
-    if (options.screenshot.empty())
+    if (options.screenshot.empty()) {
         app.run();
-    else
+    } else {
+        app.settle();
         app.saveScreenshot(options.screenshot);
+    }
 }
 
 } // namespace

@@ -163,6 +163,12 @@ void App::guarded(Action action) {
     }
 }
 
+void App::settle() {
+    do
+        viewer_.frame(glfwGetTime());
+    while (viewer_.lightPoints().shown < viewer_.lightPoints().of);
+}
+
 void App::saveScreenshot(const std::filesystem::path& path) {
     const bool hadHandles = viewer_.state().showLights;
     viewer_.change({{"show_lights", false}});

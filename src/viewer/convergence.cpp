@@ -24,11 +24,13 @@ void Convergence::see(const CountedScene& scene, const FrameView& view) {
     view_ = view;
     counted_ = shown_ = of_ = 0;
     last_.reset();
-    for (FrameLight& of : view_->lights)
-        if (of.light.extent && of.drawn) {
+    for (std::size_t i = 0; i < view_->lights.size(); ++i) {
+        FrameLight& of = view_->lights[i];
+        if (of.light.extent && scene.drawn[i]) {
             of.points = lightPoints(of.light, scene.lightSamples);
             of_ = scene.lightSamples;
         }
+    }
     for (ExtendedLights& side : sides_)
         side.restart();
 }

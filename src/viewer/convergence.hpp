@@ -12,7 +12,7 @@ struct CountedScene {
     Frustum frustum;
     glm::ivec2 size{0};
     std::vector<Light> lights;
-    std::vector<bool> drawn; ///< which of them
+    std::vector<bool> drawn; ///< which of them, and that points are counted for
     std::size_t lightSamples = 0;
     std::array<SideSettings, 2> sides; ///< of one picture both are the same
     bool ground = false, culls = false, cutouts = false;

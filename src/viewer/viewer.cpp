@@ -115,6 +115,8 @@ struct Viewer::Parts {
     const SideSettings& sideAt(std::size_t side) const {
         return side == 0 ? state.left : state.right;
     }
+    /// Whether the shadows of a side's lights with an extent are those of points.
+    bool countsPoints(std::size_t side) const;
     CountedScene countedScene(const FrameView& view) const;
     void converge(double now);
     void groupCasters(const SideSettings& side, FrameView& view);
@@ -281,13 +283,21 @@ void Viewer::Parts::drawSide(std::size_t side, const FrameView& view, StageClock
             .draw(*gpu->scene, view, renderer.plan(), state.chosenLight);
 }
 
+bool Viewer::Parts::countsPoints(std::size_t side) const {
+    RenderSettings drawn = settings.render;
+    drawn.shadows = sideAt(side).shadows;
+    return drawn.shadows != ShadowMethod::none && drawn.countedPoints() > 0;
+}
+
 CountedScene Viewer::Parts::countedScene(const FrameView& view) const {
     CountedScene counted;
     counted.frustum = view.frustum;
     counted.size = {view.width, view.height};
     counted.lights = state.lights;
+    const bool counts =
+        state.debug == DebugView::none && (countsPoints(0) || (state.split && countsPoints(1)));
     for (const FrameLight& of : view.lights)
-        counted.drawn.push_back(of.drawn && state.debug == DebugView::none);
+        counted.drawn.push_back(of.drawn && counts);
     counted.lightSamples = state.lightSamples;
     counted.sides = {state.left, state.split ? state.right : state.left};
     counted.ground = view.ground;
@@ -303,8 +313,7 @@ void Viewer::Parts::converge(double now) {
     if (dirty || !loaded || !gpu || !gpu->scene || !gpu->convergence.wantsMore()) return;
     std::array<Renderer*, 2> renderers{};
     for (std::size_t side = 0; side < (state.split ? 2u : 1u); ++side)
-        if (sideAt(side).shadows != ShadowMethod::none)
-            renderers[side] = &gpu->renderers.of(sideAt(side), state);
+        if (countsPoints(side)) renderers[side] = &gpu->renderers.of(sideAt(side), state);
     dirty = gpu->convergence.advance(renderers, *gpu->scene, *loaded, now);
     unchecked = unchecked || dirty;
 }

@@ -165,6 +165,19 @@ TEST_F(ViewerSoftness, ExtentsAreStated) {
     EXPECT_THROW(viewer.change({{"light_samples", 4097}}), Error);
 }
 
+TEST_F(ViewerSoftness, NothingIsCountedWhereNoSideTakesPoints) {
+    shine(soft, 16);
+    viewer.change(Json::parse(R"({"left": {"shadows": "none"}})"));
+    settle();
+    EXPECT_EQ(viewer.lightPoints().of, 0u);
+    viewer.change(Json::parse(R"({"left": {"shadows": "map"}})"));
+    settle();
+    EXPECT_EQ(viewer.lightPoints().shown, 16u);
+    viewer.change(Json::parse(R"({"debug": "volumes", "left": {"shadows": "volumes"}})"));
+    settle();
+    EXPECT_EQ(viewer.lightPoints().of, 0u);
+}
+
 TEST_F(ViewerSoftness, ASunThatIsDownIsNotCounted) {
     viewer.change(Json::parse(R"({"lights": [{"direction": [0, 1, 0], "angle": 2}], "sun":
         {"place": [48, 11], "time": "2026-06-21T01:00+02:00"}})"));
