@@ -83,6 +83,7 @@ test('sliders, date and place move it, and the address keeps it', async () => {
   await page.fill('#north', '-30');
   assert.deepEqual((await stateOf(page)).sun,
     { place: [-33.87, 151.21], time: '2024-02-29T09:05+11:00', north: -30 });
+  await page.waitForFunction(() => document.querySelector('#day').max === '366'); // of a leap year
   await page.fill('#day', '366');
   assert.equal((await stateOf(page)).sun.time, '2024-12-31T09:05+11:00');
   await page.waitForFunction(() => document.querySelector('#date').value === '2024-12-31');
