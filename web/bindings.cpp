@@ -104,6 +104,17 @@ class PageViewer {
     std::string lightPoints() const { return viewer::toJson(viewer_->lightPoints()).dump(); }
     double sceneSize() const { return viewer_->sceneSize(); }
     std::string sun() const { return viewer_->sun().dump(); }
+    /// Sun positions counted for hours of sun; -1: nobody asks for them.
+    double sunHoursCounted() const {
+        const auto hours = viewer_->sunHours();
+        return hours ? static_cast<double>(hours->counted) : -1.0;
+    }
+    double sunHoursOf() const { return static_cast<double>(viewer_->sunHours()->of); }
+    /// -1: none to be seen there.
+    double sunHoursAt(double x, double y) const {
+        const auto lit = viewer_->sunHoursAt(x, y);
+        return lit ? static_cast<double>(*lit) : -1.0;
+    }
     double animationSeconds() const { return viewer_->animationSeconds(); }
     bool wantsFrame() const { return viewer_->wantsFrame(); }
     void invalidate() { viewer_->invalidate(); }
@@ -146,6 +157,9 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("lightPoints", &PageViewer::lightPoints)
         .function("sceneSize", &PageViewer::sceneSize)
         .function("sun", &PageViewer::sun)
+        .function("sunHoursCounted", &PageViewer::sunHoursCounted)
+        .function("sunHoursOf", &PageViewer::sunHoursOf)
+        .function("sunHoursAt", &PageViewer::sunHoursAt)
         .function("animationSeconds", &PageViewer::animationSeconds)
         .function("wantsFrame", &PageViewer::wantsFrame)
         .function("invalidate", &PageViewer::invalidate)

@@ -45,6 +45,7 @@ constexpr std::pair<std::string_view, Command> commands[] = {
     {"slower", Command::slower},
     {"faster", Command::faster},
     {"toggleDay", Command::toggleDay},
+    {"toggleHours", Command::toggleHours},
     {"earlier", Command::earlier},
     {"later", Command::later},
     {"dayEarlier", Command::dayEarlier},

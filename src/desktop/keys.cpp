@@ -48,6 +48,8 @@ std::optional<Command> commandForCharacter(unsigned character) {
         return Command::faster;
     case 'j':
         return Command::toggleDay;
+    case 'y':
+        return Command::toggleHours;
     case '9':
         return Command::earlier;
     case '0':
@@ -103,6 +105,7 @@ std::string helpText() {
            "G\tground beneath the scene\n"
            "Space / [ ] / X\tplay / slower, faster / next animation\n"
            "J\tplay the sun's day (--place)\n"
+           "Y\thours of sun of that day\n"
            "9 0 / 7 8\tten minutes / a day earlier, later\n"
            "K\tnext variant of materials\n"
            "C\tnext of the file's cameras\n"

@@ -1,8 +1,6 @@
 #include "src/hours/schedule.hpp"
 
 #include "preprocess/base/error.hpp"
-#include "src/sun/day.hpp"
-#include "src/sun/direction.hpp"
 
 #include <cmath>
 #include <string>
@@ -44,16 +42,12 @@ minutes offsetNear(double longitude) {
 std::vector<Position> positionsOf(const Schedule& schedule) {
     require(schedule);
     std::vector<Position> positions;
-    const seconds half = duration_cast<seconds>(schedule.step) / 2;
     for (sys_days day = schedule.from; day <= schedule.to; day += days(1)) {
         const sun::Instant midnight = sys_seconds(day) - schedule.offset;
-        for (const sun::TimedPosition& at :
-             sun::positionsBetween(schedule.place, midnight + schedule.opens + half,
-                                   midnight + schedule.closes, schedule.step)) {
-            if (at.position.altitude <= schedule.minAltitude) continue;
-            positions.push_back({at.time, at.position.azimuth, at.position.altitude,
-                                 sun::towardsSun(at.position, schedule.north)});
-        }
+        const std::vector<Position> ofDay =
+            positionsBetween(schedule.place, midnight + schedule.opens, midnight + schedule.closes,
+                             schedule.step, schedule.minAltitude, schedule.north);
+        positions.insert(positions.end(), ofDay.begin(), ofDay.end());
         if (positions.size() > mostPositions)
             throw Error(ExitStatus::usage,
                         "--step: the sun has more than " + std::to_string(mostPositions) +

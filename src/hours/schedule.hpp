@@ -1,10 +1,6 @@
 #pragma once
 
-#include "src/sun/ephemeris.hpp"
-
-#include <chrono>
-#include <glm/glm.hpp>
-#include <vector>
+#include "src/hours/positions.hpp"
 
 namespace edgeshade::hours {
 
@@ -25,13 +21,6 @@ struct Schedule {
     double north = 0.0;                   ///< as sun::towardsSun() has it
 
     std::size_t days() const { return static_cast<std::size_t>((to - from).count()) + 1; }
-};
-
-/// One interval in which the sun is up.
-struct Position {
-    sun::Instant time{};                  ///< its middle
-    double azimuth = 0.0, altitude = 0.0; ///< degrees, see sun::SunPosition
-    glm::dvec3 direction{0.0};            ///< towards the sun in the scene, of length 1
 };
 
 /// The offset of a clock that has noon near the sun's: whole hours, nearest to longitude / 15.

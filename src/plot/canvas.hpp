@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/base/file_io.hpp"
+#include "src/plot/color.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -8,9 +9,6 @@
 #include <string>
 
 namespace edgeshade::plot {
-
-/// 0xRRGGBB.
-using Color = std::uint32_t;
 
 struct Point {
     double x = 0.0; ///< pixels, from the left

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/plot/canvas.hpp"
+#include "src/plot/color.hpp"
 
 namespace edgeshade::plot {
 

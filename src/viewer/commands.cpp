@@ -133,6 +133,9 @@ bool runOnSun(Command command, ViewState& state) {
     case Command::toggleDay:
         state.dayPlays = state.sun && !state.dayPlays;
         return true;
+    case Command::toggleHours:
+        state.sunHours = state.sun && !state.sunHours;
+        return true;
     case Command::earlier:
         return move(-timeStep);
     case Command::later:
@@ -197,7 +200,7 @@ ViewState framed(const ViewState& state, const Stage& stage) {
     if (result.lights.empty()) result.lights = {defaultLight()};
     result.chosenLight = 0;
     result.sun.reset();
-    result.dayPlays = false;
+    result.dayPlays = result.sunHours = false;
     result.time = 0.0;
     return result;
 }

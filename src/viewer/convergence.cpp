@@ -5,9 +5,6 @@
 namespace edgeshade::viewer {
 namespace {
 
-constexpr std::size_t mostAtOnce = 8;
-constexpr double quick = 0.025, slow = 0.05; ///< seconds between frames
-
 /// How many points make the next picture worth drawing.
 std::size_t nextPicture(std::size_t counted, std::size_t of) {
     std::size_t next = 4;
@@ -23,7 +20,7 @@ void Convergence::see(const CountedScene& scene, const FrameView& view) {
     scene_ = scene;
     view_ = view;
     counted_ = shown_ = of_ = 0;
-    last_.reset();
+    pace_.restart();
     for (std::size_t i = 0; i < view_->lights.size(); ++i) {
         FrameLight& of = view_->lights[i];
         if (of.light.extent && scene.drawn[i]) {
@@ -35,17 +32,10 @@ void Convergence::see(const CountedScene& scene, const FrameView& view) {
         side.restart();
 }
 
-void Convergence::pace(double now) {
-    if (last_ && now - *last_ < quick) atOnce_ = std::min(2 * atOnce_, mostAtOnce);
-    if (last_ && now - *last_ > slow) atOnce_ = std::max<std::size_t>(atOnce_ / 2, 1);
-    last_ = now;
-}
-
 bool Convergence::advance(std::array<Renderer*, 2> renderers, GpuScene& scene,
                           const LoadedScene& loaded, double now) {
-    pace(now);
     const std::size_t picture = nextPicture(counted_, of_);
-    const std::size_t end = std::min(counted_ + atOnce_, picture);
+    const std::size_t end = std::min(counted_ + pace_.next(now), picture);
     for (FrameLight& of : view_->lights) {
         if (of.points.empty()) continue;
         const std::span<const Light> next(of.points.data() + counted_, end - counted_);

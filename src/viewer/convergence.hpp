@@ -1,6 +1,8 @@
 #pragma once
 
 #include "src/render/accumulation/extended_lights.hpp"
+#include "src/viewer/counting_pace.hpp"
+#include "src/viewer/seen_scene.hpp"
 #include "src/viewer/view_state.hpp"
 
 #include <array>
@@ -9,14 +11,12 @@ namespace edgeshade::viewer {
 
 /// All that counts of lights' points depend on.
 struct CountedScene {
-    Frustum frustum;
-    glm::ivec2 size{0};
+    SeenScene seen;
     std::vector<Light> lights;
     std::vector<bool> drawn; ///< which of them, and that points are counted for
     std::size_t lightSamples = 0;
     std::array<SideSettings, 2> sides; ///< of one picture both are the same
-    bool ground = false, culls = false, cutouts = false;
-    std::size_t pose = 0; ///< counts whatever else has moved or changed
+    bool cutouts = false;
 
     bool operator==(const CountedScene&) const = default;
 };
@@ -49,15 +49,12 @@ class Convergence {
     std::size_t bytes() const { return sides_[0].bytes() + sides_[1].bytes(); }
 
   private:
-    void pace(double now);
-
     std::array<ExtendedLights, 2> sides_;
     std::array<bool, 2> counts_{};
     CountedScene scene_;
     std::optional<FrameView> view_;
     std::size_t counted_ = 0, shown_ = 0, of_ = 0;
-    std::size_t atOnce_ = 1; ///< points between two frames
-    std::optional<double> last_;
+    CountingPace pace_;
 };
 
 } // namespace edgeshade::viewer

@@ -50,7 +50,8 @@ enum class Command {
     togglePlaying,
     slower,
     faster,
-    toggleDay, ///< of a sun by place and time; so are the next four
+    toggleDay,   ///< of a sun by place and time; so are the next five
+    toggleHours, ///< of sun
     earlier,
     later,
     dayEarlier,

@@ -16,7 +16,7 @@ bool wasMoved(const ViewState& before, const ViewState& next) {
 ViewState withSun(const ViewState& before, ViewState next) {
     if (next.lights.empty() || wasMoved(before, next)) next.sun.reset();
     if (!next.sun) {
-        next.dayPlays = false;
+        next.dayPlays = next.sunHours = false;
         return next;
     }
     const bool isThere = before.sun || next.lights.front().position.w == 0.0;

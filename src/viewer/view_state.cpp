@@ -74,6 +74,14 @@ int maskScaleFrom(const Field& field) {
     return scale;
 }
 
+/// Minutes that divide a day.
+int stepFrom(const Field& field) {
+    constexpr int day = 24 * 60;
+    const int step = field.integer(1, day);
+    if (day % step != 0) field.fail("minutes that divide a day");
+    return step;
+}
+
 SideSettings sideFrom(const Field& field, SideSettings side) {
     field.forEachMember([&](const std::string& key, const Field& value) {
         if (key == "shadows")
@@ -123,6 +131,8 @@ Json toJson(const ViewState& state) {
             {"light_samples", state.lightSamples},
             {"sun", toJson(state.sun)},
             {"day_playing", state.dayPlays},
+            {"sun_hours", state.sunHours},
+            {"sun_hours_step", state.sunHoursStep},
             {"shading", wordOf(shadingWords, state.shading)},
             {"ambient", shortDecimal(state.ambient)},
             {"exposure", shortDecimal(state.exposure)},
@@ -164,6 +174,10 @@ ViewState changed(const ViewState& base, const Json& changes) {
             state.sun = sunFrom(value, state.sun);
         else if (key == "day_playing")
             state.dayPlays = value.boolean();
+        else if (key == "sun_hours")
+            state.sunHours = value.boolean();
+        else if (key == "sun_hours_step")
+            state.sunHoursStep = stepFrom(value);
         else if (key == "ambient")
             state.ambient = static_cast<float>(value.number(0.0, 1.0));
         else if (key == "shading")

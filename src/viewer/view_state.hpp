@@ -42,6 +42,8 @@ struct ViewState {
     std::size_t lightSamples = 64; ///< points of lights with an extent, at rest
     std::optional<SunState> sun;   ///< by place and time: the first light, see withSun()
     bool dayPlays = false;         ///< its day
+    bool sunHours = false;         ///< the hours of sun of its day are shown, once nothing moves
+    int sunHoursStep = 10;         ///< minutes that a sun position stands for; divides a day
     Shading shading = Shading::full;
     float ambient = 0.45f;                              ///< see RenderSettings
     float exposure = 0.0f;                              ///< EV, within mostExposure
@@ -63,12 +65,13 @@ struct ViewState {
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
 ///  "chosen_light": 0, "light_samples": 1..4096, "sun": null or {"place": [latitude, longitude],
-///  "time": "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false, "shading": "full|base",
-///  "ambient": 0.45, "exposure": 0, "background": [r,g,b], "ground": "off|catcher|#rrggbb",
-///  "cast_cutouts": false, "cull": "auto|off",
-///  "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size": 2048, "multiplicity":
-///  "plane", "mask_scale": 1|2|4}, "right": {…}, "split": false, "split_at": 0.5, "debug":
-///  "none|volumes", "show_lights": true, "animation": 0, "playing": false, "speed": 1, "time": 0}
+///  "time": "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false, "sun_hours": false,
+///  "sun_hours_step": minutes, "shading": "full|base", "ambient": 0.45, "exposure": 0,
+///  "background": [r,g,b], "ground": "off|catcher|#rrggbb", "cast_cutouts": false, "cull":
+///  "auto|off", "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size": 2048,
+///  "multiplicity": "plane", "mask_scale": 1|2|4}, "right": {…}, "split": false, "split_at": 0.5,
+///  "debug": "none|volumes", "show_lights": true, "animation": 0, "playing": false, "speed": 1,
+///  "time": 0}
 /// What a light is, light_state.hpp says.
 nlohmann::ordered_json toJson(const ViewState& state);
 

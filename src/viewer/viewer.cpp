@@ -46,6 +46,9 @@ bool mayCount(const SideSettings& side) {
     return side.shadows == ShadowMethod::volumes || looksUp(side);
 }
 
+/// What hours of sun are counted by: `edgeshade sunhours` takes the same.
+constexpr SideSettings hoursSide{ShadowMethod::volumes};
+
 } // namespace
 
 /// The viewer's insides: what is on the GPU can be thrown away and made anew from the rest.
@@ -70,6 +73,7 @@ struct Viewer::Parts {
         SidesLayout layout;
         Renderers renderers;
         Convergence convergence;
+        std::optional<SunHoursCount> hours; ///< while they are asked for
         OverlayPass overlay;
         std::unique_ptr<VolumeTintPass> tint; ///< made when it is first asked for
         MultiplicityMethod tintMethod = MultiplicityMethod::plane;
@@ -91,9 +95,10 @@ struct Viewer::Parts {
     bool mapsPending = false; ///< a light may get a primitive map soon
     std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
-    std::size_t poses = 0; ///< counts whatever of the scene has moved or changed
-    bool timed = false;    ///< somebody asked for statistics
-    bool unchecked = true; ///< something new is drawn, which the GL may refuse
+    std::size_t poses = 0;   ///< counts whatever of the scene has moved or changed
+    bool timed = false;      ///< somebody asked for statistics
+    bool unchecked = true;   ///< something new is drawn, which the GL may refuse
+    bool showsHours = false; ///< the last picture does
     RecentMean frameMs, planMs, poseMs;
     int timedFrames = 0;
     std::optional<StageMs> stageMs; ///< of the last frame whose stages were timed
@@ -112,13 +117,19 @@ struct Viewer::Parts {
     void advanceMaps(double now);
     void draw();
     void drawSide(std::size_t side, const FrameView& view, StageClock* stageClock);
+    /// Hours of sun take the whole picture.
+    bool splits() const { return state.split && !showsHours; }
     const SideSettings& sideAt(std::size_t side) const {
         return side == 0 ? state.left : state.right;
     }
     /// Whether the shadows of a side's lights with an extent are those of points.
     bool countsPoints(std::size_t side) const;
+    SeenScene seenScene(const FrameView& view) const;
     CountedScene countedScene(const FrameView& view) const;
     void converge(double now);
+    void seeHours(const FrameView& view);
+    void countHours(double now);
+    void drawSides(const FrameView& view, StageClock* stageClock);
     void groupCasters(const SideSettings& side, FrameView& view);
     const EdgeCounts& edgesNow();
 };
@@ -147,6 +158,7 @@ void Viewer::Parts::addVolumesFor(const ViewState& of, Gpu& on) const {
     for (const SideSettings* side : {&of.left, &of.right})
         if (mayCount(*side) && (side == &of.left || of.split))
             addVolumes(*on.scene, *loaded, on.recordsOf(*side));
+    if (of.sunHours) addVolumes(*on.scene, *loaded, on.recordsOf(hoursSide));
 }
 
 /// Makes what the next state needs before it becomes the state, so that a refusal changes nothing.
@@ -289,21 +301,21 @@ bool Viewer::Parts::countsPoints(std::size_t side) const {
     return drawn.shadows != ShadowMethod::none && drawn.countedPoints() > 0;
 }
 
+SeenScene Viewer::Parts::seenScene(const FrameView& view) const {
+    return {view.frustum, {view.width, view.height}, view.ground, view.culls, poses};
+}
+
 CountedScene Viewer::Parts::countedScene(const FrameView& view) const {
     CountedScene counted;
-    counted.frustum = view.frustum;
-    counted.size = {view.width, view.height};
+    counted.seen = seenScene(view);
     counted.lights = state.lights;
-    const bool counts =
-        state.debug == DebugView::none && (countsPoints(0) || (state.split && countsPoints(1)));
+    const bool counts = !state.sunHours && state.debug == DebugView::none &&
+                        (countsPoints(0) || (state.split && countsPoints(1)));
     for (const FrameLight& of : view.lights)
         counted.drawn.push_back(of.drawn && counts);
     counted.lightSamples = state.lightSamples;
     counted.sides = {state.left, state.split ? state.right : state.left};
-    counted.ground = view.ground;
-    counted.culls = view.culls;
     counted.cutouts = state.castCutouts;
-    counted.pose = poses;
     return counted;
 }
 
@@ -315,6 +327,20 @@ void Viewer::Parts::converge(double now) {
     for (std::size_t side = 0; side < (state.split ? 2u : 1u); ++side)
         if (countsPoints(side)) renderers[side] = &gpu->renderers.of(sideAt(side), state);
     dirty = gpu->convergence.advance(renderers, *gpu->scene, *loaded, now);
+    unchecked = unchecked || dirty;
+}
+
+/// Whether hours of sun are asked for, of which view and day.
+void Viewer::Parts::seeHours(const FrameView& view) {
+    if (!state.sunHours) return gpu->hours.reset();
+    if (!gpu->hours) gpu->hours.emplace(gpu->capabilities);
+    gpu->hours->see(seenScene(view), view, *state.sun, state.sunHoursStep);
+}
+
+/// Counts further positions of the sun; the picture is drawn anew with the last one.
+void Viewer::Parts::countHours(double now) {
+    if (dirty || !gpu || !gpu->scene || !gpu->hours || !gpu->hours->wantsMore()) return;
+    dirty = gpu->hours->advance(gpu->renderers.of(hoursSide, state), *gpu->scene, *loaded, now);
     unchecked = unchecked || dirty;
 }
 
@@ -352,6 +378,18 @@ void Viewer::Parts::advanceMaps(double now) {
             mapsPending = true;
 }
 
+void Viewer::Parts::drawSides(const FrameView& view, StageClock* stageClock) {
+    if (!splits()) return drawSide(0, view, stageClock);
+    const int at = static_cast<int>(std::lround(state.splitAt * stage.width));
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, at, stage.height);
+    if (at > 0) drawSide(0, view, stageClock);
+    glScissor(at, 0, stage.width - at, stage.height);
+    if (at < stage.width) drawSide(1, view, stageClock);
+    glDisable(GL_SCISSOR_TEST);
+    gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
+}
+
 void Viewer::Parts::draw() {
     Stopwatch watch;
     FrameRequest request;
@@ -364,25 +402,22 @@ void Viewer::Parts::draw() {
     FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
     view.lights.front().drawn = !sunIsDown(state);
     gpu->convergence.see(countedScene(view), view);
-    groupCasters(state.left, view);
-    if (state.split) groupCasters(state.right, view);
+    seeHours(view);
+    const bool moves = state.playing || state.dayPlays;
+    showsHours = gpu->hours && gpu->hours->isComplete() && !moves;
+    if (!showsHours) {
+        groupCasters(state.left, view);
+        if (splits()) groupCasters(state.right, view);
+    }
     const double planSeconds = watch.lap();
 
     StageWatch stages; // waits, so such a frame says nothing of what one takes
     const bool watched = timed && timedFrames++ % framesPerStageFrame == 1;
     StageClock* const stageClock = watched ? &stages : nullptr;
-    if (!state.split) {
-        drawSide(0, view, stageClock);
-    } else {
-        const int at = static_cast<int>(std::lround(state.splitAt * stage.width));
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(0, 0, at, stage.height);
-        if (at > 0) drawSide(0, view, stageClock);
-        glScissor(at, 0, stage.width - at, stage.height);
-        if (at < stage.width) drawSide(1, view, stageClock);
-        glDisable(GL_SCISSOR_TEST);
-        gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
-    }
+    if (showsHours)
+        gpu->hours->draw(state.background);
+    else
+        drawSides(view, stageClock);
     if (state.showLights && state.sun)
         gpu->overlay.draw(sunTriangles(sunDays.of(*state.sun), state, stage), stage.width,
                           stage.height);
@@ -515,6 +550,18 @@ LightPoints Viewer::lightPoints() const {
     return {convergence.shown(), convergence.of()};
 }
 
+std::optional<SunHours> Viewer::sunHours() const {
+    const Parts& parts = *parts_;
+    if (!parts.state.sunHours || !parts.gpu || !parts.gpu->hours) return std::nullopt;
+    return parts.gpu->hours->progress();
+}
+
+std::optional<std::uint32_t> Viewer::sunHoursAt(double x, double y) const {
+    const Parts& parts = *parts_;
+    if (!parts.showsHours || !parts.gpu || !parts.gpu->hours) return std::nullopt;
+    return parts.gpu->hours->at(glm::ivec2(std::floor(x), std::floor(y)));
+}
+
 double Viewer::sceneSize() const {
     return parts_->loaded ? parts_->stage.bounds.diagonal() : 0.0;
 }
@@ -535,6 +582,7 @@ bool Viewer::frame(double now) {
     }
     parts.advanceMaps(now);
     parts.converge(now);
+    parts.countHours(now);
     if (!parts.dirty || !parts.gpu) return false;
     parts.dirty = false;
     if (parts.loaded) {
@@ -554,7 +602,8 @@ void Viewer::invalidate() {
 bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
     return parts_->gpu && (parts_->dirty || plays || parts_->state.dayPlays ||
-                           parts_->mapsPending || parts_->gpu->convergence.wantsMore());
+                           parts_->mapsPending || parts_->gpu->convergence.wantsMore() ||
+                           (parts_->gpu->hours && parts_->gpu->hours->wantsMore()));
 }
 
 FrameStats Viewer::stats() const {
@@ -573,7 +622,8 @@ FrameStats Viewer::stats() const {
     stats.silhouettes = counts.silhouettes;
     if (parts.gpu && parts.gpu->scene)
         stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.volumeBytes() +
-                            parts.gpu->renderers.maskBytes() + parts.gpu->convergence.bytes();
+                            parts.gpu->renderers.maskBytes() + parts.gpu->convergence.bytes() +
+                            (parts.gpu->hours ? parts.gpu->hours->bytes() : 0);
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
     if (parts.gpu && parts.gpu->scene) {
         stats.primitiveMapBytes = parts.gpu->scene->primitiveMaps.bytes();

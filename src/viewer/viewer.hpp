@@ -4,6 +4,7 @@
 #include "src/render/timing/stage_timer.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/viewer/input.hpp"
+#include "src/viewer/sun_hours.hpp"
 #include "src/viewer/view_state.hpp"
 
 #include <memory>
@@ -95,6 +96,14 @@ class Viewer {
     /// Shadows of lights with an extent are hard while something moves, and become soft after that,
     /// frame by frame.
     LightPoints lightPoints() const;
+
+    /// How far the hours of sun that the state asks for are counted; nothing: it asks for none, or
+    /// nothing was drawn since. While something moves, the picture is the usual one.
+    std::optional<SunHours> sunHours() const;
+
+    /// How many of those positions see a pixel of a picture of hours, x and y as a Pointer's.
+    /// Nothing: the picture shows none, or no surface there. Waits for the GL.
+    std::optional<std::uint32_t> sunHoursAt(double x, double y) const;
 
     /// The length of the scene's diagonal; 0: no scene, or one without a size.
     double sceneSize() const;

@@ -40,6 +40,7 @@ export const keys = [
   { key: ',', command: 'slower', does: 'Slower' },
   { key: '.', command: 'faster', does: 'Faster' },
   { key: 'j', command: 'toggleDay', does: 'Play the day of a sun by place and time' },
+  { key: 'y', command: 'toggleHours', does: 'Hours of sun of that day' },
   { key: '9', command: 'earlier', does: 'Ten minutes earlier' },
   { key: '0', command: 'later', does: 'Ten minutes later' },
   { key: '7', command: 'dayEarlier', does: 'A day earlier' },

@@ -1,34 +1,22 @@
 #include "src/render/accumulation/direction_counts.hpp"
 
+#include "src/render/accumulation/direction_masks.hpp"
+
 #include <algorithm>
 
 namespace edgeshade {
-namespace {
-
-FrameView masksView(const LoadedScene& loaded, FrameRequest request,
-                    std::span<const glm::dvec3> directions) {
-    request.lights.clear();
-    for (const glm::dvec3& direction : directions)
-        request.lights.push_back({glm::dvec4(direction, 0.0)});
-    FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
-    view.drawBlended = false;
-    view.mask = true;
-    view.sumsMasks = true;
-    return view;
-}
-
-} // namespace
 
 LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request,
                           std::span<const glm::dvec3> directions, Renderer& renderer,
                           GpuScene& scene, const gl::Capabilities& capabilities,
                           const std::function<void(double)>& progress) {
+    const FrameView seen = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
     LitCounter counter(capabilities);
     counter.begin(request.width, request.height);
     if (directions.empty()) {
         // What surfaces there are, in a light that isn't counted.
         const glm::dvec3 up(0.0, 1.0, 0.0);
-        counter.add(renderer, scene, loaded, masksView(loaded, request, {&up, 1}));
+        counter.add(renderer, scene, loaded, directionMasks(seen, loaded, {&up, 1}));
         gl::requireNoError("counting sun positions");
         LitCounts counts = counter.read();
         std::ranges::fill(counts.lit, std::uint16_t{0});
@@ -39,7 +27,7 @@ LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request
     for (std::size_t first = 0; first < directions.size();) {
         const std::size_t count = std::min(directions.size() - first, atOnce);
         counter.add(renderer, scene, loaded,
-                    masksView(loaded, request, directions.subspan(first, count)));
+                    directionMasks(seen, loaded, directions.subspan(first, count)));
         first += count;
         progress(static_cast<double>(first) / static_cast<double>(directions.size()));
     }

@@ -45,6 +45,9 @@ class LitCounter {
     /// How many of them reach each pixel, as a share, until the next call.
     VisibilityLookup visibility();
     LitCounts read() const;
+    /// What was counted, as PictureSum has it: in its first channel how many lights reach a pixel,
+    /// in alpha in how many pictures a surface is there.
+    const PictureSum& sum() const { return sum_; }
     std::size_t bytes() const;
 
   private:

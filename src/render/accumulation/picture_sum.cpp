@@ -36,12 +36,10 @@ void clear(const gl::ColorTarget& target) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-std::vector<std::uint8_t> bytesOf(const gl::ColorTarget& target, const glm::ivec2& size) {
-    std::vector<std::uint8_t> bytes(4 * static_cast<std::size_t>(size.x) *
-                                    static_cast<std::size_t>(size.y));
+void readBytes(const gl::ColorTarget& target, const glm::ivec2& from, const glm::ivec2& size,
+               std::uint8_t* bytes) {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-    return bytes;
+    glReadPixels(from.x, from.y, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
 }
 
 } // namespace
@@ -91,8 +89,7 @@ void PictureSum::add(gl::Name picture) {
     std::swap(sums_, next_);
 }
 
-void PictureSum::drawShare(const WholePicture& by, gl::Name framebuffer,
-                           std::uint32_t largest) const {
+void PictureSum::draw(const WholePicture& by, gl::Name framebuffer, std::uint32_t largest) const {
     drawPlainlyInto(framebuffer, size_);
     const gl::Program& program = by.use();
     bindTo(0, sums_.low.texture.name());
@@ -108,17 +105,31 @@ void PictureSum::drawShare(const WholePicture& by, gl::Name framebuffer,
 
 gl::Name PictureSum::share(std::uint32_t largest) {
     if (share_.texture.name() == 0) share_ = gl::ColorTarget(size_.x, size_.y);
-    drawShare(programs_->share, share_.framebuffer.name(), largest);
+    draw(programs_->share, share_.framebuffer.name(), largest);
     return share_.texture.name();
 }
 
 void PictureSum::show(gl::Name framebuffer, std::uint32_t largest) const {
-    drawShare(programs_->picture, framebuffer, largest);
+    draw(programs_->picture, framebuffer, largest);
+}
+
+std::array<std::uint16_t, 4> PictureSum::at(const glm::ivec2& pixel) const {
+    const glm::ivec2 from(pixel.x, size_.y - 1 - pixel.y); // the GL's rows go up
+    std::array<std::uint8_t, 4> low{}, high{};
+    readBytes(sums_.low, from, {1, 1}, low.data());
+    readBytes(sums_.high, from, {1, 1}, high.data());
+    std::array<std::uint16_t, 4> sums{};
+    for (std::size_t i = 0; i < 4; ++i)
+        sums[i] = static_cast<std::uint16_t>(low[i] | high[i] << 8);
+    return sums;
 }
 
 std::vector<std::uint16_t> PictureSum::read() const {
-    const std::vector<std::uint8_t> low = bytesOf(sums_.low, size_),
-                                    high = bytesOf(sums_.high, size_);
+    std::vector<std::uint8_t> low(4 * static_cast<std::size_t>(size_.x) *
+                                  static_cast<std::size_t>(size_.y));
+    std::vector<std::uint8_t> high(low.size());
+    readBytes(sums_.low, {0, 0}, size_, low.data());
+    readBytes(sums_.high, {0, 0}, size_, high.data());
     std::vector<std::uint16_t> sums(low.size());
     const std::size_t row = 4 * static_cast<std::size_t>(size_.x);
     for (std::size_t i = 0; i < sums.size(); ++i) { // the GL's rows go up

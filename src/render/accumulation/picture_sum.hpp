@@ -3,6 +3,7 @@
 #include "src/gl/color_target.hpp"
 #include "src/render/drawing/whole_picture.hpp"
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -31,6 +32,13 @@ class PictureSum {
     /// Draws the sums' shares of `largest` as colours into that framebuffer.
     void show(gl::Name framebuffer, std::uint32_t largest) const;
 
+    /// Draws into that framebuffer by a shader that takes u_low, u_high, u_texel and u_scale as
+    /// sum_share.frag does, with textures on the units from 2 on.
+    void draw(const WholePicture& by, gl::Name framebuffer, std::uint32_t largest) const;
+
+    /// The sums, RGBA, of one pixel, rows top to bottom. Waits for the GL.
+    std::array<std::uint16_t, 4> at(const glm::ivec2& pixel) const;
+
     /// The sums, RGBA, rows top to bottom. Waits for the GL.
     std::vector<std::uint16_t> read() const;
 
@@ -44,7 +52,6 @@ class PictureSum {
     struct Programs {
         WholePicture low, high, share, picture;
     };
-    void drawShare(const WholePicture& by, gl::Name framebuffer, std::uint32_t largest) const;
 
     glm::ivec2 size_{0};
     Halves sums_, next_;

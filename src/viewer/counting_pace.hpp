@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+namespace edgeshade::viewer {
+
+/// How many masks are counted between two frames: as many as leave frames quick.
+class CountingPace {
+  public:
+    /// `now`: seconds, of this frame.
+    std::size_t next(double now);
+
+    /// Nothing is known of the frame before the next one.
+    void restart() { last_.reset(); }
+
+  private:
+    std::size_t atOnce_ = 1;
+    std::optional<double> last_;
+};
+
+} // namespace edgeshade::viewer
