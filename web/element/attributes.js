@@ -16,7 +16,7 @@ export const withOthers = (names) =>
 
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'place', 'time-of-day', 'north', 'day-playing', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
+  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
   'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
   'speed', 'time',
 ];
@@ -94,6 +94,10 @@ export function changesFromAttributes(get) {
   if (has('place') || has('time-of-day'))
     changes.sun = sunOf(get('place') ?? null, get('time-of-day') ?? null, get('north') ?? null);
   if (has('day-playing')) changes.day_playing = get('day-playing') !== 'off';
+  if (has('sun-hours')) {
+    changes.sun_hours = get('sun-hours') !== 'off';
+    if (changes.sun_hours && get('sun-hours')) changes.sun_hours_step = number('sun-hours');
+  }
   for (const [name, key] of Object.entries(sideKeys)) {
     const value = (attribute) => (whole.has(name) ? number(attribute) : get(attribute));
     if (has(name)) left[key] = value(name);

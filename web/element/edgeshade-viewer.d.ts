@@ -86,6 +86,10 @@ export interface ViewState {
   sun: PlacedSun | null;
   /** Its day goes round and round, an hour a second. */
   day_playing: boolean;
+  /** The hours of sun that surfaces get on its day are shown as colours, while nothing moves. */
+  sun_hours: boolean;
+  /** Minutes that a position of the sun stands for; they divide a day. */
+  sun_hours_step: number;
   /** All that materials say, or base colour and Lambert's law. */
   shading: 'full' | 'base';
   /** Share of ambient light as the display shows it, 0..1. */
@@ -122,6 +126,24 @@ export type ViewChanges = Partial<Omit<ViewState, 'camera' | 'sun' | 'left' | 'r
   right?: Partial<SideSettings>;
 };
 
+/** How far hours of sun are counted. */
+export interface SunHours {
+  /** Of the day's sun positions; the picture shows them when all are. */
+  counted: number;
+  /** 0: the sun doesn't rise that day. */
+  of: number;
+  /** Minutes that each stands for. */
+  step: number;
+}
+
+/** What a surface gets of a day's sun: lit × step of of × step minutes. */
+export interface SunHoursHere {
+  /** Sun positions that see it. */
+  lit: number;
+  of: number;
+  step: number;
+}
+
 /** Figures of the frames drawn lately. */
 export interface Stats {
   frame_ms: number;
@@ -150,7 +172,7 @@ export type Command =
   | 'nextLight' | 'addLight' | 'removeLight' | 'toggleSun'
   | 'nextShadows' | 'toggleSplit' | 'splitLeft' | 'splitRight'
   | 'toggleDebug' | 'toggleGround' | 'toggleLights' | 'nextAnimation' | 'togglePlaying' | 'slower'
-  | 'faster' | 'toggleDay' | 'earlier' | 'later' | 'dayEarlier' | 'dayLater';
+  | 'faster' | 'toggleDay' | 'toggleHours' | 'earlier' | 'later' | 'dayEarlier' | 'dayLater';
 
 export interface LoadDetail {
   name: string;
@@ -205,6 +227,8 @@ export interface EdgeshadeViewerEventMap {
  *   time-of-day "2026-06-21T14:30+02:00": a sun as it is seen there and then, the first light
  *   north       where north is, degrees clockwise from -Z seen from above (0)
  *   day-playing present: its day goes round, an hour a second
+ *   sun-hours   present: the hours of sun of its day are shown while nothing moves, counted by steps
+ *               of 10 minutes or as many as it says; off
  *   shading     full (the default): all that materials say; base: base colour and Lambert's law
  *   ambient     0..1
  *   exposure    of full shading, in EV, -20..20
@@ -246,6 +270,8 @@ export class EdgeshadeViewer extends HTMLElement {
   readonly sceneSize: number;
   /** Where the state's sun by place and time is; null where there is none. */
   readonly sun: SunNow | null;
+  /** null where the state has no `sun_hours`. */
+  readonly sunHours: SunHours | null;
   /** Names of the scene's animations. */
   readonly animations: string[];
   /** Length of the one that is shown, in seconds; 0: nothing moves. */
@@ -268,6 +294,9 @@ export class EdgeshadeViewer extends HTMLElement {
   fit(): void;
   /** Back to the first view of the scene. */
   reset(): void;
+  /** At a place in the window, as a pointer's event has it; null where the picture shows no hours
+   * or no surface. */
+  sunHoursAt(clientX: number, clientY: number): SunHoursHere | null;
   /** The picture as PNG. */
   screenshot(): Promise<Blob>;
   /** Shows a sentence on the picture. */
@@ -292,6 +321,9 @@ export class EdgeshadeViewer extends HTMLElement {
 
 /** Keys on the picture; those without `does` go with the one before. */
 export const keys: { key: string; command: Command; does?: string }[];
+
+/** What hours of sun are shown in, from none to all of them: every eighth, "#rrggbb". */
+export const hourColors: string[];
 
 /** "12.3 MB" */
 export function sizeText(bytes: number): string;

@@ -18,6 +18,7 @@ import { SceneLoader, Superseded } from './scene-loader.js';
 
 export { keys } from './gestures.js';
 export { sizeText } from './files.js';
+export { hourColors } from './hour-colors.js';
 
 const nextFrame = () => new Promise((resolve) => requestAnimationFrame(() => resolve()));
 
@@ -112,6 +113,21 @@ export class EdgeshadeViewer extends HTMLElement {
 
   get sun() {
     return this.#viewer ? JSON.parse(this.#viewer.sun()) : null;
+  }
+
+  get sunHours() {
+    const counted = this.#viewer?.sunHoursCounted() ?? -1;
+    if (counted < 0) return null;
+    return { counted, of: this.#viewer.sunHoursOf(), step: this.state.sun_hours_step };
+  }
+
+  sunHoursAt(clientX, clientY) {
+    if (!this.loaded || this.#lost) return null;
+    this.#makeCurrent();
+    const box = this.#canvas.getBoundingClientRect();
+    const lit = this.#viewer.sunHoursAt((clientX - box.left) * (this.#canvas.width / box.width),
+      (clientY - box.top) * (this.#canvas.height / box.height));
+    return lit < 0 ? null : { lit, of: this.#viewer.sunHoursOf(), step: this.state.sun_hours_step };
   }
 
   get animations() {

@@ -28,7 +28,7 @@ export function connectDivider(viewer, divider) {
   });
   return function refresh() {
     const state = viewer.state;
-    divider.hidden = !viewer.loaded || !state.split;
+    divider.hidden = !viewer.loaded || !state.split || state.sun_hours;
     if (divider.hidden) return;
     divider.style.left = `${100 * state.split_at}%`;
     divider.setAttribute('aria-valuenow', String(Math.round(100 * state.split_at)));

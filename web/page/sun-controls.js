@@ -1,6 +1,7 @@
 // The part of the panel about a sun by place and time.
 
 import { check, slider } from './inputs.js';
+import { connectSunHours } from './sun-hours.js';
 import { clockOf, dateOf, dayOf, daysOfYear, now, offsetText, offsets, partsOf, timeOf } from './local-time.js';
 
 const $ = (id) => document.getElementById(id);
@@ -39,6 +40,7 @@ export function connectSun(viewer) {
   });
   $('utc-offset').append(...offsets.map(offsetText).map((text) => new Option(text, text)));
   $('utc-offset').addEventListener('change', () => set({ offset: $('utc-offset').value }));
+  const refreshHours = connectSunHours(viewer);
   $('play-day').addEventListener('click', () => viewer.run('toggleDay'));
   const show = {
     day: slider('day', () => parts().date.slice(5), (day) => set({ date: dateOf(Number(parts().date.slice(0, 4)), day) })),
@@ -46,7 +48,9 @@ export function connectSun(viewer) {
     north: slider('north', (v) => `${Math.round(v)}°`, (north) => change({ north })),
   };
 
-  return function refresh({ sun, day_playing: playing }) {
+  return function refresh(state) {
+    const { sun, day_playing: playing } = state;
+    refreshHours(state);
     box(Boolean(sun));
     $('sun-place').hidden = !sun;
     if (!sun) return;

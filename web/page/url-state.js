@@ -21,6 +21,7 @@ export function hashOf(model, state) {
     put('time-of-day', state.sun.time);
     if (state.sun.north) put('north', short(state.sun.north));
     if (state.day_playing) put('day', 'playing');
+    if (state.sun_hours) put('sun-hours', state.sun_hours_step);
   }
   if (state.shading !== 'full') put('shading', state.shading);
   put('ambient', short(state.ambient));
@@ -111,6 +112,10 @@ export function readHash(hash) {
     else if (!problems.length)
       problems.push("The address has only one of 'place' and 'time-of-day'; the view starts without it.");
     take('day', (text) => { changes.day_playing = text === 'playing'; });
+    take('sun-hours', (text) => {
+      changes.sun_hours_step = one('sun-hours')(text);
+      changes.sun_hours = true;
+    });
   }
   take('shading', (text) => { changes.shading = text; });
   take('ambient', (text) => { changes.ambient = one('ambient')(text); });

@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { greyAlphaOf } from './png.mjs';
 import { repository } from './server.mjs';
 
 const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
@@ -43,6 +44,21 @@ export const rendered = ({ camera: { from, to, fov }, lights, left }, options = 
   { stdio: 'pipe', timeout: 60000,
     env: { ...process.env, ...(filtersExactly && { GALLIVM_PERF: 'no_aos_sampling' }) } });
   return readFileSync(png);
+});
+
+/** What `sunhours` counts of the sample, from the state's eye, on the day of its sun by place and
+ * time: {of, at(x, y)}, the latter {lit, surface}. */
+export const sunHours = ({ sun: { place, time, north }, camera: { from, to, fov } }, step) => inFolder((folder) => {
+  const [counts, report] = [join(folder, 'counts.png'), join(folder, 'report.json')];
+  execFileSync(program, ['sunhours', join(repository, 'assets/pavilion.glb'), join(folder, 'hours.png'),
+    '--size', '1280x720', '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`,
+    '--place', `${place}`, '--north', `${north}`, '--date', time.slice(0, 10), '--utc-offset', time.slice(-6),
+    '--step', `${step}`, '--counts', counts, '--report', report], { stdio: 'pipe', timeout: 120000 });
+  const { width, values } = greyAlphaOf(readFileSync(counts));
+  return {
+    of: JSON.parse(readFileSync(report, 'utf8')).positions.length,
+    at: (x, y) => ({ lit: values(y * width + x, 0), surface: values(y * width + x, 1) > 0 }),
+  };
 });
 
 /** Views of the sample: an eye each, lights, how many pixels may differ away from outlines

@@ -1,6 +1,6 @@
 // Pictures as PNG.
 
-import { deflateSync } from 'node:zlib';
+import { deflateSync, inflateSync } from 'node:zlib';
 
 /** PNG's checksum. */
 function crc32(bytes) {
@@ -29,6 +29,16 @@ export function pngOf(texels, width, height) {
     Buffer.concat([Buffer.of(0), texels.subarray(4 * width * y, 4 * width * (y + 1))]));
   return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', header),
     chunk('IDAT', deflateSync(Buffer.concat(rows))), chunk('IEND', Buffer.alloc(0))]);
+}
+
+/** A PNG of 16-bit grey and alpha as the program writes it, in one piece and without filters: {width,
+ * values(pixel, channel)}. */
+export function greyAlphaOf(png) {
+  const width = png.readUInt32BE(16);
+  const start = png.indexOf('IDAT') + 4;
+  const rows = inflateSync(png.subarray(start, start + png.readUInt32BE(start - 8)));
+  const place = (pixel) => Math.floor(pixel / width) * (1 + 4 * width) + 1 + 4 * (pixel % width);
+  return { width, values: (pixel, channel) => rows.readUInt16BE(place(pixel) + 2 * channel) };
 }
 
 /** What `bytes` are in a data URI; which kind of picture, the bytes themselves say. */

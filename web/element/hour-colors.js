@@ -1,0 +1,3 @@
+/** What hours of sun are shown in, from none to all of them: every eighth of src/plot/color_scale.cpp. */
+export const hourColors = ['#0e1552', '#312d5c', '#544464', '#765b6a', '#96736f', '#b58e72', '#d2ac72',
+  '#ebcc70', '#ffee69'];
