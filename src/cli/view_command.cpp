@@ -24,6 +24,8 @@ struct WindowOptions : SceneOptions {
     std::string screenshot;
     DrawSettings settings;
     int samples = 0;
+    bool sunHours = false;
+    int sunHoursStep = viewer::ViewState().sunHoursStep;
 };
 
 /// Upright, so that one can go on from there: a roll is left out.
@@ -79,6 +81,10 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
         typed["sun"] =
             viewer::toJson(std::optional(viewer::SunState{*sun.place, *sun.time, sun.north}));
         if (sun.isDown()) printWarnings({sun.downSentence() + ", so it lights nothing."});
+    }
+    if (options.sunHours) {
+        typed["sun_hours"] = true;
+        typed["sun_hours_step"] = options.sunHoursStep;
     }
     if (options.ground) typed["ground"] = textOf(*options.ground);
     if (options.time) typed["time"] = *options.time;
@@ -148,6 +154,15 @@ void addViewCommand(CLI::App& program) {
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
+    CLI::Option* const sunHours =
+        verb->add_flag("--sun-hours", options->sunHours,
+                       "Show the hours of sun that surfaces get on the day of --time-of-day, as "
+                       "sunhours counts them, once nothing moves")
+            ->needs(verb->get_option("--place"));
+    verb->add_option("--step", options->sunHoursStep,
+                     "Minutes that each sun position stands for; they must divide a day (10)")
+        ->type_name("MIN")
+        ->needs(sunHours);
     verb->callback([options] {
         resolve(options->settings);
         view(*options);

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/reading/variants.hpp"
+#include "src/desktop/hours_legend.hpp"
 #include "src/desktop/keys.hpp"
 #include "src/desktop/screenshot.hpp"
 #include "src/desktop/text.hpp"
@@ -141,7 +142,18 @@ bool App::draw() {
     const std::string line = message_.empty() && !viewer_.hasScene()
                                  ? "Drop a .gltf or .glb file here. H: help"
                                  : message_;
-    if (!line.empty()) add(line, static_cast<float>(height_) - textHeight(line, size) - gap);
+    float bottom = static_cast<float>(height_) - gap;
+    if (!line.empty()) {
+        bottom -= textHeight(line, size);
+        add(line, bottom);
+        bottom -= gap;
+    }
+    if (const auto hours = viewer_.sunHours()) {
+        const viewer::Pointer at = pointer();
+        const auto legend = hoursLegend(*hours, viewer_.showsSunHours(),
+                                        viewer_.sunHoursAt(at.x, at.y), gap, bottom, size);
+        text.insert(text.end(), legend.begin(), legend.end());
+    }
     overlay_.draw(text, width_, height_);
     glfwSwapBuffers(window_.handle());
     return true;
@@ -164,9 +176,14 @@ void App::guarded(Action action) {
 }
 
 void App::settle() {
+    const auto isCounting = [&] {
+        const auto hours = viewer_.sunHours();
+        const viewer::LightPoints points = viewer_.lightPoints();
+        return points.shown < points.of || (hours && hours->counted < hours->of);
+    };
     do
         viewer_.frame(glfwGetTime());
-    while (viewer_.lightPoints().shown < viewer_.lightPoints().of);
+    while (isCounting());
 }
 
 void App::saveScreenshot(const std::filesystem::path& path) {
@@ -248,6 +265,7 @@ void App::onButton(int button, int action, int modifiers) {
 void App::onMove(double x, double y) {
     cursor_ = {x, y};
     guarded([&] { viewer_.pointerMove(pointer()); });
+    if (viewer_.showsSunHours()) viewer_.invalidate(); // the legend says what is under it
 }
 
 void App::onDrop(const std::filesystem::path& path) {

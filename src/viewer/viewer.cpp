@@ -556,9 +556,13 @@ std::optional<SunHours> Viewer::sunHours() const {
     return parts.gpu->hours->progress();
 }
 
+bool Viewer::showsSunHours() const {
+    return parts_->showsHours && parts_->gpu && parts_->gpu->hours;
+}
+
 std::optional<std::uint32_t> Viewer::sunHoursAt(double x, double y) const {
     const Parts& parts = *parts_;
-    if (!parts.showsHours || !parts.gpu || !parts.gpu->hours) return std::nullopt;
+    if (!showsSunHours()) return std::nullopt;
     return parts.gpu->hours->at(glm::ivec2(std::floor(x), std::floor(y)));
 }
 

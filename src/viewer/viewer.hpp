@@ -101,6 +101,9 @@ class Viewer {
     /// nothing was drawn since. While something moves, the picture is the usual one.
     std::optional<SunHours> sunHours() const;
 
+    /// Whether the last picture shows them.
+    bool showsSunHours() const;
+
     /// How many of those positions see a pixel of a picture of hours, x and y as a Pointer's.
     /// Nothing: the picture shows none, or no surface there. Waits for the GL.
     std::optional<std::uint32_t> sunHoursAt(double x, double y) const;

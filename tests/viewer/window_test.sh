@@ -53,6 +53,18 @@ for hour in 16 01; do
     at_most 1 plain-placed.png placed.png || fail "the window shows another picture at $hour h"
     cmp said said-by-view || fail "at $hour h the window warns of something else"
 done
+# Its hours of sun are another picture, by steps, and need a place.
+hours=("${view[@]:0:6}" --place 48.14,11.57 --time-of-day 2026-06-21T16:00+02:00 --sun-hours)
+"$program" view "$scene" --screenshot hours.png "${hours[@]}"
+at_most 200 placed.png hours.png && fail "--sun-hours shows the usual picture"
+"$program" view "$scene" --screenshot hours-60.png "${hours[@]}" --step 60
+at_most 0 hours.png hours-60.png && fail "--step does nothing"
+"$program" view "$scene" --screenshot none.png "${view[@]}" --sun-hours 2>message &&
+    fail "there are hours of sun without a place"
+grep -q -e '--place' message || fail "$(cat message)"
+"$program" view "$scene" --screenshot none.png "${hours[@]}" --step 7 2>message &&
+    fail "a step of 7 minutes was taken"
+grep -q 'divide a day' message || fail "$(cat message)"
 grep -q 'below the horizon, so it lights nothing' said || fail "nobody warned of the night"
 
 # Keys and mouse change it. Every P saves the next edgeshade-N.png.

@@ -2,7 +2,7 @@
 // to be an error must be one.
 
 import 'edgeshade';
-import { keys, sizeText, type Command, type EdgeshadeViewer, type LoadDetail, type ViewState } from 'edgeshade';
+import { hourColors, keys, sizeText, type Command, type EdgeshadeViewer, type LoadDetail, type ViewState } from 'edgeshade';
 
 const viewer: EdgeshadeViewer = document.createElement('edgeshade-viewer');
 const found = document.querySelector('edgeshade-viewer');
@@ -26,6 +26,8 @@ export async function show(file: File): Promise<LoadDetail | null> {
   const state: ViewState | null = viewer.state;
   const command: Command = keys[0].command;
   viewer.run(command);
+  const hours: number | undefined = viewer.sunHours?.counted;
+  console.log(hours, viewer.sunHoursAt(1, 2)?.lit.toFixed(), hourColors[0].length);
   const picture: Blob = await viewer.screenshot();
   console.log(state?.camera.from[0].toFixed(1), viewer.stats?.frame_ms, sizeText(picture.size));
   return detail;
