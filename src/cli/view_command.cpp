@@ -8,6 +8,7 @@
 #include "src/cli/options.hpp"
 #include "src/cli/report.hpp"
 #include "src/desktop/app.hpp"
+#include "src/render/accumulation/subpixels.hpp"
 #include "src/scene/pose.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 
@@ -24,6 +25,7 @@ struct WindowOptions : SceneOptions {
     std::string screenshot;
     DrawSettings settings;
     int samples = 0;
+    std::size_t smooth = 1;
     bool sunHours = false;
     int sunHoursStep = viewer::ViewState().sunHoursStep;
 };
@@ -82,6 +84,7 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
             viewer::toJson(std::optional(viewer::SunState{*sun.place, *sun.time, sun.north}));
         if (sun.isDown()) printWarnings({sun.downSentence() + ", so it lights nothing."});
     }
+    typed["smooth"] = options.smooth;
     if (options.sunHours) {
         typed["sun_hours"] = true;
         typed["sun_hours_step"] = options.sunHoursStep;
@@ -154,6 +157,11 @@ void addViewCommand(CLI::App& program) {
     addSceneOptions(*verb, *options);
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);
+    verb->add_option("--smooth", options->smooth,
+                     "At rest the picture is the mean of so many, sampled within its pixels; 1: it "
+                     "is not smoothed (1)")
+        ->type_name("N")
+        ->check(CLI::Range(std::size_t{1}, mostSubpixels));
     CLI::Option* const sunHours =
         verb->add_flag("--sun-hours", options->sunHours,
                        "Show the hours of sun that surfaces get on the day of --time-of-day, as "

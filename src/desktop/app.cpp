@@ -179,7 +179,9 @@ void App::settle() {
     const auto isCounting = [&] {
         const auto hours = viewer_.sunHours();
         const viewer::LightPoints points = viewer_.lightPoints();
-        return points.shown < points.of || (hours && hours->counted < hours->of);
+        const viewer::LightPoints pictures = viewer_.smoothing();
+        return points.shown < points.of || pictures.shown < pictures.of ||
+               (hours && hours->counted < hours->of);
     };
     do
         viewer_.frame(glfwGetTime());

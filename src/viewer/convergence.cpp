@@ -3,17 +3,6 @@
 #include <algorithm>
 
 namespace edgeshade::viewer {
-namespace {
-
-/// How many points make the next picture worth drawing.
-std::size_t nextPicture(std::size_t counted, std::size_t of) {
-    std::size_t next = 4;
-    while (next <= counted)
-        next *= 4;
-    return std::min(next, of);
-}
-
-} // namespace
 
 void Convergence::see(const CountedScene& scene, const FrameView& view) {
     if (view_ && scene == scene_) return;

@@ -17,4 +17,11 @@ std::size_t CountingPace::next(double now) {
     return atOnce_;
 }
 
+std::size_t nextPicture(std::size_t counted, std::size_t of) {
+    std::size_t next = 4;
+    while (next <= counted)
+        next *= 4;
+    return std::min(next, of);
+}
+
 } // namespace edgeshade::viewer

@@ -19,4 +19,8 @@ class CountingPace {
     std::optional<double> last_;
 };
 
+/// How many, of so many to be counted, make the next picture worth drawing: 4, 16, 64 and so on,
+/// and all.
+std::size_t nextPicture(std::size_t counted, std::size_t of);
+
 } // namespace edgeshade::viewer

@@ -1,5 +1,6 @@
 #include "src/viewer/view_state.hpp"
 
+#include "src/render/accumulation/subpixels.hpp"
 #include "src/viewer/light_state.hpp"
 
 namespace edgeshade::viewer {
@@ -129,6 +130,7 @@ Json toJson(const ViewState& state) {
             {"lights", lights},
             {"chosen_light", state.chosenLight},
             {"light_samples", state.lightSamples},
+            {"smooth", state.smooth},
             {"sun", toJson(state.sun)},
             {"day_playing", state.dayPlays},
             {"sun_hours", state.sunHours},
@@ -170,6 +172,9 @@ ViewState changed(const ViewState& base, const Json& changes) {
         else if (key == "light_samples")
             state.lightSamples =
                 static_cast<std::size_t>(value.integer(1, static_cast<int>(mostLightPoints)));
+        else if (key == "smooth")
+            state.smooth =
+                static_cast<std::size_t>(value.integer(1, static_cast<int>(mostSubpixels)));
         else if (key == "sun")
             state.sun = sunFrom(value, state.sun);
         else if (key == "day_playing")

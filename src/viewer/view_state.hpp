@@ -40,6 +40,7 @@ struct ViewState {
     std::vector<Light> lights; ///< at least one once a scene is shown
     std::size_t chosenLight = 0;
     std::size_t lightSamples = 64; ///< points of lights with an extent, at rest
+    std::size_t smooth = 1;        ///< pictures that the one at rest is the mean of
     std::optional<SunState> sun;   ///< by place and time: the first light, see withSun()
     bool dayPlays = false;         ///< its day
     bool sunHours = false;         ///< the hours of sun of its day are shown, once nothing moves
@@ -64,14 +65,14 @@ struct ViewState {
 };
 
 /// {"camera": {"from": [x,y,z], "to": [x,y,z], "fov": deg}, "lights": [light, …],
-///  "chosen_light": 0, "light_samples": 1..4096, "sun": null or {"place": [latitude, longitude],
-///  "time": "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false, "sun_hours": false,
-///  "sun_hours_step": minutes, "shading": "full|base", "ambient": 0.45, "exposure": 0,
-///  "background": [r,g,b], "ground": "off|catcher|#rrggbb", "cast_cutouts": false, "cull":
-///  "auto|off", "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size": 2048,
-///  "multiplicity": "plane", "mask_scale": 1|2|4}, "right": {…}, "split": false, "split_at": 0.5,
-///  "debug": "none|volumes", "show_lights": true, "animation": 0, "playing": false, "speed": 1,
-///  "time": 0}
+///  "chosen_light": 0, "light_samples": 1..4096, "smooth": 1..256, "sun": null or {"place":
+///  [latitude, longitude], "time": "2026-06-21T14:30+02:00", "north": deg}, "day_playing": false,
+///  "sun_hours": false, "sun_hours_step": minutes, "shading": "full|base", "ambient": 0.45,
+///  "exposure": 0, "background": [r,g,b], "ground": "off|catcher|#rrggbb", "cast_cutouts": false,
+///  "cull": "auto|off", "left": {"shadows": "auto|volumes|primitive-map|map|none", "map_size":
+///  2048, "multiplicity": "plane", "mask_scale": 1|2|4}, "right": {…}, "split": false, "split_at":
+///  0.5, "debug": "none|volumes", "show_lights": true, "animation": 0, "playing": false, "speed":
+///  1, "time": 0}
 /// What a light is, light_state.hpp says.
 nlohmann::ordered_json toJson(const ViewState& state);
 

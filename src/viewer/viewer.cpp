@@ -16,6 +16,7 @@
 #include "src/viewer/pick.hpp"
 #include "src/viewer/renderers.hpp"
 #include "src/viewer/silhouettes.hpp"
+#include "src/viewer/smoothing.hpp"
 #include "src/viewer/stage_watch.hpp"
 #include "src/viewer/sun_day.hpp"
 #include "src/viewer/sun_drawing.hpp"
@@ -46,6 +47,14 @@ bool mayCount(const SideSettings& side) {
     return side.shadows == ShadowMethod::volumes || looksUp(side);
 }
 
+/// What of a state makes another picture, but for what is drawn over it.
+nlohmann::ordered_json pictureOf(const ViewState& state) {
+    nlohmann::ordered_json json = toJson(state);
+    json.erase("show_lights");
+    json.erase("chosen_light");
+    return json;
+}
+
 /// What hours of sun are counted by: `edgeshade sunhours` takes the same.
 constexpr SideSettings hoursSide{ShadowMethod::volumes};
 
@@ -56,7 +65,8 @@ struct Viewer::Parts {
     struct Gpu {
         Gpu(const gl::Capabilities& capabilities_, const RenderSettings& settings)
             : capabilities(capabilities_), layout(settings.layout),
-              renderers(settings, capabilities_), convergence(capabilities_) {}
+              renderers(settings, capabilities_), convergence(capabilities_),
+              smoothing(capabilities_), sampleLights(capabilities_) {}
 
         VolumeTintPass& tintOf(const RenderSettings& drawn) {
             if (!tint || tintMethod != drawn.multiplicity)
@@ -74,6 +84,8 @@ struct Viewer::Parts {
         Renderers renderers;
         Convergence convergence;
         std::optional<SunHoursCount> hours; ///< while they are asked for
+        Smoothing smoothing;
+        Convergence sampleLights; ///< of the picture that is added next
         OverlayPass overlay;
         std::unique_ptr<VolumeTintPass> tint; ///< made when it is first asked for
         MultiplicityMethod tintMethod = MultiplicityMethod::plane;
@@ -95,6 +107,7 @@ struct Viewer::Parts {
     bool mapsPending = false; ///< a light may get a primitive map soon
     std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
+    std::size_t changes = 0; ///< counts those of the picture, while it is smoothed
     std::size_t poses = 0;   ///< counts whatever of the scene has moved or changed
     bool timed = false;      ///< somebody asked for statistics
     bool unchecked = true;   ///< something new is drawn, which the GL may refuse
@@ -116,9 +129,8 @@ struct Viewer::Parts {
     void sceneMoved();
     void advanceMaps(double now);
     void draw();
-    void drawSide(std::size_t side, const FrameView& view, StageClock* stageClock);
-    /// Hours of sun take the whole picture.
-    bool splits() const { return state.split && !showsHours; }
+    void drawSide(std::size_t side, const FrameView& view, Convergence& convergence,
+                  StageClock* stageClock);
     const SideSettings& sideAt(std::size_t side) const {
         return side == 0 ? state.left : state.right;
     }
@@ -129,8 +141,12 @@ struct Viewer::Parts {
     void converge(double now);
     void seeHours(const FrameView& view);
     void countHours(double now);
-    void drawSides(const FrameView& view, StageClock* stageClock);
-    void groupCasters(const SideSettings& side, FrameView& view);
+    /// What is seen, sampled there within the pixels (subpixelOffset()).
+    FrameView viewAt(const glm::dvec2& offset) const;
+    std::array<Renderer*, 2> countingRenderers();
+    void smooth(double now);
+    void drawSides(const FrameView& view, Convergence& convergence, StageClock* stageClock);
+    void groupCasters(FrameView& view);
     const EdgeCounts& edgesNow();
 };
 
@@ -181,6 +197,7 @@ void Viewer::Parts::adopt(const ViewState& wanted) {
     const bool posed = rechosen || next.time != state.time;
     const bool grounded = next.ground != state.ground;
     const bool cutOut = next.castCutouts != state.castCutouts;
+    if (next.smooth > 1 && pictureOf(next) != pictureOf(state)) ++changes;
     const bool fromStart = rechosen && next.time == state.time;
     state = next;
     if (fromStart) state.time = 0.0;
@@ -267,6 +284,7 @@ void Viewer::Parts::sceneMoved() {
     edgeCounts.reset();
     layers.clear();
     ++poses;
+    ++changes;
     if (gpu && gpu->scene) gpu->scene->groups.clear();
     dirty = true;
 }
@@ -279,17 +297,20 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
 }
 
 /// Puts the casters in groups that a stencil can count.
-void Viewer::Parts::groupCasters(const SideSettings& side, FrameView& view) {
-    if (!mayCount(side)) return;
-    layers.fill(loaded->scene, loaded->settings.castMasked, view.lights);
-    gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(side));
+void Viewer::Parts::groupCasters(FrameView& view) {
+    for (const SideSettings* side : {&state.left, &state.right}) {
+        if (!mayCount(*side) || (side == &state.right && !state.split)) continue;
+        layers.fill(loaded->scene, loaded->settings.castMasked, view.lights);
+        gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(*side));
+    }
 }
 
-void Viewer::Parts::drawSide(std::size_t side, const FrameView& view, StageClock* stageClock) {
+void Viewer::Parts::drawSide(std::size_t side, const FrameView& view, Convergence& convergence,
+                             StageClock* stageClock) {
     SideSettings drawn = sideAt(side);
     if (state.debug == DebugView::volumes && looksUp(drawn)) drawn.shadows = ShadowMethod::volumes;
     Renderer& renderer = gpu->renderers.of(drawn, state);
-    renderer.draw(*gpu->scene, view, stageClock, gpu->convergence.visibility(side));
+    renderer.draw(*gpu->scene, view, stageClock, convergence.visibility(side));
     if (state.debug == DebugView::volumes && drawn.shadows == ShadowMethod::volumes)
         gpu->tintOf(renderer.settings())
             .draw(*gpu->scene, view, renderer.plan(), state.chosenLight);
@@ -323,10 +344,32 @@ CountedScene Viewer::Parts::countedScene(const FrameView& view) const {
 /// better.
 void Viewer::Parts::converge(double now) {
     if (dirty || !loaded || !gpu || !gpu->scene || !gpu->convergence.wantsMore()) return;
+    dirty = gpu->convergence.advance(countingRenderers(), *gpu->scene, *loaded, now);
+    unchecked = unchecked || dirty;
+}
+
+/// Of the sides that count points of lights.
+std::array<Renderer*, 2> Viewer::Parts::countingRenderers() {
     std::array<Renderer*, 2> renderers{};
     for (std::size_t side = 0; side < (state.split ? 2u : 1u); ++side)
         if (countsPoints(side)) renderers[side] = &gpu->renderers.of(sideAt(side), state);
-    dirty = gpu->convergence.advance(renderers, *gpu->scene, *loaded, now);
+    return renderers;
+}
+
+/// Adds another picture to the mean that is shown, its soft shadows counted for it, once the usual
+/// one is as good as it gets.
+void Viewer::Parts::smooth(double now) {
+    if (dirty || !gpu || !gpu->scene || !gpu->smoothing.wantsMore()) return;
+    if (mapsPending || gpu->convergence.wantsMore()) return;
+    FrameView view = viewAt(gpu->smoothing.offset());
+    Convergence& lights = gpu->sampleLights;
+    lights.see(countedScene(view), view);
+    if (lights.wantsMore()) {
+        lights.advance(countingRenderers(), *gpu->scene, *loaded, now);
+        return;
+    }
+    groupCasters(view);
+    dirty = gpu->smoothing.add([&] { drawSides(view, lights, nullptr); });
     unchecked = unchecked || dirty;
 }
 
@@ -371,29 +414,33 @@ void Viewer::Parts::advanceMaps(double now) {
     RenderSettings wanted = settings.render;
     wanted.shadows =
         choice == MapChoice::all ? ShadowMethod::primitiveMap : ShadowMethod::automatic;
-    if (prepareSceneMeanwhile(*gpu->scene, *loaded, lights, wanted, gpu->capabilities, buildingMs))
+    if (prepareSceneMeanwhile(*gpu->scene, *loaded, lights, wanted, gpu->capabilities,
+                              buildingMs)) {
         dirty = true;
+        ++changes;
+    }
     for (const FrameLight& of : lights)
         if (of.drawn && !of.light.extent && !gpu->scene->primitiveMaps.of(of.light))
             mapsPending = true;
 }
 
-void Viewer::Parts::drawSides(const FrameView& view, StageClock* stageClock) {
-    if (!splits()) return drawSide(0, view, stageClock);
+void Viewer::Parts::drawSides(const FrameView& view, Convergence& convergence,
+                              StageClock* stageClock) {
+    if (!state.split) return drawSide(0, view, convergence, stageClock);
     const int at = static_cast<int>(std::lround(state.splitAt * stage.width));
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, at, stage.height);
-    if (at > 0) drawSide(0, view, stageClock);
+    if (at > 0) drawSide(0, view, convergence, stageClock);
     glScissor(at, 0, stage.width - at, stage.height);
-    if (at < stage.width) drawSide(1, view, stageClock);
+    if (at < stage.width) drawSide(1, view, convergence, stageClock);
     glDisable(GL_SCISSOR_TEST);
     gpu->overlay.draw(splitTriangles(state, stage), stage.width, stage.height);
 }
 
-void Viewer::Parts::draw() {
-    Stopwatch watch;
+FrameView Viewer::Parts::viewAt(const glm::dvec2& offset) const {
     FrameRequest request;
-    request.frustum = frustumOf(state.camera, stage.aspect());
+    request.frustum =
+        sampledAt(frustumOf(state.camera, stage.aspect()), offset, stage.width, stage.height);
     request.width = stage.width;
     request.height = stage.height;
     request.lights = state.lights;
@@ -401,14 +448,19 @@ void Viewer::Parts::draw() {
     request.ground = state.ground.has_value();
     FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
     view.lights.front().drawn = !sunIsDown(state);
+    return view;
+}
+
+void Viewer::Parts::draw() {
+    Stopwatch watch;
+    FrameView view = viewAt(glm::dvec2(0.0));
     gpu->convergence.see(countedScene(view), view);
     seeHours(view);
-    const bool moves = state.playing || state.dayPlays;
-    showsHours = gpu->hours && gpu->hours->isComplete() && !moves;
-    if (!showsHours) {
-        groupCasters(state.left, view);
-        if (splits()) groupCasters(state.right, view);
-    }
+    const bool smooths = state.smooth > 1 && !state.sunHours && state.debug == DebugView::none;
+    gpu->smoothing.see(changes, smooths ? state.smooth : 0, {stage.width, stage.height});
+    showsHours = gpu->hours && gpu->hours->isComplete() && !state.playing && !state.dayPlays;
+    const bool isUsual = !showsHours && gpu->smoothing.shown() == 0;
+    if (isUsual) groupCasters(view);
     const double planSeconds = watch.lap();
 
     StageWatch stages; // waits, so such a frame says nothing of what one takes
@@ -416,8 +468,10 @@ void Viewer::Parts::draw() {
     StageClock* const stageClock = watched ? &stages : nullptr;
     if (showsHours)
         gpu->hours->draw(state.background);
+    else if (isUsual)
+        drawSides(view, gpu->convergence, stageClock);
     else
-        drawSides(view, stageClock);
+        gpu->smoothing.show();
     if (state.showLights && state.sun)
         gpu->overlay.draw(sunTriangles(sunDays.of(*state.sun), state, stage), stage.width,
                           stage.height);
@@ -550,6 +604,11 @@ LightPoints Viewer::lightPoints() const {
     return {convergence.shown(), convergence.of()};
 }
 
+LightPoints Viewer::smoothing() const {
+    if (!parts_->gpu) return {};
+    return {parts_->gpu->smoothing.shown(), parts_->gpu->smoothing.of()};
+}
+
 std::optional<SunHours> Viewer::sunHours() const {
     const Parts& parts = *parts_;
     if (!parts.state.sunHours || !parts.gpu || !parts.gpu->hours) return std::nullopt;
@@ -587,6 +646,7 @@ bool Viewer::frame(double now) {
     parts.advanceMaps(now);
     parts.converge(now);
     parts.countHours(now);
+    parts.smooth(now);
     if (!parts.dirty || !parts.gpu) return false;
     parts.dirty = false;
     if (parts.loaded) {
@@ -605,9 +665,10 @@ void Viewer::invalidate() {
 
 bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
-    return parts_->gpu && (parts_->dirty || plays || parts_->state.dayPlays ||
-                           parts_->mapsPending || parts_->gpu->convergence.wantsMore() ||
-                           (parts_->gpu->hours && parts_->gpu->hours->wantsMore()));
+    return parts_->gpu &&
+           (parts_->dirty || plays || parts_->state.dayPlays || parts_->mapsPending ||
+            parts_->gpu->convergence.wantsMore() || parts_->gpu->smoothing.wantsMore() ||
+            (parts_->gpu->hours && parts_->gpu->hours->wantsMore()));
 }
 
 FrameStats Viewer::stats() const {
@@ -627,6 +688,7 @@ FrameStats Viewer::stats() const {
     if (parts.gpu && parts.gpu->scene)
         stats.shadowBytes = parts.gpu->scene->shadowBytes() + parts.gpu->renderers.volumeBytes() +
                             parts.gpu->renderers.maskBytes() + parts.gpu->convergence.bytes() +
+                            parts.gpu->smoothing.bytes() + parts.gpu->sampleLights.bytes() +
                             (parts.gpu->hours ? parts.gpu->hours->bytes() : 0);
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
     if (parts.gpu && parts.gpu->scene) {

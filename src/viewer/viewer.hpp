@@ -97,6 +97,10 @@ class Viewer {
     /// frame by frame.
     LightPoints lightPoints() const;
 
+    /// How many pictures, sampled here and there within their pixels, the last one is the mean of,
+    /// 0: it is the usual one; and of how many it will be, 0: the state asks for none.
+    LightPoints smoothing() const;
+
     /// How far the hours of sun that the state asks for are counted; nothing: it asks for none, or
     /// nothing was drawn since. While something moves, the picture is the usual one.
     std::optional<SunHours> sunHours() const;

@@ -19,6 +19,9 @@ ViewState someState() {
     state.lightSamples = 100;
     state.sun = {{-33.87, 151.21}, sun::localTimeFromText("2024-02-29T12:00:30+11:00"), -30.0};
     state.dayPlays = true;
+    state.sunHours = true;
+    state.sunHoursStep = 15;
+    state.smooth = 16;
     state.shading = Shading::base;
     state.ambient = 0.25f;
     state.exposure = -1.5f;
@@ -89,7 +92,7 @@ TEST(LightState, NamesSayWhatAnArrayCanNot) {
 
 TEST(ViewState, EveryKeySurvivesARoundTrip) {
     const Json json = toJson(someState());
-    EXPECT_EQ(json.size(), 23u);
+    EXPECT_EQ(json.size(), 26u);
     EXPECT_EQ(toJson(changed(ViewState(), Json::parse(json.dump()))), json);
     EXPECT_NE(toJson(ViewState()), json);
 }
