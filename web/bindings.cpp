@@ -102,6 +102,7 @@ class PageViewer {
 
     std::string animations() const { return nlohmann::ordered_json(viewer_->animations()).dump(); }
     std::string lightPoints() const { return viewer::toJson(viewer_->lightPoints()).dump(); }
+    std::string smoothing() const { return viewer::toJson(viewer_->smoothing()).dump(); }
     double sceneSize() const { return viewer_->sceneSize(); }
     std::string sun() const { return viewer_->sun().dump(); }
     /// Sun positions counted for hours of sun; -1: nobody asks for them.
@@ -155,6 +156,7 @@ EMSCRIPTEN_BINDINGS(edgeshade) {
         .function("wheel", &PageViewer::wheel)
         .function("animations", &PageViewer::animations)
         .function("lightPoints", &PageViewer::lightPoints)
+        .function("smoothing", &PageViewer::smoothing)
         .function("sceneSize", &PageViewer::sceneSize)
         .function("sun", &PageViewer::sun)
         .function("sunHoursCounted", &PageViewer::sunHoursCounted)

@@ -33,8 +33,8 @@ class App {
     /// Until the window is closed. Waits for events where nothing is to be drawn.
     void run();
 
-    /// Draws until soft shadows are as soft as they get, and hours of sun are counted. Throws
-    /// Error.
+    /// Draws until soft shadows are as soft as they get, the picture as smooth, and hours of sun
+    /// are counted. Throws Error.
     void settle();
 
     /// Draws the picture without handles and text and writes it as a PNG. Throws Error.

@@ -16,7 +16,7 @@ export const withOthers = (names) =>
 
 /** Attributes that say how a scene is shown, each with an example. */
 export const viewAttributes = [
-  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
+  'camera', 'light', 'sun', 'light-radius', 'sun-angle', 'light-samples', 'smooth', 'place', 'time-of-day', 'north', 'day-playing', 'sun-hours', 'shading', 'ambient', 'exposure', 'ground', 'cast-cutouts', 'cull', 'shadows', 'map-size', 'multiplicity',
   'mask-scale', 'split', 'split-shadows', 'split-map-size', 'split-mask-scale', 'split-at', 'debug', 'lights', 'animation', 'playing',
   'speed', 'time',
 ];
@@ -91,6 +91,7 @@ export function changesFromAttributes(get) {
     if (lights.length) changes.lights = has('light-radius') || has('sun-angle') ? lights.map(sized) : lights;
   }
   if (has('light-samples')) changes.light_samples = number('light-samples');
+  if (has('smooth')) changes.smooth = number('smooth');
   if (has('place') || has('time-of-day'))
     changes.sun = sunOf(get('place') ?? null, get('time-of-day') ?? null, get('north') ?? null);
   if (has('day-playing')) changes.day_playing = get('day-playing') !== 'off';

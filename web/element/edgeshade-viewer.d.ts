@@ -82,6 +82,8 @@ export interface ViewState {
   chosen_light: number;
   /** Points of each light with an extent, once nothing moves; 1..4096. */
   light_samples: number;
+  /** Pictures, sampled within their pixels, that the one at rest is the mean of; 1..256. */
+  smooth: number;
   /** By place and time: the first light, until somebody moves that. */
   sun: PlacedSun | null;
   /** Its day goes round and round, an hour a second. */
@@ -223,6 +225,7 @@ export interface EdgeshadeViewerEventMap {
  *   light-radius, sun-angle
  *               of those points in the scene's units, of those suns in degrees: soft shadows
  *   light-samples  points of each such light
+ *   smooth      antialiasing at rest: the picture is the mean of so many, 1..256 (1)
  *   place       "latitude,longitude" in degrees, and with it
  *   time-of-day "2026-06-21T14:30+02:00": a sun as it is seen there and then, the first light
  *   north       where north is, degrees clockwise from -Z seen from above (0)
@@ -266,6 +269,9 @@ export class EdgeshadeViewer extends HTMLElement {
   /** By how many points of each light with an extent the last picture is shown, 0 by its centre
    * alone, and by how many it will be once nothing has moved for a while, 0 where none has one. */
   readonly lightPoints: { shown: number; of: number } | null;
+  /** How many pictures, sampled within their pixels, the last one is the mean of, 0: it is the usual
+   * one; and of how many it will be once nothing has moved for a while, 0: of none. */
+  readonly smoothing: { shown: number; of: number } | null;
   /** The length of the scene's diagonal. */
   readonly sceneSize: number;
   /** Where the state's sun by place and time is; null where there is none. */

@@ -107,6 +107,10 @@ export class EdgeshadeViewer extends HTMLElement {
     return this.#viewer ? JSON.parse(this.#viewer.lightPoints()) : null;
   }
 
+  get smoothing() {
+    return this.#viewer ? JSON.parse(this.#viewer.smoothing()) : null;
+  }
+
   get sceneSize() {
     return this.#viewer?.sceneSize() ?? 0;
   }

@@ -1,7 +1,7 @@
 // The panel's controls, kept equal to the viewer's state in both directions.
 
 import { aimed, isSun, kindOf, placeOf } from '../element/lights.js';
-import { check, slider } from './inputs.js';
+import { check, choose, slider } from './inputs.js';
 import { anglesOf, directionOf } from './sun.js';
 import { connectSoftness } from './softness.js';
 import { connectSun } from './sun-controls.js';
@@ -102,6 +102,8 @@ export function connectControls(viewer) {
   });
   $('speed').addEventListener('change', () => viewer.change({ speed: Number($('speed').value) }));
 
+  $('smooth').addEventListener('change', () => viewer.change({ smooth: Number($('smooth').value) }));
+
   const setDisabled = (disabled) => {
     for (const control of $('controls').querySelectorAll('button, input, select'))
       control.disabled = disabled;
@@ -138,6 +140,7 @@ export function connectControls(viewer) {
     }
     show.cutouts(state.cast_cutouts);
     show.backs(state.cull === 'off');
+    choose($('smooth'), String(state.smooth), `${state.smooth} pictures`);
     show.split(state.split);
     $('right-side').hidden = !state.split;
     document.querySelector('.left-title').textContent = state.split ? 'Left' : 'Method';

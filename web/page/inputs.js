@@ -19,3 +19,9 @@ export function check(id, onChange) {
   input.addEventListener('change', () => onChange(input.checked));
   return (value) => { input.checked = value; };
 }
+
+/** Shows a value in a menu, which need not have had it. */
+export function choose(select, value, words) {
+  if (![...select.options].some((option) => option.value === value)) select.append(new Option(words, value));
+  select.value = value;
+}

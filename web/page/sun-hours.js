@@ -2,7 +2,7 @@
 // under the pointer.
 
 import { hourColors } from '../element/hour-colors.js';
-import { check } from './inputs.js';
+import { check, choose } from './inputs.js';
 
 const $ = (id) => document.getElementById(id);
 const steps = [5, 10, 15, 30, 60];
@@ -68,10 +68,7 @@ export function connectSunHours(viewer) {
 
   return function refresh(state) {
     box(state.sun_hours);
-    const step = String(state.sun_hours_step);
-    if (![...select.options].some((option) => option.value === step))
-      select.append(new Option(`${step} min`, step));
-    select.value = step;
+    choose(select, String(state.sun_hours_step), `${state.sun_hours_step} min`);
     later();
   };
 }

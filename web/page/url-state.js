@@ -16,6 +16,7 @@ export function hashOf(model, state) {
   put('light', state.lights.map(lightText).join(';'));
   if (state.chosen_light) put('chosen', state.chosen_light);
   if ((state.light_samples ?? 64) !== 64) put('light-samples', state.light_samples);
+  if (state.smooth > 1) put('smooth', state.smooth);
   if (state.sun) {
     put('place', list(state.sun.place));
     put('time-of-day', state.sun.time);
@@ -101,6 +102,7 @@ export function readHash(hash) {
     changes.lights = text.split(';').map(lightOf);
   });
   take('light-samples', (text) => { changes.light_samples = one('light-samples')(text); });
+  take('smooth', (text) => { changes.smooth = one('smooth')(text); });
   take('chosen', (text) => { changes.chosen_light = one('chosen')(text); });
   if (words.has('place') || words.has('time-of-day')) {
     const sun = {};
