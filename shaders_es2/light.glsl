@@ -1,7 +1,8 @@
 // Of LIT variants of surface.frag and material.frag: where the light is seen from a fragment, how
 // far it reaches, and whether shadow lets it through: by the light's shadow map (MAP, with
 // MAP_DIRECTIONAL, PCF and PCSS as in shadow_map_lookup.glsl; SOFT_MAP: of a light with an extent), by a mask of lower resolution
-// (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl), by how many of
+// (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl; with
+// PRIMITIVE_MAP_POINTS how many of a light's places reach there, see primitive_map_points.glsl), by how many of
 // its points are seen from there (VISIBILITY), or as the stencil says. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
 // everywhere, see light_window.glsl. DERIVATIVES: the GL has some, which COARSE_MASK needs.
 #ifdef DIRECTIONAL
@@ -22,6 +23,9 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #endif
 #ifdef PRIMITIVE_MAP
 #include "primitive_map_lookup.glsl"
+#ifdef PRIMITIVE_MAP_POINTS
+#include "primitive_map_points.glsl"
+#endif
 // The light is on the front (1) or the back (-1) of this caster; 0: the surface is no caster.
 // SIDED: some triangles of the surface face the light and others don't.
 #ifdef SIDED
@@ -43,10 +47,19 @@ highp vec3 mapPoint; // what is looked up
 // derivatives need their neighbours.
 void findMapPoint() {
     mapPoint = v_mapPosition;
+#ifdef PRIMITIVE_MAP_POINTS
+    // Which side of a triangle the light is on is another for each of its places: nothing is moved,
+    // and what lies in a triangle's plane is told by how far off rounding may have put it.
+    highp vec3 reach = abs(mapPoint);
+    pointError = (64.0 / 16777216.0) * max(1.0, max(max(reach.x, reach.y), reach.z));
+#endif
 #ifdef DERIVATIVES
     highp vec3 along = dFdx(mapPoint), up = dFdy(mapPoint);
     highp vec3 terms = abs(along) * gl_FragCoord.x + abs(up) * gl_FragCoord.y;
     highp float error = (terms.x + terms.y + terms.z) * (8.0 / 16777216.0);
+#ifdef PRIMITIVE_MAP_POINTS
+    pointError += error;
+#else
     highp vec3 normal = cross(along, up) * u_mapHand; // towards the eye
     highp float size = LIGHT_SIDE == 0.0 ? 0.0 : length(normal);
     highp float aside = 16.0 / 16777216.0 / max(size, 1e-37);
@@ -60,11 +73,17 @@ void findMapPoint() {
     mapPoint *= 1.0 - min(error / depth, 0.5);
 #endif
 #endif
+#endif
 }
 
-bool litByPrimitives() {
-    if (facing() * LIGHT_SIDE < 0.0) return false;
-    return primitiveMapLights(mapPoint, LIGHT_SIDE > 0.0);
+// 1 or 0; with PRIMITIVE_MAP_POINTS how many places.
+float litByPrimitives() {
+    if (facing() * LIGHT_SIDE < 0.0) return 0.0;
+#ifdef PRIMITIVE_MAP_POINTS
+    return placesSeen(mapPoint, LIGHT_SIDE > 0.0);
+#else
+    return primitiveMapLights(mapPoint, LIGHT_SIDE > 0.0) ? 1.0 : 0.0;
+#endif
 }
 #endif
 
@@ -101,7 +120,7 @@ float lightThrough(float lit, vec3 normal, vec3 light, float weight) {
 #ifndef MASK
     if (weight > 0.0)
 #endif
-        lit = litByPrimitives() ? 1.0 : 0.0;
+        lit = litByPrimitives();
 #endif
 #ifdef VISIBILITY
     lit = seenOfLight();

@@ -88,7 +88,7 @@ float shareOfLight(float lit, vec3 normal) {
     float window = lightWindow();
     lit = lightThrough(lit, normal, light, lambert * window);
 #ifdef MASK
-#if defined(VISIBILITY) || defined(SOFT_MAP)
+#if defined(VISIBILITY) || defined(SOFT_MAP) || defined(PRIMITIVE_MAP_POINTS)
     return window > 0.0 ? lit : 0.0;
 #else
     return window > 0.0 ? step(0.5, lit) : 0.0;

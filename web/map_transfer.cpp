@@ -8,14 +8,15 @@ template <class Archive>
 void transfer(Archive& archive, Maybe<PrimitiveMapTask> auto& task) {
     auto& settings = task.settings;
     archive(task.light, settings.size, settings.mostBytes, settings.splitAbove, settings.mostSplits,
-            settings.othersReceive, settings.cutouts);
+            settings.othersReceive, settings.receivers, settings.cutouts);
 }
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<PrimitiveMap> auto& map) {
     auto& tiles = map.tiles;
-    archive(tiles.directional, tiles.mapFromWorld, tiles.tiles, tiles.depthSpan, map.size,
-            map.header, map.entries, map.records, map.cutouts, map.longestList);
+    archive(tiles.directional, tiles.mapFromWorld, tiles.tiles, tiles.depthSpan, tiles.shape,
+            tiles.farthestReceiver, map.size, map.header, map.entries, map.records, map.cutouts,
+            map.extended, map.longestList, map.meanList);
 }
 
 template <class Archive>
@@ -25,7 +26,8 @@ void transfer(Archive& archive, Maybe<SidedTriangles> auto& triangles) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<BuiltPrimitiveMap> auto& built) {
-    archive(built.light, built.tooFar, built.milliseconds, built.map, built.triangles);
+    archive(built.light, built.extent, built.tooFar, built.milliseconds, built.map,
+            built.triangles);
 }
 
 namespace {

@@ -36,11 +36,14 @@ class Sitting {
                             std::to_string(PictureSum::most) + " that can be added up.");
         LitCounter counter(context_.capabilities());
         counter.begin(first.width, first.height);
+        constexpr std::size_t atOnce = 240; // between two looks at the progress
         forEachPicture(first, [&](const FrameView& view, double done, double share) {
             for (std::size_t from = 0; from < each;) {
-                const std::size_t count = std::min(each - from, LitCounter::lightsAtOnce(scene_));
-                counter.add(renderer_, scene_, loaded_,
-                            points ? pointsView(view, 0, from, count) : firstAlone(view));
+                const std::size_t count = std::min(each - from, atOnce);
+                if (points)
+                    counter.addPoints(renderer_, scene_, loaded_, view, 0, from, count);
+                else
+                    counter.add(renderer_, scene_, loaded_, firstAlone(view));
                 from += count;
                 progress_(done + share * static_cast<double>(from) / static_cast<double>(each));
             }

@@ -98,6 +98,12 @@ void Program::set(const char* uniform, std::span<const glm::vec3> values) const 
                  glm::value_ptr(values.front()));
 }
 
+void Program::set(const char* uniform, std::span<const glm::vec4> values) const {
+    if (values.empty()) return;
+    glUniform4fv(location(uniform), static_cast<GLsizei>(values.size()),
+                 glm::value_ptr(values.front()));
+}
+
 void Program::set(const char* uniform, const glm::mat3& value) const {
     glUniformMatrix3fv(location(uniform), 1, GL_FALSE, glm::value_ptr(value));
 }

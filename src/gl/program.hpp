@@ -28,6 +28,7 @@ class Program {
     void set(const char* uniform, const glm::vec4& value) const;
     /// Of an array; `uniform` ends with "[0]".
     void set(const char* uniform, std::span<const glm::vec3> values) const;
+    void set(const char* uniform, std::span<const glm::vec4> values) const;
     void set(const char* uniform, const glm::mat3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
     void setSampler(const char* uniform, int unit) const;

@@ -2,6 +2,7 @@
 
 #include "src/lab/studio.hpp"
 #include "src/lab/texture_alpha.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 
 #include <algorithm>
 
@@ -21,12 +22,9 @@ LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
     GpuScene& scene = studio.sceneFor(loaded, renderer.settings().records());
     LitCounter counter(studio.capabilities());
     counter.begin(frame.width, frame.height);
-    const std::size_t points = frame.lights.front().points.size();
-    for (std::size_t first = 0; first < points;) {
-        const std::size_t count = std::min(points - first, LitCounter::lightsAtOnce(scene));
-        counter.add(renderer, scene, loaded, pointsView(frame, 0, first, count));
-        first += count;
-    }
+    if (renderer.settings().shadows == ShadowMethod::primitiveMap)
+        prepareScene(scene, loaded, frame, renderer.settings(), studio.capabilities());
+    counter.addPoints(renderer, scene, loaded, frame, 0, 0, frame.lights.front().points.size());
     gl::requireNoError("drawing for comparison");
     return counter.read();
 }

@@ -60,6 +60,7 @@ GpuPrimitiveMap uploadPrimitiveMap(const PrimitiveMap& map,
     GpuPrimitiveMap gpu;
     if (map.cutouts) gpu.cutouts = std::move(cutouts);
     gpu.kind = kindOf(map.tiles);
+    gpu.extended = map.extended;
     gpu.mapFromWorld = map.tiles.mapFromWorld;
     gpu.size = static_cast<float>(map.size);
     gpu.longestList = static_cast<int>(std::bit_ceil(std::max(map.longestList, shortestBound)));

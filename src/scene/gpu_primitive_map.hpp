@@ -29,8 +29,9 @@ struct GpuPrimitiveMap {
 
     Kind kind = Kind::directional;
     glm::dmat4 mapFromWorld{1.0};
-    float size = 0.0f;   ///< texels along a tile's edge
-    int longestList = 0; ///< or more: a power of 2, so that there are few programs
+    float size = 0.0f;     ///< texels along a tile's edge
+    bool extended = false; ///< of a light with an extent: its points are counted
+    int longestList = 0;   ///< or more: a power of 2, so that there are few programs
     gl::FloatTable header, entries, records;
     std::shared_ptr<const AlphaTexture> cutouts; ///< null: none of them is alpha-tested
     std::vector<std::vector<SidedChunk>> sided;  ///< by batch, by chunk; none where animated

@@ -25,6 +25,7 @@ PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTa
     : light_(task.light), settings_(task.settings), materials_(&loaded.scene.materials),
       smallest_(std::max(4, task.settings.size / 8)), edges_(std::move(edges)) {
     built_.light = light_.position;
+    built_.extent = light_.extent;
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
         placed_.push_back({&batch, loaded.planePairs[i], batch.worldFromBatch, batch.isAnimated()});
@@ -90,7 +91,8 @@ bool PrimitiveMapJob::step() {
         built_.triangles.emplace_back();
         if (!of.animated)
             built_.triangles.back() = sidedTriangles(
-                *of.batch, *materials_, glm::inverse(of.worldFromBatch) * light_.position);
+                *of.batch, *materials_, shapeOf(light_).in(glm::inverse(of.worldFromBatch)),
+                light_.extent.has_value());
     } else if (joined_) {
         return false;
     } else if (!builder_) {

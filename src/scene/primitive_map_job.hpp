@@ -26,7 +26,8 @@ struct PrimitiveMapTask {
 
 /// What came of it.
 struct BuiltPrimitiveMap {
-    glm::dvec4 light{0.0}; ///< its position
+    glm::dvec4 light{0.0};             ///< its position
+    std::optional<LightExtent> extent; ///< its own; nothing of the map is for its middle alone then
     /// Nothing if it would take more memory or time than it may, or the light is too far off.
     std::optional<PrimitiveMap> map;
     bool tooFar = false;
@@ -53,7 +54,7 @@ class PrimitiveMapJob {
     /// Does all of it, on as many threads as there are cores.
     void finish();
 
-    const glm::dvec4& light() const { return light_.position; }
+    const Light& light() const { return light_; }
     /// Once all is done.
     const BuiltPrimitiveMap& built() const { return built_; }
     const KeptEdges& edges() const { return edges_; }

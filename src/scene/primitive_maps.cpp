@@ -3,6 +3,7 @@
 #include "src/shadow/silhouette/count_silhouettes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgeshade {
 namespace {
@@ -49,6 +50,23 @@ std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabiliti
     return {};
 }
 
+std::string extendedMapObstacle(const LoadedScene& loaded, const Light& light,
+                                const gl::Capabilities& capabilities) {
+    constexpr int mostUniforms = 64; // vectors; the places take 17
+    const std::string why = primitiveMapObstacle(loaded, capabilities);
+    if (!why.empty()) return why;
+    if (capabilities.fragmentUniformVectors < mostUniforms)
+        return "the GL has too few uniforms for a light's places";
+    if (light.hasRange()) return "a light with an extent has a range";
+    if (light.isSpot()) return "a light with an extent is a spot";
+    if (loaded.cutoutsCast) return "a light with an extent shines on cutouts";
+    const auto& batches = loaded.scene.batches;
+    if (std::any_of(batches.begin(), batches.end(),
+                    [](const Batch& batch) { return batch.isAnimated(); }))
+        return "a light with an extent shines on what moves";
+    return {};
+}
+
 bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
                  const gl::Capabilities& capabilities) {
     if (!primitiveMapObstacle(loaded, capabilities).empty()) return false;
@@ -61,7 +79,7 @@ bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
 
 const PrimitiveMapState* PrimitiveMaps::of(const Light& light) const {
     const auto found = std::find_if(kept_.begin(), kept_.end(),
-                                    [&](const Kept& kept) { return kept.light == light.position; });
+                                    [&](const Kept& kept) { return kept.isOf(light); });
     return found == kept_.end() ? nullptr : &found->state;
 }
 
@@ -84,33 +102,38 @@ std::size_t PrimitiveMaps::bytes() const {
 }
 
 void PrimitiveMaps::keepOnly(const std::vector<Light>& lights) {
-    const auto isGone = [&](const glm::dvec4& of) {
-        return std::none_of(lights.begin(), lights.end(),
-                            [&](const Light& light) { return light.position == of; });
+    const auto isGone = [&](const glm::dvec4& of, const std::optional<LightExtent>& extent) {
+        return std::none_of(lights.begin(), lights.end(), [&](const Light& light) {
+            return light.position == of && light.extent == extent;
+        });
     };
-    std::erase_if(kept_, [&](const Kept& kept) { return isGone(kept.light); });
-    if (job_ && isGone(job_->light())) job_.reset();
-    if (asked_ && isGone(*asked_)) giveUp();
+    std::erase_if(kept_, [&](const Kept& kept) { return isGone(kept.light, kept.extent); });
+    if (job_ && isGone(job_->light().position, job_->light().extent)) job_.reset();
+    if (asked_ && isGone(asked_->position, asked_->extent)) giveUp();
 }
 
 bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
                              const gl::Capabilities& capabilities) {
     if (of(light)) return false;
-    std::string why = primitiveMapObstacle(loaded, capabilities);
-    if (why.empty() && choice == MapChoice::thatPay && !loaded.cutoutsCast)
+    std::string why = light.extent ? extendedMapObstacle(loaded, light, capabilities)
+                                   : primitiveMapObstacle(loaded, capabilities);
+    if (why.empty() && choice == MapChoice::thatPay && !loaded.cutoutsCast && !light.extent)
         if (const std::size_t count = silhouettesOf(loaded, light); count <= fewSilhouettes)
             why = "volumes of " + std::to_string(count) + " silhouette edges cost less";
     if (why.empty()) return true;
-    kept_.push_back({light.position, {nullptr, why, 0.0}});
+    kept_.push_back({light.position, light.extent, {nullptr, why, 0.0}});
     return false;
 }
 
 /// Batches that whoever built it didn't know, the ground, have no sided triangles.
-void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
+void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches, MapChoice choice,
                          const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
     PrimitiveMapState state{nullptr, "at rest", built.milliseconds};
-    if (built.map) {
+    if (built.map && choice == MapChoice::thatPay && built.map->meanList > longLists) {
+        state.why = "volumes cost less than lists of " +
+                    std::to_string(std::lround(built.map->meanList)) + " triangles";
+    } else if (built.map) {
         auto map = std::make_shared<GpuPrimitiveMap>(
             uploadPrimitiveMap(*built.map, built.triangles, cutouts_, capabilities));
         map->sided.resize(std::max(map->sided.size(), batches));
@@ -121,13 +144,23 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
         state.why = "a primitive map would take more than " + std::to_string(settings.mostBytes) +
                     " bytes, or minutes";
     }
-    kept_.push_back({built.light, std::move(state)});
+    kept_.push_back({built.light, built.extent, std::move(state)});
 }
 
 PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& light,
                                        PrimitiveMapSettings settings,
                                        const gl::Capabilities& capabilities) {
     settings.othersReceive = othersReceive(loaded);
+    if (light.extent) {
+        // What lies between a texel and all of the light shrinks little with the texel.
+        settings.size = std::max(4, settings.size / 2);
+        settings.mostSplits = 0;
+        for (const Batch& batch : loaded.scene.batches)
+            if (!batch.ground || loaded.showsGround)
+                for (const glm::vec3& position : batch.geometry->positions)
+                    settings.receivers.add(
+                        glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+    }
     if (!loaded.cutoutsCast) return {light, std::move(settings)};
     if (!cutouts_) {
         const CutoutAtlas atlas = cutoutAtlasOf(loaded, capabilities.largestTexture);
@@ -158,7 +191,7 @@ void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<Light>& li
         PrimitiveMapJob job(loaded, *task, edges_);
         job.finish();
         edges_ = job.edges();
-        take(job.built(), loaded.scene.batches.size(), settings, capabilities);
+        take(job.built(), loaded.scene.batches.size(), choice, settings, capabilities);
     }
 }
 
@@ -172,7 +205,7 @@ bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<Light>&
         if (const auto task = nextTask(loaded, lights, choice, settings, capabilities)) {
             if (helped) {
                 worker_->ask(*task);
-                asked_ = task->light.position;
+                asked_ = task->light;
             } else {
                 job_ = std::make_unique<PrimitiveMapJob>(loaded, *task, edges_);
                 job_->start();
@@ -183,13 +216,13 @@ bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<Light>&
         const auto built = worker_->take();
         if (!built) return false;
         asked_.reset();
-        take(*built, batches, settings, capabilities);
+        take(*built, batches, choice, settings, capabilities);
         return true;
     }
     if (!job_ || !job_->advance(milliseconds)) return false;
     const auto job = std::move(job_);
     edges_ = job->edges();
-    take(job->built(), batches, settings, capabilities);
+    take(job->built(), batches, choice, settings, capabilities);
     return true;
 }
 

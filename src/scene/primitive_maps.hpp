@@ -20,7 +20,8 @@ enum class MapChoice {
 };
 
 /// Primitive maps of a scene's lights, kept while lights rest: static casters are in them, others
-/// are counted. clear() comes before the scene goes, or static batches move.
+/// are counted. Of a light with an extent it is one for all of it, which animated casters rule out.
+/// clear() comes before the scene goes, or static batches move.
 class PrimitiveMaps {
   public:
     /// Has maps built there from now on where they are built in the background.
@@ -46,7 +47,10 @@ class PrimitiveMaps {
   private:
     struct Kept {
         glm::dvec4 light; ///< its position
+        std::optional<LightExtent> extent;
         PrimitiveMapState state;
+
+        bool isOf(const Light& of) const { return light == of.position && extent == of.extent; }
     };
 
     void keepOnly(const std::vector<Light>& lights);
@@ -61,7 +65,7 @@ class PrimitiveMaps {
     /// With what the scene adds to the settings: what MASK surfaces are cut out by, if they cast.
     PrimitiveMapTask taskOf(const LoadedScene& loaded, const Light& light,
                             PrimitiveMapSettings settings, const gl::Capabilities& capabilities);
-    void take(const BuiltPrimitiveMap& built, std::size_t batches,
+    void take(const BuiltPrimitiveMap& built, std::size_t batches, MapChoice choice,
               const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities);
     void giveUp();
 
@@ -71,7 +75,7 @@ class PrimitiveMaps {
     std::shared_ptr<const AlphaTexture> cutouts_; ///< the atlas on the GPU
     std::unique_ptr<PrimitiveMapJob> job_;        ///< in the background
     std::shared_ptr<PrimitiveMapWorker> worker_;  ///< null: there is none
-    std::optional<glm::dvec4> asked_;             ///< the light whose map it builds
+    std::optional<Light> asked_;                  ///< whose map it builds
 };
 
 /// Whether any light of the scene may get a map; false is certain.
@@ -79,6 +83,18 @@ bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice, const gl::Capabili
 
 /// Why a scene's casters can't be in a primitive map; empty if they can.
 std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabilities& capabilities);
+
+/// The same of all of a light that has an extent: of one that reaches everywhere, where nothing is
+/// animated and nothing that casts is alpha-tested.
+std::string extendedMapObstacle(const LoadedScene& loaded, const Light& light,
+                                const gl::Capabilities& capabilities);
+
+/// Triangles in the lists of such a map, on the average, from which volumes of its points one by
+/// one cost less.
+inline constexpr double longLists = 100.0;
+
+/// Places of a light that one pass counts by its map.
+inline constexpr std::size_t placesAtOnce = 16;
 
 /// Of a light's volumes, silhouette edges up to which they cost less than looking up every pixel.
 inline constexpr std::size_t fewSilhouettes = 1000;

@@ -10,19 +10,25 @@
 namespace edgeshade {
 namespace {
 
-/// Of each triangle whether the light sees it counter-clockwise.
-std::vector<bool> facingOf(const Batch& batch, const SurfacePart& part, const glm::dvec4& light) {
+/// SidedVertex::lightSide of each triangle.
+std::vector<int> sidesOf(const Batch& batch, const SurfacePart& part, const LightShape& light,
+                         bool extended) {
     const auto corner = [&](std::size_t i) {
         return glm::dvec3(batch.geometry->positions[part.vertices[part.indices[i]]]);
     };
-    std::vector<bool> facing;
-    facing.reserve(part.indices.size() / 3);
-    for (std::size_t i = 0; i < part.indices.size(); i += 3)
-        facing.push_back(lightSideOf({corner(i), corner(i + 1), corner(i + 2)}, light) > 0);
-    return facing;
+    std::vector<int> sides;
+    sides.reserve(part.indices.size() / 3);
+    for (std::size_t i = 0; i < part.indices.size(); i += 3) {
+        const std::array<glm::dvec3, 3> corners = {corner(i), corner(i + 1), corner(i + 2)};
+        sides.push_back(extended                                 ? sideOfAll(corners, light)
+                        : lightSideOf(corners, light.center) > 0 ? 1
+                                                                 : -1);
+    }
+    return sides;
 }
 
-/// Numbers a part's vertices anew, apart for either side; twice as many as a part has fit 16 bits.
+/// Numbers a part's vertices anew, apart for each side; three times as many as a part has fit 16
+/// bits.
 class SidedVertices {
   public:
     SidedVertices(const Batch& batch, const SurfacePart& part) : batch_(batch), part_(part) {
@@ -30,12 +36,13 @@ class SidedVertices {
             side.assign(part.vertices.size(), none);
     }
 
-    std::uint16_t numberOf(std::uint16_t vertex, bool facing) {
-        std::uint16_t& number = numbers_[facing ? 1 : 0][vertex];
+    std::uint16_t numberOf(std::uint16_t vertex, int side) {
+        std::uint16_t& number = numbers_[static_cast<std::size_t>(side + 1)][vertex];
         if (number == none) {
             number = static_cast<std::uint16_t>(vertices_.size());
             sources_.push_back(part_.vertices[vertex]);
-            vertices_.push_back({surfaceVertexOf(batch_, sources_.back()), facing ? 1.0f : -1.0f});
+            vertices_.push_back(
+                {surfaceVertexOf(batch_, sources_.back()), static_cast<float>(side)});
         }
         return number;
     }
@@ -48,23 +55,25 @@ class SidedVertices {
 
     const Batch& batch_;
     const SurfacePart& part_;
-    std::array<std::vector<std::uint16_t>, 2> numbers_; ///< turned away, facing
+    std::array<std::vector<std::uint16_t>, 3> numbers_; ///< turned away, neither, facing
     std::vector<SidedVertex> vertices_;
     std::vector<std::uint32_t> sources_;
 };
 
 SidedTriangles sided(const Batch& batch, const std::vector<Material>& materials,
-                     const SurfacePart& part, const glm::dvec4& light) {
-    const std::vector<bool> facing = facingOf(batch, part, light);
+                     const SurfacePart& part, const LightShape& light, bool extended) {
+    const std::vector<int> sides = sidesOf(batch, part, light, extended);
     SidedTriangles triangles;
-    if (std::find(facing.begin(), facing.end(), !facing.front()) == facing.end()) {
-        triangles.lightSide = facing.front() ? 1.0f : -1.0f;
+    const bool alike =
+        std::all_of(sides.begin(), sides.end(), [&](int side) { return side == sides.front(); });
+    if (alike && sides.front() != 0) {
+        triangles.lightSide = static_cast<float>(sides.front());
         return triangles;
     }
     SidedVertices vertices(batch, part);
     triangles.indices.reserve(part.indices.size());
     for (std::size_t i = 0; i < part.indices.size(); ++i)
-        triangles.indices.push_back(vertices.numberOf(part.indices[i], facing[i / 3]));
+        triangles.indices.push_back(vertices.numberOf(part.indices[i], sides[i / 3]));
     triangles.details = surfaceDetailsOf(batch, materials[part.material], vertices.sources());
     triangles.vertices = vertices.take();
     return triangles;
@@ -74,10 +83,10 @@ SidedTriangles sided(const Batch& batch, const std::vector<Material>& materials,
 
 std::vector<SidedTriangles> sidedTriangles(const Batch& batch,
                                            const std::vector<Material>& materials,
-                                           const glm::dvec4& light) {
+                                           const LightShape& light, bool extended) {
     std::vector<SidedTriangles> all;
     for (const SurfacePart& part : surfacePartsOf(batch))
-        all.push_back(sided(batch, materials, part, light));
+        all.push_back(sided(batch, materials, part, light, extended));
     return all;
 }
 

@@ -1,5 +1,7 @@
 #include "src/viewer/convergence.hpp"
 
+#include "src/render/frame/prepare_scene.hpp"
+
 #include <algorithm>
 
 namespace edgeshade::viewer {
@@ -24,9 +26,13 @@ void Convergence::see(const CountedScene& scene, const FrameView& view) {
 bool Convergence::advance(std::array<Renderer*, 2> renderers, GpuScene& scene,
                           const LoadedScene& loaded, double now) {
     const std::size_t picture = nextPicture(counted_, of_);
-    const std::size_t end = std::min(counted_ + pace_.next(now), picture);
+    const std::size_t masks = pace_.next(now);
+    const bool byMap = std::all_of(renderers.begin(), renderers.end(), [&](const Renderer* of) {
+        return !of || areCountedByMaps(*of, scene);
+    });
+    const std::size_t end = std::min(counted_ + (byMap ? placesAtOnce : 1) * masks, picture);
     for (FrameLight& of : view_->lights) {
-        if (of.points.empty()) continue;
+        if (of.points.empty() || byMap) continue;
         const std::span<const Light> next(of.points.data() + counted_, end - counted_);
         of.layers = boundLayers(loaded.scene, loaded.settings.castMasked, next, stencilLimit);
         if (of.layers.groupCount > 1) scene.groups.clear(); // other points' are others
@@ -40,6 +46,13 @@ bool Convergence::advance(std::array<Renderer*, 2> renderers, GpuScene& scene,
     if (counted_ < picture) return false;
     shown_ = counted_;
     return true;
+}
+
+bool Convergence::areCountedByMaps(const Renderer& renderer, const GpuScene& scene) const {
+    return renderer.settings().looksUpPrimitives() &&
+           std::all_of(view_->lights.begin(), view_->lights.end(), [&](const FrameLight& of) {
+               return of.points.empty() || extendedMapOf(scene, of.light) != nullptr;
+           });
 }
 
 std::vector<VisibilityLookup> Convergence::visibility(std::size_t side) {

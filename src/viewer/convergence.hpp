@@ -49,6 +49,8 @@ class Convergence {
     std::size_t bytes() const { return sides_[0].bytes() + sides_[1].bytes(); }
 
   private:
+    bool areCountedByMaps(const Renderer& renderer, const GpuScene& scene) const;
+
     std::array<ExtendedLights, 2> sides_;
     std::array<bool, 2> counts_{};
     CountedScene scene_;

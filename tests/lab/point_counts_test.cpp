@@ -53,9 +53,10 @@ FrameView viewOf(const Case& test) {
     return makeFrameView(test.scene, false, request);
 }
 
-LitCounts drawn(const Case& test) {
+LitCounts drawn(const Case& test, ShadowMethod method) {
     const gl::HeadlessContext context({width, height});
     RenderSettings settings;
+    settings.shadows = method;
     settings.layout = bestLayout(context.capabilities());
     LoadedScene loaded;
     loaded.scene = test.scene;
@@ -64,6 +65,10 @@ LitCounts drawn(const Case& test) {
     Renderer renderer(settings, context.capabilities());
     const FrameView view = viewOf(test);
     prepareScene(gpu, loaded, view, settings, context.capabilities());
+    if (method == ShadowMethod::primitiveMap) {
+        const LightMethod made = lightMethods(gpu, view, settings).front();
+        EXPECT_EQ(made.method, "primitive-map") << made.why;
+    }
     ExtendedLights lights(context.capabilities());
     lights.advance(renderer, gpu, loaded, view, test.points);
     gl::requireNoError("drawing a test scene");
@@ -77,12 +82,18 @@ lab::PointOracle oracleOf(const Case& test) {
             opaque};
 }
 
+/// Mask by mask, and by a primitive map for all of the light.
 void expectRight(const Case& test, double mostPercent = 0.05) {
-    const lab::WrongSums sums = oracleOf(test).compare(drawn(test), test.points);
-    EXPECT_GT(sums.visiblePixels, 1000u);
-    EXPECT_EQ(sums.points, sums.visiblePixels * test.points);
-    EXPECT_LE(sums.percent(), mostPercent);
-    EXPECT_EQ(sums.beyond1pxNotTied, 0u);
+    lab::PointOracle oracle = oracleOf(test);
+    for (const auto& [method, name] : {std::pair(ShadowMethod::volumes, "volumes"),
+                                       std::pair(ShadowMethod::primitiveMap, "map")}) {
+        SCOPED_TRACE(name);
+        const lab::WrongSums sums = oracle.compare(drawn(test, method), test.points);
+        EXPECT_GT(sums.visiblePixels, 1000u);
+        EXPECT_EQ(sums.points, sums.visiblePixels * test.points);
+        EXPECT_LE(sums.percent(), mostPercent);
+        EXPECT_EQ(sums.beyond1pxNotTied, 0u);
+    }
 }
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
@@ -149,14 +160,14 @@ TEST(PointCounts, FewerPointsAreComparedWithTheFirstOnes) {
     Case few = many;
     few.points = 9;
     lab::PointOracle oracle = oracleOf(many);
-    EXPECT_LE(oracle.compare(drawn(few), 9).percent(), 0.05);
-    EXPECT_GT(oracle.compare(drawn(few), 10).percent(), 1.0);
+    EXPECT_LE(oracle.compare(drawn(few, ShadowMethod::volumes), 9).percent(), 0.05);
+    EXPECT_GT(oracle.compare(drawn(few, ShadowMethod::volumes), 10).percent(), 1.0);
 }
 
 TEST(PointCounts, AFaultIsSeen) {
     const Case test{yard().scene(), corner, lampAt({0.3, 4, 0.7}, 0.5), 16};
     lab::PointOracle oracle = oracleOf(test);
-    LitCounts counts = drawn(test);
+    LitCounts counts = drawn(test, ShadowMethod::volumes);
     const lab::WrongSums before = oracle.compare(counts, 16);
     std::size_t changed = 0;
     for (std::size_t i = 0; i < counts.lit.size() && changed < 5; i += 97)

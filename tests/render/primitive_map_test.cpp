@@ -334,7 +334,7 @@ TEST(SidedTriangles, KeepTheirOrder) {
     batch.geometry.edit().colors.emplace_back(1.0f);
     batch.geometry.edit().indices = {0, 1, 2, 1, 2, 3, 1, 3, 2};
     batch.geometry.edit().groups.front().indexCount = 9;
-    const auto sided = sidedTriangles(batch, scene.materials, {0, 1, 0, 0});
+    const auto sided = sidedTriangles(batch, scene.materials, shapeOf(sun({0, 1, 0})));
     ASSERT_EQ(sided.size(), 1u);
     EXPECT_EQ(sided[0].lightSide, 0.0f);
     EXPECT_EQ(sided[0].vertices.size(), 7u); // 1, 2 and 3 twice
@@ -351,7 +351,8 @@ TEST(SidedTriangles, KeepTheirOrder) {
 TEST(SidedTriangles, TakeNoBuffersWhereAllAreAlike) {
     const Scene scene = SceneBuilder().floor(2).scene();
     for (const double height : {1.0, -1.0, 0.0}) { // in the plane: turned away
-        const auto sided = sidedTriangles(scene.batches[0], scene.materials, {1, height, 0, 0});
+        const auto sided =
+            sidedTriangles(scene.batches[0], scene.materials, shapeOf(sun({1, height, 0})));
         EXPECT_EQ(sided[0].lightSide, height > 0.0 ? 1.0f : -1.0f);
         EXPECT_TRUE(sided[0].vertices.empty() && sided[0].indices.empty());
     }

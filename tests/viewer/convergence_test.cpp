@@ -88,6 +88,22 @@ TEST_F(ViewerSoftness, PicturesComeAfterPowersOfFourAndNoneIsWorseThanTheOneBefo
     EXPECT_EQ(viewer.lightPoints().shown, 1024u);
 }
 
+TEST_F(ViewerSoftness, AtRestAMapOfTheWholeLightCountsAsVolumesDo) {
+    shine(soft, 64);
+    const Pixels byVolumes = settle().at(64);
+    viewer.change(Json::parse(R"({"left": {"shadows": "primitive-map"}})"));
+    shine(hard, 64);
+    settle();
+    shine(soft, 64);
+    const Pixels byMap = settle().at(64);
+    const auto lights = viewer.stats().lights;
+    ASSERT_EQ(lights.size(), 1u);
+    if (context.capabilities().limits == gl::Limits::device) {
+        EXPECT_EQ(lights[0].method, "primitive-map") << lights[0].why;
+    }
+    EXPECT_LT(apart(byMap, byVolumes), 0.3);
+}
+
 TEST_F(ViewerSoftness, WhatMovesStartsAnew) {
     shine(soft, 16);
     settle();

@@ -110,6 +110,9 @@ TEST(MapTransfer, TasksGoThereAndMapsComeBack) {
         PrimitiveMapTask task;
         task.light.position = light;
         task.light.cone = Cone();
+        if (light.w == 0.0) task.light.extent = {.shape = LightExtent::Shape::disc, .radius = 0.01};
+        task.settings.receivers.add(glm::dvec3(-2.0));
+        task.settings.receivers.add(glm::dvec3(2.0));
         task.settings.size = 64;
         task.settings.splitAbove = 1;
         task.settings.othersReceive = true;
@@ -121,6 +124,8 @@ TEST(MapTransfer, TasksGoThereAndMapsComeBack) {
         ASSERT_TRUE(there.light.cone);
         EXPECT_EQ(there.light.cone->outer, task.light.cone->outer);
         EXPECT_EQ(there.settings.cutouts.at(1).cutoff, 0.25f);
+        EXPECT_EQ(there.light.extent, task.light.extent);
+        EXPECT_EQ(there.settings.receivers.low, task.settings.receivers.low);
 
         PrimitiveMapJob here(loaded, task, {}), elsewhere(loaded, there, {});
         here.finish();
@@ -131,6 +136,9 @@ TEST(MapTransfer, TasksGoThereAndMapsComeBack) {
         EXPECT_EQ(back.light, light);
         EXPECT_EQ(back.map->tiles.tiles, built.map->tiles.tiles);
         EXPECT_EQ(back.map->tiles.mapFromWorld, built.map->tiles.mapFromWorld);
+        EXPECT_EQ(back.extent, task.light.extent);
+        EXPECT_EQ(back.map->extended, light.w == 0.0);
+        EXPECT_EQ(back.map->meanList, built.map->meanList);
         EXPECT_EQ(back.map->size, 64);
         EXPECT_EQ(back.map->longestList, built.map->longestList);
         EXPECT_EQ(back.map->header, built.map->header);

@@ -20,12 +20,9 @@ void ExtendedLights::advance(Renderer& renderer, GpuScene& scene, const LoadedSc
         LitCounter& counter = counters_.try_emplace(i, capabilities_).first->second;
         if (counted_ == 0) counter.begin(view.width, view.height);
         const std::size_t to = std::min(of.points.size(), counted_ + most);
-        for (std::size_t first = counted_; first < to;) {
-            const std::size_t count = std::min(to - first, LitCounter::lightsAtOnce(scene));
-            counter.add(renderer, scene, loaded, pointsView(view, i, first, count), view.lights,
-                        clock);
-            first += count;
-        }
+        if (to > counted_)
+            counter.addPoints(renderer, scene, loaded, view, i, counted_, to - counted_,
+                              view.lights, clock);
         end = std::max(end, to);
     }
     counted_ = end;

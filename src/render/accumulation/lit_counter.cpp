@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
@@ -28,7 +29,10 @@ void LitCounter::begin(int width, int height) {
 
 void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
                      const FrameView& view, std::span<const FrameLight> others, StageClock* clock) {
-    if (lights_ + view.lights.size() > PictureSum::most)
+    std::size_t added = 0;
+    for (const FrameLight& of : view.lights)
+        added += of.atOnce ? of.points.size() : 1;
+    if (lights_ + added > PictureSum::most)
         throw Error(ExitStatus::usage, "More than " + std::to_string(PictureSum::most) +
                                            " masks were to be added up.");
     if (const auto records = renderer.settings().records()) {
@@ -46,8 +50,25 @@ void LitCounter::add(Renderer& renderer, GpuScene& scene, const LoadedScene& loa
         glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, view.width, view.height);
     }
     sum_.add(masks_.texture.name());
-    lights_ += static_cast<std::uint32_t>(view.lights.size());
+    lights_ += static_cast<std::uint32_t>(added);
     ++pictures_;
+}
+
+void LitCounter::addPoints(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+                           const FrameView& view, std::size_t light, std::size_t first,
+                           std::size_t count, std::span<const FrameLight> others,
+                           StageClock* clock) {
+    const bool byMap = renderer.settings().looksUpPrimitives() &&
+                       extendedMapOf(scene, view.lights[light].light) != nullptr;
+    const std::size_t most = byMap ? mostSummed / placesAtOnce * placesAtOnce : lightsAtOnce(scene);
+    for (const std::size_t end = first + count; first < end;) {
+        const std::size_t next = std::min(end - first, most);
+        add(renderer, scene, loaded,
+            byMap ? pointsByMapView(view, light, first, next, placesAtOnce)
+                  : pointsView(view, light, first, next),
+            others, clock);
+        first += next;
+    }
 }
 
 VisibilityLookup LitCounter::visibility() {

@@ -41,6 +41,12 @@ class LitCounter {
     void add(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
              std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
 
+    /// Adds some of the points that one of the view's lights has: by its primitive map where it has
+    /// one for all of it, else mask by mask.
+    void addPoints(Renderer& renderer, GpuScene& scene, const LoadedScene& loaded,
+                   const FrameView& view, std::size_t light, std::size_t first, std::size_t count,
+                   std::span<const FrameLight> others = {}, StageClock* clock = nullptr);
+
     std::uint32_t lights() const { return lights_; } ///< so far
     /// How many of them reach each pixel, as a share, until the next call.
     VisibilityLookup visibility();

@@ -3,6 +3,7 @@
 #include "preprocess/base/error.hpp"
 #include "src/environment/neutral.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
@@ -165,11 +166,11 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
     if (!volumes_) return planFrame(task);
     task.groupCount = [&](std::size_t light) -> std::size_t {
         if (visibilityOf(light)) return 0;
-        if (primitiveMapOf(scene, view.lights[light].light) && !anyAnimated(scene)) return 0;
+        if (primitiveMapOf(scene, view.lights[light]) && !anyAnimated(scene)) return 0;
         return scene.groupCount(view.lights[light], volumes_->layout());
     };
     task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
-        const bool lookedUp = primitiveMapOf(scene, view.lights[light].light) != nullptr;
+        const bool lookedUp = primitiveMapOf(scene, view.lights[light]) != nullptr;
         return volumes_->plan(scene, {view, slice, light, group, lookedUp});
     };
     volumes_->beginFrame(scene);
@@ -380,15 +381,17 @@ std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_
     return map;
 }
 
-const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const Light& light) const {
-    return settings_.looksUpPrimitives() ? anyPrimitiveMapOf(scene, light) : nullptr;
+const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const FrameLight& of) const {
+    if (!settings_.looksUpPrimitives()) return nullptr;
+    if (of.atOnce) return extendedMapOf(scene, of.light);
+    return anyPrimitiveMapOf(scene, of.light);
 }
 
 const GpuPrimitiveMap* Renderer::anyPrimitiveMapOf(const GpuScene& scene,
                                                    const Light& light) const {
     if (!settings_.records()) return nullptr;
     const PrimitiveMapState* state = scene.primitiveMaps.of(light);
-    return state ? state->map.get() : nullptr;
+    return state && state->map && !state->map->extended ? state->map.get() : nullptr;
 }
 
 const VisibilityLookup* Renderer::visibilityOf(std::size_t light) const {
@@ -423,7 +426,9 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::siz
     }
     shading.withAmbient = sum_.replaces;
     shading.visibility = visibilityOf(*index);
-    shading.primitives = shading.visibility ? nullptr : primitiveMapOf(pass.scene, light);
+    shading.primitives = shading.visibility ? nullptr : primitiveMapOf(pass.scene, of);
+    if (of.atOnce) shading.places = of.points;
+    shading.eye = pass.view.frustum.eye();
     shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;
     shading.maskValue = pass.view.sumsMasks ? 1.0f / static_cast<float>(mostSummed) : 1.0f;
     return shading;

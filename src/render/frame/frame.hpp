@@ -151,7 +151,7 @@ class Renderer {
     /// How much of the light is seen; null: not known, its shadow is hard.
     const VisibilityLookup* visibilityOf(std::size_t light) const;
     /// The light's primitive map; null: it has none, or shadows are something else.
-    const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const Light& light) const;
+    const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const FrameLight& of) const;
     /// The same where volumes are counted: for surfaces that are not counted for.
     const GpuPrimitiveMap* anyPrimitiveMapOf(const GpuScene& scene, const Light& light) const;
     void drawLit(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);

@@ -13,11 +13,12 @@ bool isAutomatic(const RenderSettings& settings) {
     return settings.shadows == ShadowMethod::automatic;
 }
 
+/// `extents`: also those of lights with an extent.
 MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& settings,
-                bool restingAlone) {
+                bool restingAlone, bool extents) {
     MapTask task{{}, isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all};
     for (const FrameLight& of : lights)
-        if (of.drawn && !of.light.extent && (of.atRest || !restingAlone))
+        if (of.drawn && (extents || !of.light.extent) && (of.atRest || !restingAlone))
             task.lights.push_back(of.light);
     return task;
 }
@@ -47,7 +48,8 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
                   const RenderSettings& settings, const gl::Capabilities& capabilities) {
     if (settings.looksUpPrimitives() || receivesSeeThrough(scene, view, settings)) {
         const MapTask task =
-            mapTask(view.lights, settings, settings.shadows != ShadowMethod::primitiveMap);
+            mapTask(view.lights, settings, settings.shadows != ShadowMethod::primitiveMap,
+                    settings.shadows == ShadowMethod::primitiveMap);
         scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
                                  capabilities);
     }
@@ -57,9 +59,14 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
 bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
                            const std::vector<FrameLight>& lights, const RenderSettings& settings,
                            const gl::Capabilities& capabilities, double milliseconds) {
-    const MapTask task = mapTask(lights, settings, true);
+    const MapTask task = mapTask(lights, settings, true, true);
     return scene.primitiveMaps.advance(loaded, task.lights, task.choice, settings.primitiveMap,
                                        capabilities, milliseconds);
+}
+
+const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light) {
+    const PrimitiveMapState* state = scene.primitiveMaps.of(light);
+    return state && state->map && state->map->extended ? state->map.get() : nullptr;
 }
 
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
@@ -69,12 +76,11 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
         if (!settings.looksUpPrimitives()) continue;
-        if (of.light.extent) {
-            method.why = "it has an extent";
-            continue;
-        }
         const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
-        method.why = state ? state->why : of.atRest ? "its primitive map is not built" : "it moves";
+        method.why = state             ? state->why
+                     : of.light.extent ? "it has an extent"
+                     : of.atRest       ? "its primitive map is not built"
+                                       : "it moves";
         if (!state) continue;
         method.buildMs = state->buildMs;
         if (!state->map) continue;

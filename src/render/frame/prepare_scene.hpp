@@ -20,6 +20,10 @@ bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
                            const std::vector<FrameLight>& lights, const RenderSettings& settings,
                            const gl::Capabilities& capabilities, double milliseconds);
 
+/// The map of all of a light that has an extent; null: there is none, and its points are counted
+/// one by one.
+const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light);
+
 /// How a light's shadows are made.
 struct LightMethod {
     std::string method;   ///< as --shadows has it

@@ -111,6 +111,24 @@ void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const Bat
     program.set("u_mapFromObject", view.mapFromObject);
 }
 
+/// See shaders_es2/primitive_map_points.glsl.
+void setPlaces(gl::Program& program, const GpuPrimitiveMap& map, const SurfaceShading& shading) {
+    std::array<std::array<glm::vec4, placesAtOnce / 4>, 4> places{}; // x, y, z, counted
+    for (std::size_t i = 0; i < shading.places.size(); ++i) {
+        const glm::dvec4 place = map.mapFromWorld * shading.places[i].position;
+        const auto four = static_cast<glm::length_t>(i % 4);
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            places[static_cast<std::size_t>(axis)][i / 4][four] = static_cast<float>(place[axis]);
+        places[3][i / 4][four] = 1.0f;
+    }
+    program.set("u_placesX[0]", std::span<const glm::vec4>(places[0]));
+    program.set("u_placesY[0]", std::span<const glm::vec4>(places[1]));
+    program.set("u_placesZ[0]", std::span<const glm::vec4>(places[2]));
+    program.set("u_placesCounted[0]", std::span<const glm::vec4>(places[3]));
+    program.set("u_placesW", static_cast<float>(shading.places.front().position.w));
+    program.set("u_mapEye", glm::vec4(map.mapFromWorld * shading.eye));
+}
+
 void addPrimitiveMapDefines(GpuPrimitiveMap::Kind kind, int longestList,
                             std::vector<std::string>& defines) {
     defines.push_back("PRIMITIVE_MAP");
@@ -284,7 +302,8 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.rectangle = variant.pcss && shading.map->pcss->rectangle;
     if (shading.primitives)
         variant.primitives = {shading.primitives->kind, shading.primitives->longestList,
-                              shading.primitives->cutouts != nullptr, shading.tintPrimitives};
+                              shading.primitives->cutouts != nullptr, !shading.places.empty(),
+                              shading.tintPrimitives};
     variant.textured = scene.textures.has(material.baseColor());
     variant.catcher = material.ground == GroundMaterial::catcher && !shading.mask &&
                       !shading.planes && !shading.tintPrimitives;
@@ -342,6 +361,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         addPrimitiveMapDefines(variant.primitives->kind, variant.primitives->longestList, defines);
     if (variant.primitives && variant.primitives->cutouts)
         defines.push_back("PRIMITIVE_MAP_CUTOUTS");
+    if (variant.primitives && variant.primitives->points) defines.push_back("PRIMITIVE_MAP_POINTS");
     if (variant.sided) defines.push_back("SIDED");
     if (variant.primitives && variant.primitives->tint) defines.push_back("PRIMITIVE_MAP_TINT");
     if (variant.coarse) defines.push_back("COARSE_MASK");
@@ -403,6 +423,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     if (shading.map) setMap(used, *shading.map, view, casts);
     if (shading.primitives)
         setPrimitiveMap(used, *shading.primitives, view, sided ? sided->lightSide : 0.0f);
+    if (!shading.places.empty()) setPlaces(used, *shading.primitives, shading);
     if (shading.coarse) setCoarseMask(used, *shading.coarse, casts);
     if (shading.visibility) setVisibility(used, *shading.visibility);
     if (shading.planes) setPlaneSpace(used, *shading.planes);

@@ -14,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 
 namespace edgeshade {
@@ -50,6 +51,10 @@ struct SurfaceShading {
     /// The light's shadow map, primitive map or mask of lower resolution; none: lit everywhere.
     const ShadowMapLookup* map = nullptr;
     const GpuPrimitiveMap* primitives = nullptr;
+    std::span<const Light>
+        places{};                ///< of the light, at most placesAtOnce: `primitives` is of all
+                                 ///< of it, and as many times `maskValue` are written as are seen
+    glm::dvec4 eye{0.0};         ///< where lines of sight come from, in the world
     bool tintPrimitives = false; ///< show what its texels hold
     const CoarseMaskLookup* coarse = nullptr;
     const VisibilityLookup* visibility = nullptr; ///< how much of its extent is seen
@@ -89,7 +94,7 @@ class SurfacePass {
     struct PrimitiveMapVariant {
         GpuPrimitiveMap::Kind kind;
         int longestList;
-        bool cutouts, tint;
+        bool cutouts, points, tint;
 
         auto operator<=>(const PrimitiveMapVariant&) const = default;
     };

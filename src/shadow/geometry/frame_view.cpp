@@ -118,6 +118,27 @@ FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first
     return result;
 }
 
+FrameView pointsByMapView(const FrameView& view, std::size_t light, std::size_t first,
+                          std::size_t count, std::size_t atOnce) {
+    const FrameLight& of = view.lights[light];
+    FrameView result = view;
+    result.lights.clear();
+    for (std::size_t i = first; i < first + count; i += atOnce) {
+        FrameLight& pass = result.lights.emplace_back();
+        pass.light = of.light;
+        pass.light.cone = of.points[i].cone;
+        pass.drawn = of.drawn;
+        pass.atRest = false;
+        const auto begin = of.points.begin() + static_cast<std::ptrdiff_t>(i);
+        pass.points.assign(
+            begin, begin + static_cast<std::ptrdiff_t>(std::min(atOnce, first + count - i)));
+        pass.atOnce = true;
+    }
+    result.mask = true;
+    result.sumsMasks = true;
+    return result;
+}
+
 FrameView shadedByPoints(const FrameView& view) {
     FrameView result = view;
     result.lights.clear();

@@ -53,7 +53,8 @@ struct FrameLight {
     /// What stands for its extent; empty: it has none. `layers` are around any of them then.
     std::vector<Light> points{};
     std::optional<AmongPoints> among{}; ///< it is one of another light's points
-    double weight = 1.0;                ///< its share of one light's part in the picture
+    bool atOnce = false; ///< of a mask: it is as many of 255 as of its points are seen, by its map
+    double weight = 1.0; ///< its share of one light's part in the picture
 
     /// What shadows are counted for.
     std::vector<Light> counted() const { return points.empty() ? std::vector{light} : points; }
@@ -108,6 +109,10 @@ inline constexpr std::size_t mostSummed = 255;
 /// A view whose picture is the sum of the lit masks of some of a light's points.
 FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
                      std::size_t count);
+
+/// The same, where the light has a primitive map for all of it, `atOnce` points by one pass each.
+FrameView pointsByMapView(const FrameView& view, std::size_t light, std::size_t first,
+                          std::size_t count, std::size_t atOnce);
 
 /// A view that has, in place of every light with points, these, each with its share of the light.
 FrameView shadedByPoints(const FrameView& view);

@@ -2,6 +2,7 @@
 
 #include "preprocess/mesh/components.hpp"
 #include "src/shadow/geometry/polygon.hpp"
+#include "src/shadow/primitive_map/tile_spread.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,16 +80,18 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
     const glm::dvec4 local = glm::inverse(placed.worldFromBatch) * light.position;
     const glm::dmat4 mapFromBatch = tiles.mapFromWorld * placed.worldFromBatch;
     const bool mirrored = glm::determinant(glm::dmat3(mapFromBatch)) < 0.0;
-    std::vector<int> sides(mesh.triangles.size());
+    const LightShape shape = shapeOf(light).in(glm::inverse(placed.worldFromBatch));
+    std::vector<int> sides(mesh.triangles.size()), middles(mesh.triangles.size());
     for (std::size_t t = 0; t < sides.size(); ++t) {
         const Triangle& triangle = mesh.triangles[t];
-        sides[t] = lightSideOf(
-            {mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]},
-            local);
+        const std::array<glm::dvec3, 3> corners = {
+            mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]};
+        middles[t] = lightSideOf(corners, local);
+        sides[t] = tiles.shape ? sideOfAll(corners, shape) : middles[t];
     }
     const std::vector<std::uint8_t> contours = contoursOf(*placed.casters, sides);
     for (std::size_t t = 0; t < sides.size(); ++t) {
-        if (sides[t] == 0) continue;
+        if (sides[t] == 0 && !tiles.shape) continue;
         const Triangle& triangle = mesh.triangles[t];
         Occluder occluder;
         std::array<glm::dvec3, 3> rays;
@@ -99,10 +102,12 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
             if (tiles.directional) rays[i].z = 1.0;
         }
         const auto plane = planeOf(occluder.corners, tiles.directional);
-        if (!plane) continue;
-        occluder.plane = *plane;
+        if (!plane && !tiles.shape) continue;
+        occluder.flat = !plane || middles[t] == 0;
+        occluder.mixed = sides[t] == 0 || occluder.flat;
+        occluder.plane = plane.value_or(glm::dvec3(0.0));
         // Seen from the light, map space turns a light-facing triangle clockwise unless mirrored.
-        const bool inward = (sides[t] < 0) != mirrored;
+        const bool inward = (middles[t] < 0) != mirrored;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
             const bool forward = triangle[i] < triangle[j];
@@ -112,7 +117,7 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
             occluder.edges[i] = occluder.takesEdge[i] ? edge : -edge;
         }
         occluder.contours = contours[t];
-        occluder.lightFacing = sides[t] > 0;
+        occluder.lightFacing = middles[t] > 0;
         if (!placed.casters->cutouts.empty()) {
             occluder.cutout = static_cast<std::uint32_t>(occluders.cutouts.size());
             occluders.cutouts.push_back(cutoutPlanesOf(placed.casters->cutouts[t], rays));
@@ -121,13 +126,13 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
     }
 }
 
-/// The points of the triangle in the tile's pyramid, grown a little.
-Polygon partInTile(Polygon triangle) {
+/// The points of the triangle in the tile's pyramid, grown a little, and by the light's extent.
+Polygon partInTile(Polygon triangle, const TileSpread& spread) {
     constexpr double grown = 1.0 + 1e-3;
-    for (const glm::dvec3& side : {glm::dvec3(1, 0, grown), glm::dvec3(-1, 0, grown),
-                                   glm::dvec3(0, 1, grown), glm::dvec3(0, -1, grown)})
-        triangle = clipped(triangle, side);
-    return triangle;
+    triangle = clipped(triangle, {1, 0, grown}, spread.low().x);
+    triangle = clipped(triangle, {-1, 0, grown}, spread.high().x);
+    triangle = clipped(triangle, {0, 1, grown}, spread.low().y);
+    return clipped(triangle, {0, -1, grown}, spread.high().y);
 }
 
 } // namespace
@@ -164,9 +169,11 @@ std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t ind
     print.endsKnown = rays[0].z > 0.0 && rays[1].z > 0.0 && rays[2].z > 0.0;
     for (std::size_t i = 0; i < 3 && print.endsKnown; ++i)
         print.ends[i] = glm::dvec2(rays[i]) / rays[i].z;
+    print.flat = occluder.flat;
     print.low = glm::dvec2(INFINITY);
     print.high = glm::dvec2(-INFINITY);
-    const Polygon part = tiles.directional ? triangle : partInTile(triangle);
+    const TileSpread spread(tiles, tile);
+    const Polygon part = tiles.directional ? triangle : partInTile(triangle, spread);
     for (std::size_t i = 0; i < part.count; ++i) {
         const glm::dvec3& point = part.corners[i];
         if (!tiles.directional) print.depths.add(point.z);
@@ -175,7 +182,11 @@ std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t ind
         print.low = glm::min(print.low, at);
         print.high = glm::max(print.high, at);
     }
-    if (part.count == 0 || !(print.depths.high > 0.0 || tiles.directional)) return std::nullopt;
+    if (part.count == 0) return std::nullopt;
+    print.nearLight = spread.any() && print.depths.low <= spread.nearestTold();
+    // A light with an extent may see what lies behind its middle.
+    const double behind = spread.any() ? -spread.nearestTold() : 0.0;
+    if (!tiles.directional && !(print.depths.high > behind)) return std::nullopt;
     return print;
 }
 
@@ -183,6 +194,7 @@ bool Footprint::mayTouch(const RaySquare& square) const {
     if (high.x < square.low.x || low.x > square.high.x || high.y < square.low.y ||
         low.y > square.high.y)
         return false;
+    if (flat) return true;
     return std::all_of(edges.begin(), edges.end(),
                        [&](const glm::dvec3& edge) { return mostOn(edge, square) >= -rounding; });
 }
@@ -212,6 +224,7 @@ std::optional<bool> Footprint::covers(const glm::dvec3& ray, const Occluder& of)
 }
 
 Interval Footprint::depthsIn(const RaySquare& square, bool directional) const {
+    if (flat) return depths;
     const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
     Interval here{leastOn(plane, square) - rounding * terms,
                   mostOn(plane, square) + rounding * terms};

@@ -2,6 +2,7 @@
 
 #include "src/shadow/geometry/interval.hpp"
 #include "src/shadow/primitive_map/light_tiles.hpp"
+#include "src/shadow/primitive_map/ray_square.hpp"
 
 #include <array>
 #include <cstdint>
@@ -23,6 +24,10 @@ struct Occluder {
     std::array<glm::dvec3, 3> corners; ///< in map space, as wound; edge i runs from i to i + 1
     std::uint8_t contours = 0;         ///< bit i: casters don't go on alike across edge i
     bool lightFacing = true;
+    /// Of a light with an extent: not all of it is on one side of the plane.
+    bool mixed = false;
+    /// Likewise: its middle all but lies in the plane, and neither `edges` nor `plane` are known.
+    bool flat = false;
     static constexpr std::uint32_t solid = ~std::uint32_t{0};
     std::uint32_t cutout = solid; ///< where its alpha is, in Occluders::cutouts
 
@@ -35,22 +40,14 @@ struct Occluders {
     std::vector<CutoutPlanes> cutouts; ///< of those that are alpha-tested
 };
 
-/// The casting triangles of all batches: those that the light is not in the plane of.
+/// The casting triangles of all batches: those that the light is not in the plane of; of a light
+/// with an extent all.
 Occluders occludersOf(const Light& light, const LightTiles& tiles,
                       const std::vector<PlacedCasters>& casters);
 
 /// Which side of a triangle a homogeneous light is on, all in one object's space: 1 where it sees
 /// it counter-clockwise. Exactly 0 is "in its plane".
 int lightSideOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& light);
-
-/// A square of rays (x, y, 1) in a tile.
-struct RaySquare {
-    glm::dvec2 low, high;
-
-    glm::dvec3 corner(int i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, 1.0}; }
-    glm::dvec3 center() const { return {0.5 * (low + high), 1.0}; }
-    RaySquare grownBy(double margin) const { return {low - margin, high + margin}; }
-};
 
 /// An occluder as one tile has it.
 struct Footprint {
@@ -61,6 +58,9 @@ struct Footprint {
     Interval depths;                 ///< of its points in the tile
     std::array<glm::dvec2, 3> ends;  ///< its corners' rays, where endsKnown
     bool endsKnown = false;          ///< all corners are before the light
+    bool flat = false;               ///< Occluder's
+    /// So near to a light with an extent that any segment to it may meet it (TileSpread).
+    bool nearLight = false;
 
     /// Whether it may have rays in the square; false is certain.
     bool mayTouch(const RaySquare& square) const;
@@ -73,7 +73,8 @@ struct Footprint {
     Interval depthsIn(const RaySquare& square, bool directional) const;
 };
 
-/// Nothing where the occluder has no ray in the tile.
+/// Nothing where the occluder has no ray in the tile, nor meets a segment of one to a light with an
+/// extent.
 std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t index,
                                      const LightTiles& tiles, std::size_t tile);
 

@@ -23,8 +23,14 @@ void forEachVertex(const std::vector<PlacedCasters>& casters, Use use) {
                 use(glm::dvec3(placed.worldFromBatch * glm::dvec4(glm::dvec3(position), 1.0)));
 }
 
-LightTiles parallelTile(const glm::dvec3& towards, const std::vector<PlacedCasters>& casters) {
-    const auto axes = axesAlong(-unitOf(towards));
+/// The farthest point of a box along an axis.
+double farthestAlong(const glm::dvec3& axis, const Box& box) {
+    return glm::dot(glm::max(axis * box.low, axis * box.high), glm::dvec3(1.0));
+}
+
+LightTiles parallelTile(const Light& light, const std::vector<PlacedCasters>& casters,
+                        const Box& receivers) {
+    const auto axes = axesAlong(-unitOf(glm::dvec3(light.position)));
     Box box;
     forEachVertex(casters, [&](const glm::dvec3& p) {
         box.add({glm::dot(axes[0], p), glm::dot(axes[1], p), glm::dot(axes[2], p)});
@@ -33,6 +39,16 @@ LightTiles parallelTile(const glm::dvec3& towards, const std::vector<PlacedCaste
     glm::dvec3 half = 0.5 * (box.high - box.low) * (1.0 + frame);
     half = glm::max(half, glm::dvec3(std::max(1e-6 * box.diagonal(), 1e-300)));
     LightTiles result;
+    if (light.extent) {
+        double farthest = box.high.z;
+        if (!receivers.empty()) farthest = std::max(farthest, farthestAlong(axes[2], receivers));
+        result.farthestReceiver = (farthest - center.z) / half.z * (1.0 + frame) + frame;
+        // As far as the casters' shadows spread.
+        const double spread =
+            std::tan(light.extent->radius) * half.z * (result.farthestReceiver + 1.0);
+        half.x += spread * (1.0 + frame);
+        half.y += spread * (1.0 + frame);
+    }
     std::array<glm::dvec4, 3> rows;
     for (glm::length_t i = 0; i < 3; ++i)
         rows[static_cast<std::size_t>(i)] =
@@ -43,8 +59,9 @@ LightTiles parallelTile(const glm::dvec3& towards, const std::vector<PlacedCaste
 }
 
 /// The one tile of a light that has all casters before it; nothing where it hasn't.
-std::optional<LightTiles> fittedTile(const glm::dvec3& light, const Box& bounds,
+std::optional<LightTiles> fittedTile(const LightShape& shape, const Box& bounds,
                                      const std::vector<PlacedCasters>& casters) {
+    const glm::dvec3 light(shape.center);
     const glm::dvec3 offset = bounds.center() - light;
     if (!(glm::length(offset) > 0.0)) return std::nullopt;
     const auto axes = axesAlong(unitOf(offset));
@@ -62,8 +79,18 @@ std::optional<LightTiles> fittedTile(const glm::dvec3& light, const Box& bounds,
     const glm::dvec2 reach = glm::max(glm::abs(low), glm::abs(high));
     if (!(nearest > 0.0) || !(std::max(reach.x, reach.y) < steepest)) return std::nullopt;
     const glm::dvec2 middle = 0.5 * (low + high);
-    const glm::dvec2 half =
+    glm::dvec2 half =
         glm::max(0.5 * (high - low) * (1.0 + frame), glm::dvec2(1e-6 * (reach.x + reach.y)));
+    for (glm::length_t i = 0; i < 2; ++i) { // as far as the casters' shadows spread
+        const glm::dvec3 across =
+            (axes[static_cast<std::size_t>(i)] - middle[i] * axes[2]) / half[i];
+        const double spread =
+            std::max({shape.support(across - axes[2]), shape.support(across + axes[2]),
+                      2.0 * shape.support(axes[2])}) /
+            nearest;
+        if (spread > 0.5) return std::nullopt;
+        half[i] /= 1.0 - spread;
+    }
     LightTiles result;
     result.directional = false;
     result.depthSpan = (farthest - nearest) / farthest;
@@ -102,14 +129,22 @@ LightTiles sixTiles(const glm::dvec3& light, const std::vector<PlacedCasters>& c
 
 } // namespace
 
-std::optional<LightTiles> tilesFor(const Light& light, const std::vector<PlacedCasters>& casters) {
+std::optional<LightTiles> tilesFor(const Light& light, const std::vector<PlacedCasters>& casters,
+                                   const Box& receivers) {
     Box bounds;
     forEachVertex(casters, [&](const glm::dvec3& p) { bounds.add(p); });
     if (bounds.empty()) return std::nullopt;
-    const glm::dvec3 position(light.position);
-    if (light.position.w == 0.0) return parallelTile(position, casters);
-    const auto fitted = fittedTile(position / light.position.w, bounds, casters);
-    return fitted ? *fitted : sixTiles(position / light.position.w, casters);
+    LightShape shape = shapeOf(light);
+    LightTiles tiles;
+    if (light.position.w == 0.0) {
+        tiles = parallelTile(light, casters, receivers);
+    } else {
+        shape.center = light.position / light.position.w;
+        const auto fitted = fittedTile(shape, bounds, casters);
+        tiles = fitted ? *fitted : sixTiles(glm::dvec3(shape.center), casters);
+    }
+    if (light.extent) tiles.shape = shape.in(tiles.mapFromWorld);
+    return tiles;
 }
 
 } // namespace edgeshade

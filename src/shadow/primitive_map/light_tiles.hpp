@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/base/box.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/geometry/light_shape.hpp"
 #include "src/shadow/primitive_map/caster_edges.hpp"
 
 #include <optional>
@@ -25,6 +25,10 @@ struct LightTiles {
     /// How far the casters' depths span, as a share of the farthest one: floats tell depths apart
     /// by that much less.
     double depthSpan = 1.0;
+    /// All of the light, in map space; nothing: it has no extent, and rays end in its middle.
+    std::optional<LightShape> shape;
+    /// Of a directional light with an extent: the depth of the farthest point that it shines on.
+    double farthestReceiver = 0.0;
 
     /// The tile's ray to a point of map space.
     glm::dvec3 rayTo(std::size_t tile, const glm::dvec3& point) const {
@@ -33,8 +37,11 @@ struct LightTiles {
 };
 
 /// Fitted to the casters as closely as they allow: for a point light outside of them one tile, if
-/// they lie within some 60 degrees of its middle. Nothing where nothing casts.
-std::optional<LightTiles> tilesFor(const Light& light, const std::vector<PlacedCasters>& casters);
+/// they lie within some 60 degrees of its middle. No point that is outside of all tiles has a
+/// caster between itself and any of the light's places. Nothing where nothing casts. `receivers`:
+/// all that the light shines on, in the world; of directional lights with an extent.
+std::optional<LightTiles> tilesFor(const Light& light, const std::vector<PlacedCasters>& casters,
+                                   const Box& receivers = {});
 
 /// Point lights whose casters span less of their depths are too far off: rounding would join what
 /// touches not quite.

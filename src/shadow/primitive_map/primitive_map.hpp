@@ -15,7 +15,9 @@ struct PrimitiveMapSettings {
     std::size_t splitAbove = 8; ///< texels whose points have more to test are divided in 4 x 4
     int mostSplits = 3;         ///< one in another
     bool othersReceive = false; ///< some surfaces are no casters
-    CutoutTextures cutouts;     ///< where alpha-tested ones cast; else none of them may be there
+    Box receivers; ///< all that the light shines on, in the world: of directional lights with
+                   ///< extent
+    CutoutTextures cutouts; ///< where alpha-tested ones cast; else none of them may be there
 };
 
 /// Lists of the triangles that may shade what a light sees, by its rays (docs/method.md, C34); what
@@ -39,7 +41,11 @@ struct PrimitiveMap {
     /// not).
     std::vector<glm::vec4> records;
     bool cutouts = false; ///< some are alpha-tested
+    /// Of a light with an extent (docs/method.md, C42): records are three texels a triangle, its
+    /// corners in map space, those that are before others by x, y and z first.
+    bool extended = false;
     std::size_t longestList = 0;
+    double meanList = 0.0; ///< entries of a list, on the average
 
     std::size_t bytes() const {
         return header.size() * sizeof(glm::vec2) + entries.size() * sizeof(glm::vec2) +

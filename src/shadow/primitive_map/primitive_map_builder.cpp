@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #ifndef __EMSCRIPTEN__
 #include <thread>
 #endif
@@ -54,6 +55,17 @@ void addRecord(const Occluder& occluder, bool directional, std::vector<glm::vec4
         records.emplace_back(glm::vec3(occluder.edges[i]), plane[static_cast<glm::length_t>(i)]);
 }
 
+/// Corners in an order that neighbours share, so that both compute the same of an edge.
+void addCorners(const Occluder& occluder, std::vector<glm::vec4>& records) {
+    std::array<glm::vec3, 3> corners;
+    std::copy(occluder.corners.begin(), occluder.corners.end(), corners.begin());
+    std::sort(corners.begin(), corners.end(), [](const glm::vec3& a, const glm::vec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
+    for (const glm::vec3& corner : corners)
+        records.emplace_back(corner, 0.0f);
+}
+
 /// Records of a map, each triangle's and each texture's once, where they are first asked for.
 class Records {
   public:
@@ -68,7 +80,10 @@ class Records {
         if (record == none) {
             const std::uint32_t texture = of.isSolid() ? none : textureRecord(of);
             record = next();
-            addRecord(of, map_.tiles.directional, map_.records);
+            if (map_.extended)
+                addCorners(of, map_.records);
+            else
+                addRecord(of, map_.tiles.directional, map_.records);
             if (texture != none) addCutout(occluders_.cutouts[of.cutout], texture);
         }
         const auto name = static_cast<float>(record);
@@ -202,7 +217,7 @@ PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
                                          const std::vector<PlacedCasters>& casters,
                                          const PrimitiveMapSettings& settings)
     : settings_(settings) {
-    const auto tiles = tilesFor(light, casters);
+    const auto tiles = tilesFor(light, casters, settings.receivers);
     if (!tiles) {
         tiles_.tiles = {glm::dmat3(1.0)};
         settings_.size = 4;
@@ -230,7 +245,7 @@ void PrimitiveMapBuilder::charge(std::size_t listed, std::size_t looks) {
 }
 
 TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {
-    return {occluders_.all, prints_[tile].prints, tiles_.directional};
+    return {occluders_.all, prints_[tile].prints, tiles_.directional, TileSpread(tiles_, tile)};
 }
 
 /// In texels of the tile.
@@ -258,9 +273,13 @@ void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
     const auto partAt = [&](double at) {
         return static_cast<int>(std::clamp(std::floor((at + 1.0) * scale), 0.0, perRow - 1.0));
     };
+    const TileSpread tileSpread(tiles_, tile);
     for (std::uint32_t i = 0; i < prints.size(); ++i) {
-        const glm::dvec2 low = prints[i].low - 2.0 * mapRounding;
-        const glm::dvec2 high = prints[i].high + 2.0 * mapRounding;
+        RaySquare rays{prints[i].low, prints[i].high};
+        if (prints[i].nearLight) rays = {glm::dvec2(-1.0), glm::dvec2(1.0)};
+        const RaySquare reached = tileSpread.reaching(rays, prints[i].depths.low);
+        const glm::dvec2 low = reached.low - 2.0 * mapRounding;
+        const glm::dvec2 high = reached.high + 2.0 * mapRounding;
         for (int y = partAt(low.y); y <= partAt(high.y); ++y)
             for (int x = partAt(low.x); x <= partAt(high.x); ++x)
                 parts_[first + static_cast<std::size_t>(y * perRow + x)].candidates.push_back(i);
@@ -278,13 +297,16 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
     PrimitiveMap map;
     map.tiles = tiles_;
     map.size = settings_.size;
+    map.extended = tiles_.shape.has_value();
     map.entries.emplace_back(0.0f); // so that 0 names no list
     const auto size = static_cast<std::size_t>(settings_.size);
     map.header.resize(tiles_.tiles.size() * size * size, glm::vec2(neverDark, 0.0f));
     Records records(occluders_, settings_.cutouts, map);
+    std::size_t lists = 0;
     for (const Part& part : parts_) {
         const std::vector<Footprint>& prints = prints_[part.tile].prints;
         std::vector<float> listAt(part.lists.size());
+        lists += part.lists.size();
         for (std::size_t l = 0; l < part.lists.size(); ++l) {
             const List& list = part.lists[l];
             listAt[l] =
@@ -316,6 +338,8 @@ std::optional<PrimitiveMap> PrimitiveMapBuilder::join() {
             map.header[(part.tile * size + y) * size + x] = texelOf(part.texels[i]);
         }
     }
+    if (lists > 0)
+        map.meanList = static_cast<double>(map.entries.size() - 1) / static_cast<double>(lists);
     const std::size_t most = std::max({map.header.size(), map.entries.size(), map.records.size()});
     if (map.bytes() > settings_.mostBytes || most > mostReferences) return std::nullopt;
     return map;

@@ -8,6 +8,9 @@ namespace {
 /// Pairs of a light-facing triangle and one turned away, up to which a group is looked at.
 constexpr std::size_t mostPairs = 64;
 
+/// A depth before all others that floats hold.
+constexpr double nowhere = 1e30;
+
 struct Touching {
     std::uint32_t print;
     Interval depths; ///< in the square
@@ -36,7 +39,7 @@ class GroupFinder {
         double farthest = -std::numeric_limits<double>::infinity();
         for (; end < sorted.size() && (end == first || sorted[end].depths.low <= farthest); ++end) {
             farthest = std::max(farthest, sorted[end].depths.high);
-            add(tile_.prints[sorted[end].print], group);
+            add(sorted[end], group);
         }
         group.members = sorted.subspan(first, end - first);
         group.farthest = farthest;
@@ -46,6 +49,7 @@ class GroupFinder {
     /// Whether each ray meets one light-facing triangle of the group, before all that are turned
     /// away: no light-facing caster of the group is in another's shadow.
     bool isLitSheet(const DepthGroup& group) const {
+        if (tile_.spread.any()) return group.cover() == 1 && goesOn(group);
         if (group.cover() == 1) return true;
         if (group.facing != 1) return false;
         std::vector<std::uint32_t> before, behind;
@@ -59,15 +63,25 @@ class GroupFinder {
         });
     }
 
+    /// Whether no segment that ends within a group meets more of it than one that goes on through
+    /// it.
+    bool goesOn(const DepthGroup& group) const {
+        return tile_.spread.mayGoOn({group.members.front().depths.low, group.farthest});
+    }
+
   private:
     const Occluder& occluderOf(const Touching& member) const {
         return tile_.occluders[tile_.prints[member.print].occluder];
     }
 
-    void add(const Footprint& print, DepthGroup& group) const {
+    void add(const Touching& member, DepthGroup& group) const {
+        const Footprint& print = tile_.prints[member.print];
         const Occluder& occluder = tile_.occluders[print.occluder];
+        if (occluder.mixed || print.nearLight) group.constant = false;
+        if (!group.constant) return;
+        const RaySquare met = tile_.spread.grown(square_, member.depths.low);
         for (int i = 0; i < 3 && group.constant; ++i)
-            if ((occluder.contours >> i & 1u) != 0 && print.mayCross(i, square_))
+            if ((occluder.contours >> i & 1u) != 0 && print.mayCross(i, met))
                 group.constant = false;
         if (!group.constant) return;
         const std::optional<bool> covers = print.covers(sample_, occluder);
@@ -90,6 +104,19 @@ class GroupFinder {
     const RaySquare& square_;
     glm::dvec3 sample_;
 };
+
+/// The depths at which segments from a square may meet a footprint; nothing: they don't.
+std::optional<Interval> depthsMet(const Footprint& print, const TileFootprints& tile,
+                                  const RaySquare& square) {
+    if (print.nearLight) return Interval{-nowhere, print.depths.high};
+    RaySquare met = tile.spread.grown(square, print.depths.low);
+    if (!print.mayTouch(met)) return std::nullopt;
+    Interval depths = print.depthsIn(met, tile.directional);
+    if (!tile.spread.any()) return depths;
+    met = tile.spread.grown(square, depths.low); // no segment meets it nearer
+    if (!print.mayTouch(met)) return std::nullopt;
+    return print.depthsIn(met, tile.directional);
+}
 
 /// Lists what may have holes: no ray is known to be blocked by it.
 void addCutouts(std::span<const Touching> cutouts, TexelOccluders& result) {
@@ -119,10 +146,10 @@ void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> ca
     cutouts.clear();
     for (const std::uint32_t candidate : candidates) {
         const Footprint& print = tile.prints[candidate];
-        if (!print.mayTouch(square)) continue;
-        const Interval depths = print.depthsIn(square, tile.directional);
+        const std::optional<Interval> depths = depthsMet(print, tile, square);
+        if (!depths) continue;
         (tile.occluders[print.occluder].isSolid() ? touching : cutouts)
-            .push_back({candidate, {depths.low - mapRounding, depths.high + mapRounding}});
+            .push_back({candidate, {depths->low - mapRounding, depths->high + mapRounding}});
     }
     std::sort(touching.begin(), touching.end(), [](const Touching& a, const Touching& b) {
         return a.depths.low != b.depths.low ? a.depths.low < b.depths.low : a.print < b.print;
@@ -139,7 +166,7 @@ void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> ca
         next += group.members.size();
         terminal = group.constant && group.cover() > 0;
         if (!terminal) {
-            if (!group.constant) list(group); // else no ray meets it
+            if (!group.constant || !finder.goesOn(group)) list(group); // else no ray meets it
             result.forCasters = result.listed.size();
             continue;
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/shadow/primitive_map/footprint.hpp"
+#include "src/shadow/primitive_map/tile_spread.hpp"
 
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@ struct TileFootprints {
     std::span<const Occluder> occluders;
     std::span<const Footprint> prints;
     bool directional = true;
+    TileSpread spread;
 };
 
 /// A footprint in a list, with the depth before which it holds nothing there.
@@ -20,7 +22,8 @@ struct ListedOccluder {
     double nearest = 0.0;
 };
 
-/// What shades a texel's rays (docs/method.md, C34).
+/// What shades a texel's rays (docs/method.md, C34); of a light with an extent, what is between its
+/// points and any of the light's places (C42).
 struct TexelOccluders {
     /// Every ray of the texel is blocked behind this depth; infinite: nothing says so.
     double darkBehind = std::numeric_limits<double>::infinity();
