@@ -5,19 +5,18 @@
 namespace edgeshade::viewer {
 
 void LightRest::see(const std::vector<Light>& lights, double now) {
-    std::vector<std::pair<glm::dvec4, double>> next;
+    std::vector<Known> next;
     for (const Light& light : lights) {
         const auto known = std::find_if(since_.begin(), since_.end(),
-                                        [&](const auto& of) { return of.first == light.position; });
-        next.emplace_back(light.position, known == since_.end() ? now : known->second);
+                                        [&](const Known& of) { return of.is(light); });
+        next.push_back({light.position, light.extent, known == since_.end() ? now : known->since});
     }
     since_ = std::move(next);
 }
 
 bool LightRest::rests(const Light& light, double now) const {
-    return std::any_of(since_.begin(), since_.end(), [&](const auto& of) {
-        return of.first == light.position && now - of.second >= enough;
-    });
+    return std::any_of(since_.begin(), since_.end(),
+                       [&](const Known& of) { return of.is(light) && now - of.since >= enough; });
 }
 
 } // namespace edgeshade::viewer

@@ -7,7 +7,7 @@
 
 namespace edgeshade::viewer {
 
-/// Since when lights are where they are.
+/// Since when lights are where they are, as large as they are.
 class LightRest {
   public:
     /// How long a light stays before it counts as resting, in seconds.
@@ -20,7 +20,17 @@ class LightRest {
     void clear() { since_.clear(); }
 
   private:
-    std::vector<std::pair<glm::dvec4, double>> since_; ///< by position
+    struct Known {
+        bool is(const Light& light) const {
+            return position == light.position && extent == light.extent;
+        }
+
+        glm::dvec4 position;
+        std::optional<LightExtent> extent;
+        double since;
+    };
+
+    std::vector<Known> since_;
 };
 
 } // namespace edgeshade::viewer

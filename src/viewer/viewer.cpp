@@ -408,7 +408,7 @@ void Viewer::Parts::advanceMaps(double now) {
     std::vector<FrameLight> lights;
     for (const Light& light : state.lights) {
         lights.push_back({light, {}});
-        lights.back().atRest = !light.extent && rest.rests(light, now);
+        lights.back().atRest = rest.rests(light, now);
     }
     lights.front().drawn = !sunIsDown(state);
     RenderSettings wanted = settings.render;
@@ -420,7 +420,7 @@ void Viewer::Parts::advanceMaps(double now) {
         ++changes;
     }
     for (const FrameLight& of : lights)
-        if (of.drawn && !of.light.extent && !gpu->scene->primitiveMaps.of(of.light))
+        if (of.drawn && !gpu->scene->primitiveMaps.of(of.light))
             mapsPending = true;
 }
 

@@ -4,9 +4,11 @@
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <thread>
 
 namespace edgeshade::viewer {
 namespace {
@@ -39,8 +41,13 @@ class ViewerSoftness : public testing::Test {
     /// Pictures until nothing more is wanted, by the points that they are shown by.
     std::map<std::size_t, Pixels> settle() {
         std::map<std::size_t, Pixels> pictures;
-        for (int i = 0; i < 20000 && viewer.wantsFrame(); ++i)
-            if (frame()) pictures[viewer.lightPoints().shown] = context.readPixels();
+        for (int i = 0; i < 20000 && viewer.wantsFrame(); ++i) {
+            const LightPoints points = viewer.lightPoints();
+            if (frame())
+                pictures[viewer.lightPoints().shown] = context.readPixels();
+            else if (points.shown == points.of) // a primitive map is being built
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
         return pictures;
     }
 
@@ -92,7 +99,8 @@ TEST_F(ViewerSoftness, AtRestAMapOfTheWholeLightCountsAsVolumesDo) {
     shine(soft, 64);
     const Pixels byVolumes = settle().at(64);
     viewer.change(Json::parse(R"({"left": {"shadows": "primitive-map"}})"));
-    shine(hard, 64);
+    settle(); // by volumes, until there is a map
+    shine(soft, 16);
     settle();
     shine(soft, 64);
     const Pixels byMap = settle().at(64);

@@ -269,6 +269,12 @@ TEST(LightRest, IsWhatStaysLongEnough) {
     EXPECT_FALSE(rest.rests(a, 9.0));
     rest.clear();
     EXPECT_FALSE(rest.rests(b, 9.0));
+    Light larger = b;
+    larger.extent = LightExtent{};
+    rest.see({b}, 10.0);
+    rest.see({larger}, 11.0);
+    EXPECT_FALSE(rest.rests(larger, 11.0));
+    EXPECT_TRUE(rest.rests(larger, 11.0 + LightRest::enough));
 }
 
 } // namespace
