@@ -1,21 +1,31 @@
 #!/usr/bin/env python3
-"""How many sun positions `sunhours` counts wrong, against the oracle: the table of
-docs/measured/sun-hours.md. Of models in ../shared/scenes, one day seen from above and from the side.
+"""How many sun positions `sunhours` counts wrong, against the oracle, and what it takes beside
+Embree's rays: the tables of docs/measured/sun-hours.md. Of models in ../shared/scenes, one day seen
+from above and from the side.
 
-    tests/bench/sun_hours.py           measures, then the table
-    tests/bench/sun_hours.py --table   the table from the results that are there
+    tests/bench/sun_hours.py           measures, then the tables
+    tests/bench/sun_hours.py --times   the times alone, what is wrong from the results that are there
+    tests/bench/sun_hours.py --table   the tables from the results that are there
 
-EDGESHADE names the program.
+EDGESHADE names the program, EDGESHADE_SUN_RAYS tests/bench/sun_rays.cpp's.
 """
 
+import json
+import os
 import pathlib
+import statistics
+import subprocess
+import sys
 import tempfile
 import time
 
-from edgeshade_runs import SCENES, figure, percent, replace_between, report, results_of
+from edgeshade_runs import RESULTS, ROOT, SCENES, figure, percent, replace_between, report, results_of
 
 MODELS = {"city": "city.draco.glb", "temple": "temple.glb", "garden": "garden.draco.glb"}
+VIEWS = {"plan": ("--plan",), "from the side": ()}
 PLACE, DAY, STEP, SIZE = "48.14,11.57", "2026-03-21", 30, "480x360"
+RUNS = 3  # whole ones, of which the median is told
+RAYS = os.environ.get("EDGESHADE_SUN_RAYS", str(ROOT / "build/release/tests/bench/sun_rays"))
 
 
 def camera(told):
@@ -23,37 +33,72 @@ def camera(told):
     return (*matrix, "--ortho", told["ortho"]) if "ortho" in told else (*matrix, "--fov", told["fov"])
 
 
-def of_view(path, words, folder):
-    began = time.monotonic()
-    told = report("sunhours", path, folder / "hours.png", "--place", PLACE, "--date", DAY, "--step", STEP,
+def hours(path, words, folder):
+    return report("sunhours", path, folder / "hours.png", "--place", PLACE, "--date", DAY, "--step", STEP,
                   "--size", SIZE, *words)
-    seconds = time.monotonic() - began
+
+
+def wrong_of(path, words, folder):
+    told = hours(path, words, folder)
     sums = {"wrong_mask_pixels": 0, "wrong_mask_beyond_1px": 0, "visible_pixels": 0, "tie_pixels": 0}
     for position in told["positions"]:
         sun = ",".join(str(number) for number in position["direction"])
         judged = report("compare", path, "--sun", sun, "--size", SIZE, *camera(told["camera"]))
         for key in sums:
             sums[key] += judged[key]
-    return {"positions": len(told["positions"]), "mean_hours": told["hours"]["mean"], "seconds": seconds,
-            **sums}
+    return {"positions": len(told["positions"]), "mean_hours": told["hours"]["mean"], **sums}
+
+
+def times_of(path, words, folder):
+    """Whole runs, and what sun_rays tells of counting and of Embree, in seconds."""
+    runs = []
+    for _ in range(RUNS):
+        began = time.monotonic()
+        told = hours(path, words, folder)
+        runs.append(time.monotonic() - began)
+    (folder / "hours.json").write_text(json.dumps(told))
+    done = subprocess.run([RAYS, path, folder / "hours.json", *SIZE.split("x")], check=True,
+                          stdout=subprocess.PIPE)
+    return {"seconds": runs, **json.loads(done.stdout)}
 
 
 def measured():
-    with tempfile.TemporaryDirectory() as folder:
-        return {name: {"plan": of_view(SCENES / file, ("--plan",), pathlib.Path(folder)),
-                       "from the side": of_view(SCENES / file, (), pathlib.Path(folder))}
-                for name, file in MODELS.items()}
+    old = {}
+    if sys.argv[1:2] == ["--times"]:
+        old = json.loads((RESULTS / "sun_hours.json").read_text())["scenes"]
+    scenes = {}
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for model, file in MODELS.items():
+            scenes[model] = {}
+            for view, words in VIEWS.items():
+                wrong = old[model][view] if old else wrong_of(SCENES / file, words, folder)
+                scenes[model][view] = wrong | times_of(SCENES / file, words, folder)
+    return scenes
+
+
+def rows_of(scenes):
+    return [(name, view, of) for name, views in scenes.items() for view, of in views.items()]
 
 
 def table(scenes):
-    lines = ["| scene | seen | positions | mean hours | counted wrong, % | beyond 1 px, % | whole run, s |",
-             "|" + " --- |" * 7]
-    for name, views in scenes.items():
-        for view, of in views.items():
-            wrong = figure(percent(of["wrong_mask_pixels"], of["visible_pixels"]))
-            beyond = figure(percent(of["wrong_mask_beyond_1px"], of["visible_pixels"]))
-            lines.append(f"| {name} | {view} | {of['positions']} | {of['mean_hours']:.2f} | {wrong} | {beyond} "
-                         f"| {of['seconds']:.1f} |")
+    lines = ["| scene | seen | positions | mean hours | counted wrong, % | beyond 1 px, % |", "|" + " --- |" * 6]
+    for name, view, of in rows_of(scenes):
+        wrong = figure(percent(of["wrong_mask_pixels"], of["visible_pixels"]))
+        beyond = figure(percent(of["wrong_mask_beyond_1px"], of["visible_pixels"]))
+        lines.append(f"| {name} | {view} | {of['positions']} | {of['mean_hours']:.2f} | {wrong} | {beyond} |")
+    return "\n".join(lines)
+
+
+def times_table(scenes):
+    lines = ["| scene | seen | rays, millions | whole run, s | upload, s | counting, s | Embree: tree, s | rays, s "
+             "| counting / rays | lit by rays / by counting |", "|" + " --- |" * 10]
+    for name, view, of in rows_of(scenes):
+        medians = [statistics.median(of[key]) for key in ("seconds", "upload_s", "count_s", "tree_s", "rays_s")]
+        ratio = statistics.median(count / rays for count, rays in zip(of["count_s"], of["rays_s"]))
+        lines.append(f"| {name} | {view} | {figure(of['rays'] / 1e6)} | "
+                     + " | ".join(map(figure, medians))
+                     + f" | {figure(ratio)} | {of['lit_by_rays'] / of['lit_by_count']:.5f} |")
     return "\n".join(lines)
 
 
@@ -63,3 +108,4 @@ if __name__ == "__main__":
             f"{results['machine']['date']}, software renderer, {SIZE}, {PLACE}, {DAY}, a position every "
             f"{STEP} minutes.")
     replace_between("docs/measured/sun-hours.md", "counts", told + "\n\n" + table(results["scenes"]))
+    replace_between("docs/measured/sun-hours.md", "times", times_table(results["scenes"]))
