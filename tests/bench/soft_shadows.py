@@ -30,6 +30,8 @@ SUN = ("--sun", "1,2,0.5", "--sun-angle", "2")
 PICTURES = ROOT / "docs" / "pictures"
 
 CONTENDERS = {f"{count:,} point{'s' * (count > 1)}": {"light-samples": count} for count in (1, 4, 16, 64, 256, 1024)}
+CONTENDERS |= {f"{count:,} points, looked up": {"light-samples": count, "shadows": "primitive-map"}
+               for count in (16, 64, 256, 1024)}
 CONTENDERS |= {f"map 2048, PCF {width} x {width}":
                {"shadows": "map", "map-size": 2048, "soft": "pcf", "pcf": width}
                for width in (1, 3, 7)}
@@ -88,6 +90,9 @@ def case(path, light, frame_count, folder):
                   *(word for _, of in others for word in ("--against", against(of))))
     for (name, _), result in zip(CONTENDERS.items(), told["results"]):
         rows[name]["ms"] = result["frame_ms"]["median"]
+        built = [of["build_ms"] for of in result.get("lights", []) if of["method"] == "primitive-map"]
+        if built:
+            rows[name]["build_ms"] = sum(built)
     for (name, _), ratio in zip(others, told["ratios"]):
         rows[name]["ratio"] = 1 / ratio["median"]
     rows[own[0]]["ratio"] = 1.0
@@ -109,13 +114,15 @@ def table(results):
     renderer = next(iter(results["scenes"].values()))["renderer"]
     lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, "
              f"{SIZE}.", "",
-             "| scene, light | shadows | RMS error, % | mean error, % | frame, ms | of 1 point's |",
-             "|" + " --- |" * 6]
+             "| scene, light | shadows | RMS error, % | mean error, % | frame, ms | of 1 point's "
+             "| built in, ms |",
+             "|" + " --- |" * 7]
     for name, of in results["scenes"].items():
         for shadows, row in of["rows"].items():
             lines.append(f"| {name} | {shadows} | {figure(row['error']['rms'])} | "
                          f"{figure(row['error']['mean'])} | {figure(row['ms'])} | "
-                         f"{figure(row['ratio'])} |")
+                         f"{figure(row['ratio'])} | "
+                         f"{figure(row['build_ms']) if 'build_ms' in row else ''} |")
     return "\n".join(lines)
 
 

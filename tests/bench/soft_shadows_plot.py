@@ -3,7 +3,8 @@
 import math
 
 PANEL, LEFT, TOP, COLUMNS = (300, 200), 56, 34, 2
-SERIES = {"points": ("#0072b2", "exact, N points"), "PCF": ("#999999", "map, PCF"),
+SERIES = {"looked up": ("#009e73", "N points, looked up"), "points": ("#0072b2", "N points, volumes"),
+          "PCF": ("#999999", "map, PCF"),
           "PCSS": ("#d55e00", "map, PCSS")}  # Okabe and Ito's colours
 
 
