@@ -1,5 +1,6 @@
 // The share that a sum of 16 bits (see add_bytes.frag) is of the largest it could be: its first
-// channel's, in red, and 255ths of a 255th in green; or, PICTURE, each channel's, as a colour.
+// channel's, in red, and 255ths of a 255th in green, and in blue whether alpha's isn't 0; or, PICTURE,
+// each channel's, as a colour.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -19,6 +20,6 @@ void main() {
 #else
     float units = min(share.r, 1.0) * 255.0;
     float whole = floor(units + 1.0 / 512.0);
-    gl_FragColor = vec4(whole / 255.0, max(units - whole, 0.0), 0.0, 1.0);
+    gl_FragColor = vec4(whole / 255.0, max(units - whole, 0.0), share.a > 0.0 ? 1.0 : 0.0, 1.0);
 #endif
 }

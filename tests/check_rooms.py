@@ -22,7 +22,7 @@ ROOMS = (
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/hours", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
     "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/frame", "src/render/accumulation",
-    "src/lab", "src/bench", "src/plot",
+    "src/engine", "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 
 # Libraries' headers, by the start of the name that is included, and the rooms that may see them.

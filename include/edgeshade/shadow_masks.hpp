@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+
+namespace edgeshade {
+
+/// Exact shadows for renderers of others: what is lit in a picture, as textures.
+///
+/// 1. With an OpenGL ES 2 or 3 context current, make a ShadowMasks.
+/// 2. add() what casts or receives shadow; move(), change() and remove() it as it does.
+/// 3. Each frame draw() with your camera's matrices, and then your own picture, of the same size:
+///    what reaches a fragment of light i is channel i % 4 of textures()[i / 4] at
+///    gl_FragCoord.xy / size.
+///
+/// It draws depth itself. Alpha-tested and see-through casters it doesn't have yet: leave them out.
+/// All calls need the context; textures and buffers are made in it. All throw std::runtime_error
+/// with a full sentence; nothing has changed then.
+
+/// Column-major, as GL has them.
+using Matrix16 = std::array<double, 16>;
+inline constexpr Matrix16 identity16 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+/// Triangles that move together. Nothing is kept of the spans.
+struct MaskMesh {
+    std::span<const float> positions;       ///< x, y, z a vertex; finite
+    std::span<const std::uint32_t> indices; ///< three a triangle
+};
+
+/// A light in the world.
+struct MaskLight {
+    enum class Kind { directional, point, spot };
+    Kind kind = Kind::directional;
+    std::array<double, 3> position{};                ///< of a point or spot
+    std::array<double, 3> direction{0.0, -1.0, 0.0}; ///< where a sun or spot shines; any length
+    double range =
+        std::numeric_limits<double>::infinity(); ///< > 0: dark from there on; not a sun's
+    double outerAngle = 0.7853981633974483; ///< of a spot, radians, 0..pi/2: dark from there on
+    /// Of its extent: of a point the sphere's, scene units; of a sun its disc's, radians, to pi/4;
+    /// 0: its shadows are hard. A spot has none.
+    double radius = 0.0;
+};
+
+/// What is seen. The projection: perspective, off-axis too, or orthographic; its depths are not
+/// used. The view: a turn, a shift and one scale.
+struct MaskView {
+    Matrix16 viewFromWorld = identity16;
+    Matrix16 clipFromView = identity16;
+    int width = 1; ///< pixels
+    int height = 1;
+    std::size_t lightSamples = 64; ///< points of each light that has an extent, 1..4096
+};
+
+/// What the last draw() took.
+struct MaskCost {
+    double buildMs = 0.0;       ///< finding edges, in add() and change() since the one before
+    double drawMs = 0.0;        ///< of the CPU; a software renderer's own work may be in it
+    std::size_t vertexRuns = 0; ///< of shadow volumes' shaders, in each light's last picture
+    std::size_t bytes = 0;      ///< on the GPU: records, masks, depth
+    unsigned hostError = 0;     ///< a GL error that was there before draw(), which clears it
+};
+
+class ShadowMasks {
+  public:
+    using Id = std::uint32_t;
+    /// Maps a GL function's name to its address or null, as eglGetProcAddress() does.
+    using LookUp = void* (*)(const char*);
+
+    /// Lights that one draw() can have.
+    static constexpr std::size_t mostLights = 32;
+
+    explicit ShadowMasks(LookUp lookUp);
+    ~ShadowMasks();
+    ShadowMasks(ShadowMasks&&) noexcept;
+    ShadowMasks& operator=(ShadowMasks&&) noexcept;
+
+    /// A mesh of its own: nothing of the others is made anew. `worldFromObject`: affine and
+    /// invertible. Without `casts` it only receives, and is lit from behind as well. Takes time
+    /// linear in the triangles.
+    Id add(const MaskMesh& mesh, const Matrix16& worldFromObject = identity16, bool casts = true);
+    /// Another shape in the same place; costs what add() does.
+    void change(Id id, const MaskMesh& mesh);
+    /// Elsewhere, in the same shape.
+    void move(Id id, const Matrix16& worldFromObject);
+    void remove(Id id);
+
+    /// Draws the masks: 1 where nothing opaque is between a surface and the light, its own
+    /// included, 0 in shadow, outside of cones and ranges; for a light with an extent the share of
+    /// its points that is seen; 1 where no surface is. Leaves the GL's state as it was, see
+    /// docs/engine.md.
+    void draw(const MaskView& view, std::span<const MaskLight> lights);
+
+    /// GL names, RGBA, as large as the view, nearest texels; one for four lights, until the next
+    /// draw(). The host doesn't delete them.
+    std::span<const unsigned> textures() const;
+    const MaskCost& cost() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace edgeshade

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "edgeshade/shadow_masks.hpp"
+#include "src/scene/gpu_scene.hpp"
+#include "src/scene/load.hpp"
+#include "src/shadow/geometry/kept_layers.hpp"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <vector>
+
+namespace edgeshade {
+
+inline glm::dmat4 matrixOf(const Matrix16& numbers) {
+    return glm::make_mat4(numbers.data());
+}
+
+/// A host's meshes as a scene that isn't from a file, each of them a batch. A batch keeps its
+/// number: that of one that was removed is empty, and hidden, until the next one takes it.
+class CasterScene {
+  public:
+    using Id = ShadowMasks::Id;
+
+    CasterScene(SidesLayout layout, const gl::Capabilities& capabilities);
+
+    // As in ShadowMasks. Nothing is uploaded. Throws InputError.
+    Id add(const MaskMesh& mesh, const Matrix16& worldFromObject, bool casts);
+    void change(Id id, const MaskMesh& mesh);
+    void move(Id id, const Matrix16& worldFromObject);
+    void remove(Id id);
+
+    /// Uploads what is not there yet.
+    void upload();
+    /// The lights' layers, in a scene that is as the picture shows it.
+    void fillLayers(std::vector<FrameLight>& lights);
+
+    const LoadedScene& loaded() const { return loaded_; }
+    GpuScene& gpu() { return *gpu_; }
+    const Box& bounds();
+    /// On the GPU, of surfaces and records.
+    std::size_t bytes() const;
+    /// What finding edges took since the last call, milliseconds.
+    double takeBuildMs() { return std::exchange(buildMs_, 0.0); }
+
+  private:
+    void requireKnown(Id id) const;
+    void place(std::size_t batch, const glm::dmat4& worldFromBatch);
+    void put(std::size_t batch, Geometry geometry);
+    void changed();
+
+    SidesLayout layout_;
+    LoadedScene loaded_;
+    std::optional<GpuScene> gpu_;
+    std::vector<bool> taken_, uploaded_; ///< by batch
+    KeptLayers layers_;
+    std::optional<Box> bounds_; ///< nothing: something has moved since
+    double buildMs_ = 0.0;
+};
+
+} // namespace edgeshade

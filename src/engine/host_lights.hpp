@@ -1,0 +1,14 @@
+#pragma once
+
+#include "edgeshade/shadow_masks.hpp"
+#include "src/shadow/geometry/light.hpp"
+
+#include <span>
+#include <vector>
+
+namespace edgeshade {
+
+/// A host's lights as the planner has them. Throws InputError that names the light and the field.
+std::vector<Light> lightsOf(std::span<const MaskLight> lights);
+
+} // namespace edgeshade

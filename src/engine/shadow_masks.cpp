@@ -1,0 +1,203 @@
+#include "edgeshade/shadow_masks.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/base/stopwatch.hpp"
+#include "shaders_es2.hpp"
+#include "src/engine/caster_scene.hpp"
+#include "src/engine/host_lights.hpp"
+#include "src/gl/host_state.hpp"
+#include "src/render/accumulation/lit_counter.hpp"
+
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+namespace {
+
+constexpr std::size_t channels = 4;
+
+/// What the context can do where this draws, in framebuffers of its own. Throws Error(unavailable)
+/// where it can't draw there.
+gl::Capabilities capabilitiesOf(ShadowMasks::LookUp lookUp) {
+    gl::Capabilities found = gl::queryCapabilities(lookUp);
+    const gl::ColorTarget color(1, 1);
+    const gl::DepthStencil depth(1, 1, found);
+    depth.attach();
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ExitStatus::unavailable, "This GL can't draw into a texture with depth and "
+                                             "stencil, which shadow masks need.");
+    glGetIntegerv(GL_DEPTH_BITS, &found.depthBits);
+    glGetIntegerv(GL_STENCIL_BITS, &found.stencilBits);
+    found.samples = 0;
+    return found;
+}
+
+/// Some GL may be known by its version alone before it is asked for more.
+gl::HostFunctions functionsOf(ShadowMasks::LookUp lookUp) {
+    const auto text = [](GLenum name) {
+        const GLubyte* string = glGetString(name);
+        return std::string(string ? reinterpret_cast<const char*>(string) : "");
+    };
+    return gl::HostFunctions::find(text(GL_VERSION), text(GL_EXTENSIONS), lookUp);
+}
+
+RenderSettings settingsFor(const gl::Capabilities& capabilities) {
+    RenderSettings settings;
+    settings.layout = bestLayout(capabilities);
+    return settings;
+}
+
+} // namespace
+
+/// What is drawn with; made and destroyed with the host's state kept.
+struct MaskDrawing {
+    explicit MaskDrawing(const gl::Capabilities& of)
+        : capabilities(of), renderer(settingsFor(of), of), casters(renderer.settings().layout, of),
+          counter(of), channel(shaders::mask_channel_frag) {}
+
+    void draw(const MaskView& view, const std::vector<Light>& lights);
+    void drawLight(const FrameView& view, std::size_t light);
+    void fit(int width, int height, std::size_t lights);
+
+    gl::Capabilities capabilities;
+    Renderer renderer;
+    CasterScene casters;
+    LitCounter counter;
+    WholePicture channel;
+    std::vector<gl::ColorTarget> masks;
+    std::vector<unsigned> names;
+    int width = 0, height = 0;
+    std::size_t vertexRuns = 0;
+};
+
+void MaskDrawing::fit(int newWidth, int newHeight, std::size_t lights) {
+    const std::size_t count = (lights + channels - 1) / channels;
+    if (newWidth != width || newHeight != height) masks.clear();
+    width = newWidth;
+    height = newHeight;
+    if (masks.size() > count) masks.resize(count);
+    while (masks.size() < count)
+        masks.emplace_back(width, height);
+    names.clear();
+    for (const gl::ColorTarget& mask : masks)
+        names.push_back(mask.texture.name());
+}
+
+void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
+    FrameRequest request{.frustum =
+                             frustumOf(matrixOf(of.viewFromWorld), matrixOf(of.clipFromView)),
+                         .width = of.width,
+                         .height = of.height,
+                         .lights = lights};
+    request.lightSamples = of.lightSamples;
+    casters.upload();
+    FrameView view = makeFrameView(casters.loaded().scene, request, casters.bounds());
+    casters.fillLayers(view.lights);
+    view.mask = view.sumsMasks = true;
+    fit(of.width, of.height, lights.size());
+    vertexRuns = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        drawLight(view, i);
+    gl::requireNoError("drawing shadow masks");
+}
+
+void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
+    counter.begin(width, height);
+    const std::size_t points = view.lights[light].points.size();
+    if (points == 0) {
+        FrameView alone = view;
+        alone.lights = {view.lights[light]};
+        counter.add(renderer, casters.gpu(), casters.loaded(), alone, view.lights);
+    }
+    for (std::size_t first = 0; first < points;) {
+        const std::size_t count = std::min(points - first, LitCounter::lightsAtOnce(casters.gpu()));
+        counter.add(renderer, casters.gpu(), casters.loaded(),
+                    pointsView(view, light, first, count), view.lights);
+        first += count;
+    }
+    vertexRuns += renderer.vertexRuns();
+    const VisibilityLookup seen = counter.visibility();
+    glBindFramebuffer(GL_FRAMEBUFFER, masks[light / channels].framebuffer.name());
+    glViewport(0, 0, width, height);
+    for (const GLenum off : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_BLEND, GL_DITHER})
+        glDisable(off);
+    const auto writes = [&](std::size_t c) -> GLboolean { return light % channels == c; };
+    glColorMask(writes(0), writes(1), writes(2), writes(3));
+    const gl::Program& program = channel.use();
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, seen.texture);
+    program.setSampler("u_visibility", 0);
+    program.set("u_texel", 1.0f / seen.size);
+    channel.draw();
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+struct ShadowMasks::Impl {
+    explicit Impl(LookUp lookUp) : functions(functionsOf(lookUp)), arrays(functions) {
+        const gl::HostState keeper(functions, arrays);
+        drawing.emplace(capabilitiesOf(lookUp));
+    }
+
+    gl::HostFunctions functions;
+    gl::OwnArrays arrays;
+    std::optional<MaskDrawing> drawing;
+    MaskCost cost;
+};
+
+ShadowMasks::ShadowMasks(LookUp lookUp) : impl_(std::make_unique<Impl>(lookUp)) {}
+ShadowMasks::~ShadowMasks() = default;
+ShadowMasks::ShadowMasks(ShadowMasks&&) noexcept = default;
+ShadowMasks& ShadowMasks::operator=(ShadowMasks&&) noexcept = default;
+
+ShadowMasks::Id ShadowMasks::add(const MaskMesh& mesh, const Matrix16& worldFromObject,
+                                 bool casts) {
+    return impl_->drawing->casters.add(mesh, worldFromObject, casts);
+}
+
+void ShadowMasks::change(Id id, const MaskMesh& mesh) {
+    impl_->drawing->casters.change(id, mesh);
+}
+
+void ShadowMasks::move(Id id, const Matrix16& worldFromObject) {
+    impl_->drawing->casters.move(id, worldFromObject);
+}
+
+void ShadowMasks::remove(Id id) {
+    impl_->drawing->casters.remove(id);
+}
+
+void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) {
+    const std::vector<Light> planned = lightsOf(lights);
+    requireFewLights(planned.size());
+    if (view.width < 1 || view.height < 1)
+        throw InputError("A picture of " + std::to_string(view.width) + "x" +
+                         std::to_string(view.height) + " pixels can't be drawn.");
+    if (view.lightSamples < 1 || view.lightSamples > mostLightPoints)
+        throw InputError("Lights have 1 to " + std::to_string(mostLightPoints) + " samples, not " +
+                         std::to_string(view.lightSamples) + ".");
+    Stopwatch watch;
+    MaskDrawing& drawing = *impl_->drawing;
+    MaskCost cost;
+    {
+        const gl::HostState keeper(impl_->functions, impl_->arrays);
+        cost.hostError = keeper.error();
+        drawing.draw(view, planned);
+    }
+    cost.buildMs = drawing.casters.takeBuildMs();
+    cost.drawMs = 1e3 * watch.lap();
+    cost.vertexRuns = drawing.vertexRuns;
+    cost.bytes = drawing.casters.bytes() + drawing.renderer.bytes() + drawing.counter.bytes() +
+                 drawing.masks.size() * channels * static_cast<std::size_t>(view.width) *
+                     static_cast<std::size_t>(view.height);
+    impl_->cost = cost;
+}
+
+std::span<const unsigned> ShadowMasks::textures() const {
+    return impl_->drawing->names;
+}
+
+const MaskCost& ShadowMasks::cost() const {
+    return impl_->cost;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "edgeshade/shadow_masks.hpp"
+#include "src/gl/headless_context.hpp"
+#include "tests/support/headless.hpp"
+#include "tests/support/scene_builder.hpp"
+
+#include <set>
+#include <string>
+
+namespace edgeshade::test {
+
+inline constexpr int hostWidth = 240, hostHeight = 180;
+
+/// eglGetProcAddress().
+void* eglLookUp(const char* name);
+/// The same in a context that has no vertex array objects.
+void* lookUpWithoutArrays(const char* name);
+
+Matrix16 numbersOf(const glm::dmat4& matrix);
+MaskMesh meshOf(const Geometry& geometry);
+MaskView viewOf(const Camera& camera);
+MaskLight hostLight(const Light& light);
+
+/// One byte a pixel, rows top to bottom: a light's channel.
+std::vector<std::uint8_t> readMask(const ShadowMasks& masks, std::size_t light);
+
+/// The same of `render --mask`, 255 where no surface is.
+std::vector<std::uint8_t> renderedMask(const Scene& scene, const Camera& camera,
+                                       const Light& light);
+
+} // namespace edgeshade::test

@@ -1,0 +1,160 @@
+// What the mask engine hands a host equals `render --mask`, whatever came, went or moved before.
+#include "tests/engine/masks_in_a_host.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace edgeshade {
+namespace {
+
+using namespace test;
+
+const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
+
+Light spot() {
+    Light light = pointLight({0.3, 4, 0.7});
+    light.cone = Cone{glm::normalize(glm::dvec3(-0.1, -1, 0.1)), 0.0, 0.5};
+    return light;
+}
+
+const Geometry& geometryOf(const Scene& scene) {
+    return *scene.batches.front().geometry;
+}
+
+/// Both masks, the host's of some light of several. The rendered one is drawn before, by a context
+/// of its own, so contexts don't get in each other's way.
+struct Expected {
+    Scene scene;
+    Light light;
+    std::vector<std::uint8_t> mask;
+
+    Expected(Scene of, const Light& by) : scene(std::move(of)), light(by) {
+        mask = renderedMask(scene, corner, light);
+    }
+};
+
+std::size_t shadowed(const std::vector<std::uint8_t>& mask) {
+    return static_cast<std::size_t>(std::count(mask.begin(), mask.end(), 0));
+}
+
+Scene boxAt(const glm::dmat4& place) {
+    return SceneBuilder().box({-0.5f, 0.2f, -0.5f}, {0.5f, 1.0f, 0.5f}).placedBy(place).scene();
+}
+
+Scene yardWith(const glm::dmat4& place) {
+    Scene scene = yard().scene();
+    scene.batches.push_back(boxAt(place).batches.front());
+    return scene;
+}
+
+const glm::dmat4 left = glm::translate(glm::dmat4(1.0), {-1.5, 0.5, 2.0});
+const glm::dmat4 right = glm::rotate(glm::translate(glm::dmat4(1.0), {2.2, 1.0, 1.0}), 0.7,
+                                     glm::normalize(glm::dvec3(1, 2, 3)));
+
+} // namespace
+
+TEST(ShadowMasks, AreThoseOfRenderForEveryKindOfLight) {
+    const std::vector<Light> lights = {sun({0.5, 1, -0.3}), pointLight({0.3, 4, 0.7}), spot(),
+                                       Light{{0.2, 2.5, 1.2, 1.0}, 3.3},
+                                       pointLight({-0.4, 1.1, 0.9})};
+    std::vector<Expected> expected;
+    for (const Light& light : lights)
+        expected.emplace_back(yard().scene(), light);
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(yard().scene())));
+    std::vector<MaskLight> asked;
+    for (const Light& light : lights)
+        asked.push_back(hostLight(light));
+    masks.draw(viewOf(corner), asked);
+    EXPECT_EQ(masks.textures().size(), 2u) << "four lights a texture";
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        EXPECT_EQ(readMask(masks, i), expected[i].mask) << "light " << i;
+        EXPECT_GT(shadowed(expected[i].mask), 500u) << "there should be shadows";
+    }
+    EXPECT_GT(masks.cost().bytes, 0u);
+    EXPECT_GT(masks.cost().vertexRuns, 0u);
+    EXPECT_EQ(masks.cost().hostError, 0u);
+}
+
+TEST(ShadowMasks, FollowWhatComesGoesMovesAndChanges) {
+    const Light light = pointLight({0.3, 4, 0.7});
+    const Expected alone(yard().scene(), light), withLeft(yardWith(left), light),
+        withRight(yardWith(right), light);
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    const Scene ground = yard().scene(), box = boxAt(glm::dmat4(1.0));
+    const auto drawn = [&] {
+        const MaskLight asked = hostLight(light);
+        masks.draw(viewOf(corner), {&asked, 1});
+        return readMask(masks, 0);
+    };
+    masks.add(meshOf(geometryOf(ground)));
+    EXPECT_EQ(drawn(), alone.mask);
+    auto id = masks.add(meshOf(geometryOf(box)), numbersOf(left));
+    EXPECT_EQ(drawn(), withLeft.mask);
+    masks.move(id, numbersOf(right));
+    EXPECT_EQ(drawn(), withRight.mask);
+    EXPECT_EQ(masks.cost().buildMs, 0.0) << "nothing is made anew of what moves";
+    masks.remove(id);
+    EXPECT_EQ(drawn(), alone.mask);
+    const Scene other = SceneBuilder().box({-2, 3, -2}, {2, 3.2f, 2}).scene();
+    id = masks.add(meshOf(geometryOf(other)), numbersOf(left));
+    EXPECT_NE(drawn(), withLeft.mask);
+    masks.change(id, meshOf(geometryOf(box)));
+    EXPECT_EQ(drawn(), withLeft.mask);
+    EXPECT_NE(withLeft.mask, alone.mask);
+    EXPECT_NE(withLeft.mask, withRight.mask);
+}
+
+TEST(ShadowMasks, OfALightWithAnExtentAreShares) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(yard().scene())));
+    MaskLight light = hostLight(pointLight({0.3, 4, 0.7}));
+    light.radius = 0.5;
+    MaskView view = viewOf(corner);
+    view.lightSamples = 5;
+    masks.draw(view, {&light, 1});
+    std::set<int> shares;
+    for (const std::uint8_t share : readMask(masks, 0))
+        shares.insert(share);
+    EXPECT_EQ(shares, (std::set<int>{0, 51, 102, 153, 204, 255}));
+}
+
+TEST(ShadowMasks, AreLitWhereNothingIs) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    const MaskLight light;
+    masks.draw(viewOf(corner), {&light, 1});
+    EXPECT_EQ(readMask(masks, 0), std::vector<std::uint8_t>(hostWidth * hostHeight, 255));
+}
+
+TEST(ShadowMasks, OfWhatOnlyReceivesShowNoShadowOfIt) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(yard().scene())), identity16, false);
+    const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
+    masks.draw(viewOf(corner), {&light, 1});
+    EXPECT_EQ(shadowed(readMask(masks, 0)), 0u);
+}
+
+TEST(ShadowMasks, RefuseWhatIsWrongInASentence) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const std::vector<std::uint32_t> beyond = {0, 1, 3}, two = {0, 1};
+    EXPECT_THROW(masks.add({positions, beyond}), std::runtime_error);
+    EXPECT_THROW(masks.add({positions, two}), std::runtime_error);
+    EXPECT_THROW(masks.remove(0), std::runtime_error);
+    EXPECT_THROW(masks.move(7, identity16), std::runtime_error);
+    MaskLight spot;
+    spot.kind = MaskLight::Kind::spot;
+    spot.outerAngle = 0.0;
+    EXPECT_THROW(masks.draw(viewOf(corner), {&spot, 1}), std::runtime_error);
+    const std::vector<MaskLight> many(ShadowMasks::mostLights + 1);
+    EXPECT_THROW(masks.draw(viewOf(corner), many), std::runtime_error);
+}
+
+} // namespace edgeshade
