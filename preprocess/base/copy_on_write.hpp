@@ -20,8 +20,6 @@ class CopyOnWrite {
         return *value_;
     }
 
-    bool isSharedWith(const CopyOnWrite& other) const { return value_ == other.value_; }
-
   private:
     std::shared_ptr<T> value_;
 };

@@ -1,5 +1,6 @@
 #include "preprocess/mesh/caster_simplification.hpp"
 
+#include "preprocess/base/longest_axis.hpp"
 #include "preprocess/mesh/topology.hpp"
 
 #include <algorithm>
@@ -7,11 +8,6 @@
 
 namespace edgeshade {
 namespace {
-
-double longestAxis(const glm::dmat4& worldFromBatch) {
-    const glm::dmat3 axes(worldFromBatch);
-    return std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-}
 
 /// A vertex of the batch for every welded position.
 std::vector<std::uint32_t> verticesOf(const WeldedMesh& mesh, const Casters& casters) {

@@ -1,6 +1,7 @@
 #include "preprocess/reading/flatten.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/longest_axis.hpp"
 #include "preprocess/mesh/weld.hpp"
 #include "preprocess/reading/camera_reading.hpp"
 #include "preprocess/reading/light_reading.hpp"
@@ -210,12 +211,6 @@ Batch makeBatch(const GltfDocument& document, const Mover& mover,
     batch.geometry = CopyOnWrite(std::move(geometry));
     if (mover.deforms) batch.deformation = deformation.built(origin);
     return batch;
-}
-
-/// How far a transform draws lengths out at most, but for shears.
-double longestAxis(const glm::dmat4& matrix) {
-    const glm::dmat3 axes(matrix);
-    return std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
 }
 
 /// A batch for each place.

@@ -1,6 +1,7 @@
 #include "preprocess/reading/pieces.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "preprocess/base/longest_axis.hpp"
 #include "preprocess/gltf/tinygltf_model.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/reading/instances.hpp"
@@ -170,10 +171,9 @@ struct MeshUse {
 /// Whether a mesh can be drawn from a space of its own: nothing is flattened there.
 bool isWellPlaced(const glm::dmat4& animatedFromMesh) {
     constexpr double leastShare = 1e-6;
-    const glm::dmat3 axes(animatedFromMesh);
-    const double longest =
-        std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
-    return std::abs(glm::determinant(axes)) >= leastShare * longest * longest * longest &&
+    const double longest = longestAxis(animatedFromMesh);
+    return std::abs(glm::determinant(glm::dmat3(animatedFromMesh))) >=
+               leastShare * longest * longest * longest &&
            longest > std::numeric_limits<float>::min() &&
            longest < std::numeric_limits<float>::max();
 }

@@ -32,7 +32,6 @@ std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum
                 eyeFromBatch *
                 glm::dvec4(batch.geometry->positions[batch.geometry->indices[index]], 1.0));
         };
-        const bool mirrored = glm::determinant(glm::dmat3(eyeFromBatch)) < 0.0;
         for (const SurfaceGroup& group : batch.geometry->groups) {
             const Material& material = scene.materials[group.material];
             for (std::uint32_t i = group.firstIndex; i < group.firstIndex + group.indexCount;
@@ -44,7 +43,7 @@ std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum
                                     (cutoutsCast && material.alphaMode == AlphaMode::mask),
                                 material.alphaMode != AlphaMode::blend});
                 if (scene.culls && !material.doubleSided &&
-                    isSeenFromBehind(triangle, eye, mirrored))
+                    isSeenFromBehind(triangle, eye, batch.isMirrored()))
                     triangle.visible = false;
             }
         }

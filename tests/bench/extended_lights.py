@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""How many points of lights with an extent are counted wrong, against the oracle, by scene, shape
-and number of points: the table of docs/measured/extended-lights.md. Of models in ../shared/scenes.
+"""How many points of lights with an extent are counted wrong, by volumes and by primitive maps,
+against the oracle, by scene, shape and number of points: the table of docs/measured/extended-lights.md. Of models in ../shared/scenes.
 
     tests/bench/extended_lights.py           measures, then the table
     tests/bench/extended_lights.py --table   the table from the results that are there
@@ -13,6 +13,7 @@ from edgeshade_runs import SCENES, figure, replace_between, report, results_of
 MODELS = {"temple": "temple.glb", "city": "city.draco.glb", "garden": "garden.draco.glb",
           "hospital, electrical": "hospital-electrical.glb"}
 POINTS = (16, 64, 255)
+MAP = "by map"
 VIEWS, SIZE = 3, "320x180"  # of six kinds by turns
 # Of the scene's diagonal, or degrees.
 SHAPES = {"sphere": ("--light-radius", 0.02), "rectangle": ("--light-size", 0.05),
@@ -36,27 +37,31 @@ def measured():
         for shape in SHAPES:
             against = [word for points in POINTS[:-1] for word in ("--against", f"light-samples={points}")]
             # Two of the three have points of light, one a sun.
+            against += ["--against", f"light-samples={POINTS[-1]},shadows=primitive-map"]
             told = report("compare", path, "--views", VIEWS, "--size", SIZE,
                           *extent(shape, diagonal), "--light-samples", POINTS[-1], *against)["results"]
-            found.setdefault(name, {})[shape] = {
-                str(of["settings"]["light-samples"]): {key: of[key] for key in (
-                    "views", "visible_pixels", "points", "wrong_points", "wrong_points_percent",
-                    "wrong_count_pixels", "wrong_count_beyond_1px", "wrong_count_beyond_1px_not_tied",
-                    "largest_wrong_count")} for of in told}
+            *by_volumes, by_map = [{key: of[key] for key in (
+                "views", "visible_pixels", "points", "wrong_points", "wrong_points_percent",
+                "wrong_count_pixels", "wrong_count_beyond_1px", "wrong_count_beyond_1px_not_tied",
+                "largest_wrong_count")} for of in told]
+            counts = [of["settings"]["light-samples"] for of in told[:-1]]
+            found.setdefault(name, {})[shape] = dict(zip(map(str, counts), by_volumes)) | {MAP: by_map}
     return found
 
 
 def table(scenes):
     lines = ["| scene | light | " + " | ".join(f"{n} points, wrong %" for n in POINTS)
-             + " | beyond 1 px | not tied | worst pixel |",
-             "|" + " --- |" * (5 + len(POINTS))]
+             + f" | {POINTS[-1]} looked up | beyond 1 px | looked up | not tied | looked up | worst pixel |",
+             "|" + " --- |" * (8 + len(POINTS))]
     for name, shapes in scenes.items():
         for shape, by_points in shapes.items():
-            of = [by_points[str(n)] for n in POINTS]
+            of, looked_up = [by_points[str(n)] for n in POINTS], by_points[MAP]
             lines.append(f"| {name} | {shape} | "
                          + " | ".join(figure(one["wrong_points_percent"]) for one in of)
-                         + f" | {of[-1]['wrong_count_beyond_1px']}"
-                         + f" | {of[-1]['wrong_count_beyond_1px_not_tied']}"
+                         + f" | {figure(looked_up['wrong_points_percent'])}"
+                         + "".join(f" | {one[key]}" for key in ("wrong_count_beyond_1px",
+                                                               "wrong_count_beyond_1px_not_tied")
+                                   for one in (of[-1], looked_up))
                          + f" | {of[-1]['largest_wrong_count']} |")
     return "\n".join(lines)
 
@@ -64,6 +69,6 @@ def table(scenes):
 if __name__ == "__main__":
     results = results_of("extended_lights", measured)
     told = (f"{results['machine']['cores']} cores of {results['machine']['processor']}, "
-            f"{results['machine']['date']}, software renderer, {SIZE}; the last three columns are of "
-            f"{POINTS[-1]} points.")
+            f"{results['machine']['date']}, software renderer, {SIZE}; the last five columns are of "
+            f"{POINTS[-1]} points, by volumes and looked up in primitive maps.")
     replace_between("docs/measured/extended-lights.md", "counts", told + "\n\n" + table(results["scenes"]))

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <algorithm>
+#include <glm/glm.hpp>
+
+namespace edgeshade {
+
+/// The factor by which an affine transform draws lengths out at most, but for shears.
+inline double longestAxis(const glm::dmat4& matrix) {
+    const glm::dmat3 axes(matrix);
+    return std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
+}
+
+} // namespace edgeshade
