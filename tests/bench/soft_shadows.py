@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Error against time of soft shadows: exact ones of N points, maps filtered alike everywhere, and
 percentage-closer soft shadows, of the same lamp and the same sun. The tables of
-docs/measured/soft-shadows.md, its pictures docs/pictures/soft-shadows-*.png and its plot
+docs/measured/soft-shadows.md, the pictures docs/pictures/soft-shadows-*.png and the plot
 docs/pictures/soft-shadows.svg.
 
     tests/bench/soft_shadows.py             measures, then tables, pictures and plot
@@ -152,6 +152,18 @@ def draw_pictures():
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
                 pictures.append(read_png(out))
             write_png(PICTURES / f"soft-shadows-{name}.png", side_by_side(pictures))
+        write_png(PICTURES / "soft-shadows-pavilion.png", side_by_side(list(pavilion(folder))))
+
+
+def pavilion(folder):
+    """A point for the sun, and a disc of 2 degrees."""
+    view = ("--size", "480x360", "--camera-from", "2.6,1.7,5.2", "--camera-to", "0.7,0.35,1.2", "--fov", "40",
+            "--sun", "0.6,0.7,0.5", "--smooth", "8")
+    for light in ((), ("--sun-angle", "2", "--light-samples", "256")):
+        out = pathlib.Path(folder) / "out.png"
+        subprocess.run([PROGRAM, "render", ROOT / "assets" / "pavilion.glb", out, *view, *light], check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        yield read_png(out)
 
 
 def main():
