@@ -420,8 +420,7 @@ void Viewer::Parts::advanceMaps(double now) {
         ++changes;
     }
     for (const FrameLight& of : lights)
-        if (of.drawn && !gpu->scene->primitiveMaps.of(of.light))
-            mapsPending = true;
+        if (of.drawn && !gpu->scene->primitiveMaps.of(of.light)) mapsPending = true;
 }
 
 void Viewer::Parts::drawSides(const FrameView& view, Convergence& convergence,
