@@ -7,4 +7,4 @@ if ! clang-format --version 2>/dev/null | grep -q 'version 14'; then
     echo "skipped: clang-format 14 is not here"
     exit 77
 fi
-find preprocess src tests web -name node_modules -prune -o -name '*.[ch]pp' -print0 | xargs -0 clang-format --dry-run --Werror
+find include preprocess src tests web -name node_modules -prune -o -name '*.[ch]pp' -print0 | xargs -0 clang-format --dry-run --Werror

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/base/stopwatch.hpp"
+#include "preprocess/scene/triangle_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,34 +20,15 @@ std::vector<Material> materials() {
     return made;
 }
 
-Geometry geometryOf(const MaskMesh& mesh, std::size_t material) {
-    if (mesh.positions.size() % 3 != 0)
-        throw InputError("A mesh has " + std::to_string(mesh.positions.size()) +
-                         " numbers for positions, which is not three a vertex.");
-    if (mesh.indices.size() % 3 != 0)
-        throw InputError("A mesh has " + std::to_string(mesh.indices.size()) +
-                         " indices, which is not three a triangle.");
+Geometry geometryOf(const MaskMesh& from, std::size_t material) {
+    TriangleMesh mesh = triangleMesh(from.positions, from.indices);
     Geometry geometry;
-    const std::size_t vertices = mesh.positions.size() / 3;
-    geometry.positions.reserve(vertices);
-    for (std::size_t i = 0; i < vertices; ++i) {
-        glm::vec3& position = geometry.positions.emplace_back();
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            const float value = mesh.positions[3 * i + static_cast<std::size_t>(axis)];
-            if (!std::isfinite(value))
-                throw InputError("Position " + std::to_string(i) +
-                                 " of a mesh has a number that is not finite.");
-            position[axis] = value + 0.0f; // no -0
-        }
-    }
-    for (const std::uint32_t index : mesh.indices)
-        if (index >= vertices)
-            throw InputError("A mesh has the index " + std::to_string(index) + ", but " +
-                             std::to_string(vertices) + " vertices.");
+    const std::size_t vertices = mesh.positions.size();
+    geometry.positions = std::move(mesh.positions);
     geometry.normals.resize(vertices, glm::vec3(0.0f));
     geometry.texcoords.resize(vertices);
     geometry.colors.resize(vertices, glm::vec4(1.0f));
-    geometry.indices.assign(mesh.indices.begin(), mesh.indices.end());
+    geometry.indices = std::move(mesh.indices);
     if (!geometry.indices.empty())
         geometry.groups = {{material, 0, static_cast<std::uint32_t>(geometry.indices.size())}};
     return geometry;

@@ -1,0 +1,35 @@
+# cmake --install: the program, the libraries with the headers in include/, and what find_package()
+# and pkg-config look for (docs/engine.md).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(EDGESHADE_LIBRARIES edgeshade_geometry edgeshade_preprocess edgeshade_image
+  edgeshade_environment edgeshade_shadow edgeshade_runtime)
+foreach(library ${EDGESHADE_LIBRARIES})
+  string(REPLACE edgeshade_ "" part ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${part} POSITION_INDEPENDENT_CODE ON)
+endforeach()
+set_target_properties(edgeshade_runtime PROPERTIES EXPORT_NAME edgeshade OUTPUT_NAME edgeshade)
+
+install(TARGETS edgeshade RUNTIME)
+install(TARGETS ${EDGESHADE_LIBRARIES} EXPORT edgeshadeTargets ARCHIVE
+  INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/edgeshade TYPE INCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC)
+
+set(EDGESHADE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/edgeshade)
+install(EXPORT edgeshadeTargets NAMESPACE edgeshade:: DESTINATION ${EDGESHADE_CMAKE_DIR})
+configure_package_config_file(cmake/edgeshadeConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/edgeshadeConfig.cmake INSTALL_DESTINATION ${EDGESHADE_CMAKE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgeshadeConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/edgeshadeConfig.cmake
+  ${PROJECT_BINARY_DIR}/edgeshadeConfigVersion.cmake DESTINATION ${EDGESHADE_CMAKE_DIR})
+
+file(RELATIVE_PATH EDGESHADE_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+set(EDGESHADE_WEBP_FLAG)
+if(WEBP_LIBRARY AND WEBP_INCLUDE_DIR)
+  set(EDGESHADE_WEBP_FLAG " -lwebp")
+endif()
+configure_file(cmake/edgeshade.pc.in ${PROJECT_BINARY_DIR}/edgeshade.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/edgeshade.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Installs a build, moves what is installed elsewhere, and builds the consumer's project against it:
+by find_package() and by pkg-config.
+
+    tests/install/install_test.py BUILD
+"""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+sys.path.insert(0, str(ROOT / "tests/bench"))
+from culling import box, floor, glb  # noqa: E402
+from png_bytes import read_png  # noqa: E402
+
+CXX = os.environ.get("CXX", "c++")
+HEADERS = ("packing.hpp", "shadow_masks.hpp", "silhouettes.hpp")
+INCLUDE = re.compile(r"^\s*#include\s*(\S+)", re.M)
+STANDARD = re.compile("<[a-z_]+>")
+VIEW = ("--size", "320x240", "--camera-from", "4,5,6", "--camera-to", "0,0.5,0", "--fov", "45",
+        "--light", "1,5,2", "--cull", "off")
+
+
+def told(*words, **options):
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, **options)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, words))} failed:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def require(holds, sentence):
+    if not holds:
+        sys.exit(sentence)
+
+
+def installed(build, folder):
+    """The prefix, at another place than where it was installed."""
+    told("cmake", "--install", build, "--prefix", folder / "first")
+    told("cmake", "--install", build, env={**os.environ, "DESTDIR": str(folder / "staged")})
+    require(list((folder / "staged").rglob("edgeshadeConfig.cmake")), "DESTDIR got nothing.")
+    shutil.move(folder / "first", folder / "moved")
+    return folder / "moved"
+
+
+def check_files(prefix):
+    found = {path.relative_to(prefix).as_posix() for path in prefix.rglob("*") if path.is_file()}
+    require({f"include/edgeshade/{name}" for name in HEADERS} == {f for f in found if f.endswith(".hpp")},
+            f"Not the headers that belong there: {sorted(found)}")
+    require("bin/edgeshade" in found, "The program is not there.")
+    require(not any("draco" in name or "erfa" in name for name in found),
+            "Libraries of others are installed.")
+    for path in prefix.rglob("*"):
+        if path.suffix in (".cmake", ".pc", ".hpp"):
+            require(str(ROOT) not in path.read_text(), f"{path} names where it was built.")
+
+
+def check_headers(prefix, folder):
+    for name in HEADERS:
+        path = prefix / "include/edgeshade" / name
+        others = [header for header in INCLUDE.findall(path.read_text()) if not STANDARD.fullmatch(header)]
+        require(not others, f"{name} includes {others}.")
+        alone = folder / "alone.cpp"
+        alone.write_text(f"#include <edgeshade/{name}>\n#include <edgeshade/{name}>\n")
+        told(CXX, "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only",
+             "-I", prefix / "include", alone)
+
+
+def project(prefix, folder, name, *options):
+    build = folder / name
+    told("cmake", "-S", HERE / "consumer", "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", *options)
+    told("cmake", "--build", build)
+    return build
+
+
+def shadow_of(path):
+    """Rows of what the consumer drew: True where it is in shadow, None where nothing is."""
+    data = path.read_bytes()
+    _, size, _, pixels = data.split(b"\n", 3)
+    width, height = map(int, size.split())
+    kinds = {(51, 51, 51): True, (204, 204, 204): False, (0, 0, 255): None}
+    rows = []
+    for y in range(height):
+        row = pixels[3 * width * y:3 * width * (y + 1)]
+        rows.append([kinds[tuple(row[i:i + 3])] for i in range(0, len(row), 3)])
+    return rows
+
+
+def check_picture(path, wanted):
+    shadow, wrong, dark = shadow_of(path), 0, 0
+    for row, mask in zip(shadow, wanted.rows):
+        for x, of in enumerate(row):
+            level, alpha = mask[4 * x], mask[4 * x + 3]
+            expected = None if alpha == 0 else level == 0
+            wrong += of != expected
+            dark += of is True
+    require(dark > 500, f"The consumer's picture has {dark} pixels in shadow.")
+    require(wrong == 0, f"{wrong} pixels of the consumer's picture are not as render --mask has them.")
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        prefix = installed(build, folder)
+        check_files(prefix)
+        check_headers(prefix, folder)
+        program = prefix / "bin/edgeshade"
+        scene = glb(folder / "scene.glb", [], floor(4, 0) + box([-0.5, 0.5, -0.5], [0.5, 1.5, 0.5]))
+        told(program, "render", scene, folder / "mask.png", "--mask", *VIEW)
+        wanted = read_png(folder / "mask.png")
+
+        alone = project(prefix, folder, "alone", "-DCONSUMER_SHADOW_ALONE=ON")
+        require(told(alone / "silhouettes") ==
+                "6 4\nA mesh has the index 8, but 8 vertices.\n", "Not a cube's silhouettes.")
+        whole = project(prefix, folder, "whole")
+        told(whole / "draw", folder / "drawn.ppm")
+        check_picture(folder / "drawn.ppm", wanted)
+
+        told(program, "pack", scene, folder / "packed.glb")
+        report = json.loads(told(program, "info", scene, "--report", "-"))
+        counts = told(whole / "pack_one", scene, folder / "own.glb").split()
+        require(counts == [str(report["triangles"]), str(report["edges"])],
+                f"packScene() counts {counts}.")
+        require((folder / "own.glb").read_bytes() == (folder / "packed.glb").read_bytes(),
+                "packScene() and pack write different bytes.")
+        refused = subprocess.run([whole / "pack_one", folder / "none.glb", folder / "x"],
+                                 capture_output=True, text=True)
+        require(refused.returncode == 2 and "none.glb" in refused.stderr, f"It says {refused.stderr}")
+
+        flags = {"PKG_CONFIG_PATH": str(next(prefix.rglob("pkgconfig")))}
+        words = told("pkg-config", "--cflags", "--libs", "edgeshade", env={**os.environ, **flags}).split()
+        told(CXX, "-std=c++20", HERE / "consumer/draw.cpp", "-o", folder / "by_pc", *words)
+        told(folder / "by_pc", folder / "by_pc.ppm")
+        check_picture(folder / "by_pc.ppm", wanted)
+    print("Installed, moved and used.")
+
+
+if __name__ == "__main__":
+    main()
