@@ -12,6 +12,29 @@ uniform highp vec4 u_mapEye;           // where it is seen from, in map space, h
 // How far from a triangle's plane, in map space, rounding may have put a point of it.
 highp float pointError;
 
+// Of the triangle that is asked about: its edges' planes and its own through the point, and on which
+// side of it the point is.
+highp vec3 edgeAB;
+highp vec3 edgeBC;
+highp vec3 edgeAC;
+highp vec3 triangleNormal;
+highp float abovePlane;
+highp float hand;
+
+// 1 for each of four places that the triangle isn't before, else 0.
+highp vec4 notBlocked(highp vec4 x, highp vec4 y, highp vec4 z) {
+    highp vec4 first = edgeAB.x * x + edgeAB.y * y + edgeAB.z * z;
+    highp vec4 second = edgeBC.x * x + edgeBC.y * y + edgeBC.z * z;
+    highp vec4 third = edgeAC.x * x + edgeAC.y * y + edgeAC.z * z;
+    highp vec4 across = hand * (triangleNormal.x * x + triangleNormal.y * y +
+                                triangleNormal.z * z + vec4(u_placesW * abovePlane));
+    highp vec4 zero = vec4(0.0);
+    highp vec4 within = max(step(zero, first) * step(zero, second) * step(third, zero),
+                            step(first, zero) * step(second, zero) * step(zero, third));
+    // On the other side of the plane: across < 0.
+    return vec4(1.0) - within * (vec4(1.0) - step(zero, across));
+}
+
 highp float sumOf(highp vec4 four) { return four.x + four.y + four.z + four.w; }
 
 // Of 16. `casts`: see primitiveListIsEmpty().
@@ -39,35 +62,25 @@ highp float placesSeen(highp vec3 point, bool casts) {
         highp vec3 a = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, record).xyz;
         highp vec3 b = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, record + 1.0).xyz;
         highp vec3 c = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, record + 2.0).xyz;
-        highp vec3 ab = cross(a - point, b - a);
-        highp vec3 bc = cross(b - point, c - b);
-        highp vec3 ac = cross(a - point, c - a);
-        highp vec3 normal = cross(b - a, c - a);
-        highp float above = dot(normal, point - a);
-        highp vec3 terms = abs(normal);
+        edgeAB = cross(a - point, b - a);
+        edgeBC = cross(b - point, c - b);
+        edgeAC = cross(a - point, c - a);
+        triangleNormal = cross(b - a, c - a);
+        abovePlane = dot(triangleNormal, point - a);
+        highp vec3 terms = abs(triangleNormal);
         // What lies on the triangle is where it is seen from.
-        highp float side = abs(above) > pointError * (terms.x + terms.y + terms.z)
-                               ? above
-                               : dot(normal, u_mapEye.xyz - u_mapEye.w * a);
-        highp float hand = side > 0.0 ? 1.0 : (side < 0.0 ? -1.0 : 0.0);
-        highp float left = 0.0;
-        for (int k = 0; k < 4; ++k) {
-            highp vec4 x = towardsX[k], y = towardsY[k], z = towardsZ[k];
-            highp vec4 first = ab.x * x + ab.y * y + ab.z * z;
-            highp vec4 second = bc.x * x + bc.y * y + bc.z * z;
-            highp vec4 third = ac.x * x + ac.y * y + ac.z * z;
-            highp vec4 across =
-                hand * (normal.x * x + normal.y * y + normal.z * z + vec4(u_placesW * above));
-            highp vec4 zero = vec4(0.0);
-            highp vec4 within = max(step(zero, first) * step(zero, second) * step(third, zero),
-                                    step(first, zero) * step(second, zero) * step(zero, third));
-            // On the other side of the plane: across < 0.
-            seen[k] *= vec4(1.0) - within * (vec4(1.0) - step(zero, across));
-            left += sumOf(seen[k]);
-        }
-        if (left == 0.0) return 0.0;
+        highp float side = abs(abovePlane) > pointError * (terms.x + terms.y + terms.z)
+                               ? abovePlane
+                               : dot(triangleNormal, u_mapEye.xyz - u_mapEye.w * a);
+        hand = side > 0.0 ? 1.0 : (side < 0.0 ? -1.0 : 0.0);
+        // Not a loop: some GLs end loops after so many turns, those of inner ones counted.
+        seen[0] *= notBlocked(towardsX[0], towardsY[0], towardsZ[0]);
+        seen[1] *= notBlocked(towardsX[1], towardsY[1], towardsZ[1]);
+        seen[2] *= notBlocked(towardsX[2], towardsY[2], towardsZ[2]);
+        seen[3] *= notBlocked(towardsX[3], towardsY[3], towardsZ[3]);
+        if (sumOf(seen[0] + seen[1] + seen[2] + seen[3]) == 0.0) return 0.0;
         if (primitiveDepth <= entry.w) break; // all further ones are deeper
         if (casts && entry.x > floor(entry.x)) break; // or are asked by others alone
     }
-    return sumOf(seen[0]) + sumOf(seen[1]) + sumOf(seen[2]) + sumOf(seen[3]);
+    return sumOf(seen[0] + seen[1] + seen[2] + seen[3]);
 }

@@ -130,7 +130,10 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches, Ma
                          const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
     PrimitiveMapState state{nullptr, "at rest", built.milliseconds};
-    if (built.map && choice == MapChoice::thatPay && built.map->meanList > longLists) {
+    if (built.map && built.map->longestList > longestAsked) {
+        state.why = "a list of its primitive map has " + std::to_string(built.map->longestList) +
+                    " triangles, more than a shader's loops go through";
+    } else if (built.map && choice == MapChoice::thatPay && built.map->meanList > longLists) {
         state.why = "volumes cost less than lists of " +
                     std::to_string(std::lround(built.map->meanList)) + " triangles";
     } else if (built.map) {
