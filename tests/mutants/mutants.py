@@ -219,6 +219,6 @@ MUTANTS = (
      "extended_map_test", "ExtendedMap.*"),
     ("a point on a triangle is on the side that rounding put it",
      "shaders_es2/primitive_map_points.glsl",
-     "abs(above) > pointError * (terms.x + terms.y + terms.z)", "abs(above) > 0.0",
+     "abs(abovePlane) > pointError * (terms.x + terms.y + terms.z)", "abs(abovePlane) > 0.0",
      "point_counts_test", "PointCounts.*"),
 )
