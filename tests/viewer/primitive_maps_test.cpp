@@ -257,6 +257,25 @@ TEST_F(ViewerMaps, ShadowVolumesCanBeShownAllTheSame) {
     EXPECT_GT(differing(context.readPixels(), plain), 100u);
 }
 
+TEST_F(ViewerMaps, ListsLongerThanLoopsGoAreNotAsked) {
+    test::SceneBuilder builder;
+    builder.floor(4);
+    for (int i = 0; i < 3200; ++i) {
+        const float y = 0.5f + 1e-4f * static_cast<float>(i);
+        builder.quad({-0.5f, y, 0.5f}, {0.5f, y, 0.5f}, {0.5f, y, -0.5f}, {-0.5f, y, -0.5f});
+    }
+    viewer.show(loadedOf(builder.scene()));
+    viewer.change(Json::parse(R"({"left": {"shadows": "primitive-map"}, "light_samples": 4,
+        "lights": [{"direction": [0.4, 1, 0.3], "angle": 2}]})"));
+    settle();
+    EXPECT_EQ(method(), "volumes");
+    if (context.capabilities().limits == gl::Limits::device) {
+        EXPECT_NE(viewer.stats().lights.at(0).why.find("more than a shader's loops go through"),
+                  std::string::npos)
+            << viewer.stats().lights.at(0).why;
+    }
+}
+
 TEST(LightRest, IsWhatStaysLongEnough) {
     LightRest rest;
     const Light a = test::sun({0, 1, 0}), b = test::pointLight({1, 2, 3});
