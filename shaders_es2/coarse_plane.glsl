@@ -1,22 +1,16 @@
 // The plane of the triangle at a fragment, and how coarse_surface.frag stores it for each texel of
 // a coarse mask: three bytes of nearness, one of the direction. Along a plane nearness changes
-// linearly over the picture, so two derivatives tell all of it. It is 1 at the near plane: the
-// inverse of the depth in units of the near plane's distance; ORTHOGRAPHIC, what is left to the far
-// plane, as a share of the depth range.
+// linearly over the picture, so two derivatives tell all of it.
 //
 // Space: the camera's, x right, y up, z the depth along the viewing direction, in units of the near
 // plane's distance; ORTHOGRAPHIC, in scene units, z from the near plane on.
+#include "nearness.glsl"
+
 uniform vec2 u_tangents; // half the picture's window, across and up
 uniform vec2 u_middle;   // of the window
 uniform vec2 u_focal;    // fragments a unit of the window
 #ifdef ORTHOGRAPHIC
 uniform float u_depthRange; // from the near plane to the far plane, scene units
-
-varying vec3 v_clip; // w is 1
-#else
-uniform float u_near; // scene units
-
-varying vec3 v_clip; // x, y and w
 #endif
 
 struct Plane {
@@ -37,11 +31,7 @@ vec2 placeHere() {
 
 Plane planeHere() {
     Plane plane;
-#ifdef ORTHOGRAPHIC
-    plane.nearness = 0.5 - 0.5 * v_clip.z;
-#else
-    plane.nearness = u_near / v_clip.z;
-#endif
+    plane.nearness = nearnessHere();
     plane.change = vec2(dFdx(plane.nearness), dFdy(plane.nearness));
     vec2 slope = plane.change * u_focal;
     vec2 window = placeHere() * u_tangents + u_middle;
@@ -61,15 +51,8 @@ vec2 direction(vec3 normal) {
     return clamp(normal.xy / max(length(normal) + normal.z, 1e-30), -1.0, 1.0);
 }
 
-const float largestInverse = 16777215.0; // of three bytes
-
 vec4 packPlane(Plane plane) {
-    float rest = floor(clamp(plane.nearness, 0.0, 1.0) * largestInverse + 0.5);
-    vec4 bytes;
-    bytes.r = floor(rest / 65536.0);
-    rest -= bytes.r * 65536.0;
-    bytes.g = floor(rest / 256.0);
-    bytes.b = rest - bytes.g * 256.0;
+    vec4 bytes = vec4(nearnessBytes(plane.nearness), 0.0);
     vec2 nibbles = floor(direction(plane.normal) * 7.5 + 8.0);
     bytes.a = min(nibbles.x, 15.0) * 16.0 + min(nibbles.y, 15.0);
     return bytes / 255.0;

@@ -1,12 +1,19 @@
 // Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants
-// ALPHA_TEST, TEXTURED, COLORED and SLICED: see surface.frag.
+// ALPHA_TEST, TEXTURED, COLORED and SLICED: see surface.frag; NEARNESS_ALONE: without the plane, for
+// GLs that have no derivatives, too.
+#ifndef NEARNESS_ALONE
 #extension GL_OES_standard_derivatives : enable
+#endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
 precision mediump float;
 #endif
+#ifdef NEARNESS_ALONE
+#include "nearness.glsl"
+#else
 #include "coarse_plane.glsl"
+#endif
 
 #ifdef ALPHA_TEST
 uniform vec4 u_baseColor;
@@ -25,7 +32,9 @@ varying float v_depth;
 #endif
 
 void main() {
+#ifndef NEARNESS_ALONE
     Plane plane = planeHere(); // before anything is discarded: derivatives need their neighbours
+#endif
 #ifdef SLICED
     if (v_depth > u_farthest) discard;
 #endif
@@ -39,5 +48,9 @@ void main() {
 #endif
     if (alpha < u_alphaCutoff) discard;
 #endif
+#ifdef NEARNESS_ALONE
+    gl_FragColor = vec4(nearnessBytes(nearnessHere()) / 255.0, 1.0);
+#else
     gl_FragColor = packPlane(plane);
+#endif
 }

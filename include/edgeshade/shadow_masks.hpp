@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace edgeshade {
 
@@ -29,6 +30,25 @@ inline constexpr Matrix16 identity16 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0
 struct MaskMesh {
     std::span<const float> positions;       ///< x, y, z a vertex; finite
     std::span<const std::uint32_t> indices; ///< three a triangle
+    bool casts = true;       ///< else it only receives, and is lit from behind as well
+    bool doubleSided = true; ///< else it is seen from its front alone, where it is wound
+                             ///< counter-clockwise; it casts from either side
+};
+
+/// A mesh whose edges are found, which takes time linear in its triangles: on any thread, and
+/// without a GL. Copies are the same mesh, which masks keep once wherever they have it.
+class PreparedMesh {
+  public:
+    struct Data;
+
+    /// Throws std::runtime_error.
+    explicit PreparedMesh(const MaskMesh& mesh);
+    explicit PreparedMesh(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+    const std::shared_ptr<const Data>& data() const { return data_; }
+
+  private:
+    std::shared_ptr<const Data> data_;
 };
 
 /// A light in the world.
@@ -53,11 +73,30 @@ struct MaskView {
     int width = 1; ///< pixels
     int height = 1;
     std::size_t lightSamples = 64; ///< points of each light that has an extent, 1..4096
+    bool nearness = false;         ///< nearness() is drawn too: once more all surfaces
+};
+
+/// Which surface a pixel of the masks is of, for hosts whose outlines are others than the masks',
+/// as with multisampling: a fragment takes the mask's texel, of those around it, whose nearness is
+/// closest to its own. Along a plane nearness changes linearly over the picture.
+struct MaskNearness {
+    unsigned texture = 0; ///< GL name, RGBA: 24 bits in red, green and blue, red the highest, as a
+                          ///< share of 2^24 - 1; 0: no surface, or none was asked for
+    double scale = 0.0;   ///< nearness is scale / depth + offset of a perspective, else
+    double offset = 0.0;  ///< scale * depth + offset; depth along the viewing direction, in the
+                          ///< world's units
+};
+
+/// Who keeps the state of the host's GL over a call.
+enum class StateKeeper {
+    engine, ///< all that it touches is as before
+    host,   ///< docs/engine.md lists what is left how; errors aren't asked for either. For WebGL,
+            ///< where JavaScript alone can name the host's objects
 };
 
 /// What the last draw() took.
 struct MaskCost {
-    double buildMs = 0.0;       ///< finding edges, in add() and change() since the one before
+    double buildMs = 0.0;       ///< preparing meshes, in add() and change() since the one before
     double drawMs = 0.0;        ///< of the CPU; a software renderer's own work may be in it
     std::size_t vertexRuns = 0; ///< of shadow volumes' shaders, in each light's last picture
     std::size_t bytes = 0;      ///< on the GPU: records, masks, depth
@@ -73,16 +112,17 @@ class ShadowMasks {
     /// Lights that one draw() can have.
     static constexpr std::size_t mostLights = 32;
 
-    explicit ShadowMasks(LookUp lookUp);
+    explicit ShadowMasks(LookUp lookUp, StateKeeper keeper = StateKeeper::engine);
     ~ShadowMasks();
     ShadowMasks(ShadowMasks&&) noexcept;
     ShadowMasks& operator=(ShadowMasks&&) noexcept;
 
     /// A mesh of its own: nothing of the others is made anew. `worldFromObject`: affine and
-    /// invertible. Without `casts` it only receives, and is lit from behind as well. Takes time
-    /// linear in the triangles.
-    Id add(const MaskMesh& mesh, const Matrix16& worldFromObject = identity16, bool casts = true);
-    /// Another shape in the same place; costs what add() does.
+    /// invertible.
+    Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject = identity16);
+    Id add(const MaskMesh& mesh, const Matrix16& worldFromObject = identity16);
+    /// Another mesh in the same place.
+    void change(Id id, const PreparedMesh& mesh);
     void change(Id id, const MaskMesh& mesh);
     /// Elsewhere, in the same shape.
     void move(Id id, const Matrix16& worldFromObject);
@@ -97,6 +137,8 @@ class ShadowMasks {
     /// GL names, RGBA, as large as the view, nearest texels; one for four lights, until the next
     /// draw(). The host doesn't delete them.
     std::span<const unsigned> textures() const;
+    /// Of the last draw(), likewise.
+    const MaskNearness& nearness() const;
     const MaskCost& cost() const;
 
   private:

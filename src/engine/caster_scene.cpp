@@ -1,38 +1,15 @@
 #include "src/engine/caster_scene.hpp"
 
 #include "preprocess/base/error.hpp"
-#include "preprocess/base/stopwatch.hpp"
-#include "preprocess/scene/triangle_mesh.hpp"
+#include "src/engine/prepared_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace edgeshade {
 namespace {
-
-enum MaterialNumber : std::size_t { casting, receiving };
-
-std::vector<Material> materials() {
-    std::vector<Material> made(2);
-    // All of it is seen, and MASK surfaces cast nothing.
-    made[receiving].alphaMode = AlphaMode::mask;
-    made[receiving].alphaCutoff = 0.0f;
-    return made;
-}
-
-Geometry geometryOf(const MaskMesh& from, std::size_t material) {
-    TriangleMesh mesh = triangleMesh(from.positions, from.indices);
-    Geometry geometry;
-    const std::size_t vertices = mesh.positions.size();
-    geometry.positions = std::move(mesh.positions);
-    geometry.normals.resize(vertices, glm::vec3(0.0f));
-    geometry.texcoords.resize(vertices);
-    geometry.colors.resize(vertices, glm::vec4(1.0f));
-    geometry.indices = std::move(mesh.indices);
-    if (!geometry.indices.empty())
-        geometry.groups = {{material, 0, static_cast<std::uint32_t>(geometry.indices.size())}};
-    return geometry;
-}
 
 glm::dmat4 placeOf(const Matrix16& numbers) {
     const glm::dmat4 place = matrixOf(numbers);
@@ -50,15 +27,21 @@ glm::dmat4 placeOf(const Matrix16& numbers) {
 
 CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilities)
     : layout_(layout) {
-    loaded_.scene.materials = materials();
+    loaded_.scene.materials = maskMaterials();
+    loaded_.scene.culls = true;
     gpu_.emplace(
         uploadScene(loaded_, VolumeRecords{VolumeLayout::planePairs, layout_}, capabilities));
 }
 
-CasterScene::Id CasterScene::add(const MaskMesh& mesh, const Matrix16& worldFromObject,
-                                 bool casts) {
-    Geometry geometry = geometryOf(mesh, casts ? casting : receiving);
+CasterScene::Id CasterScene::add(const PreparedMesh& mesh, const Matrix16& worldFromObject) {
     const glm::dmat4 place = placeOf(worldFromObject);
+    const std::size_t at = freeBatch();
+    put(at, mesh);
+    show(at, place);
+    return static_cast<Id>(at);
+}
+
+std::size_t CasterScene::freeBatch() {
     const auto free = std::find(taken_.begin(), taken_.end(), false);
     const auto at = static_cast<std::size_t>(free - taken_.begin());
     if (free == taken_.end()) {
@@ -68,17 +51,18 @@ CasterScene::Id CasterScene::add(const MaskMesh& mesh, const Matrix16& worldFrom
         taken_.push_back(false);
         uploaded_.push_back(false);
     }
-    put(at, std::move(geometry));
-    this->place(at, place);
-    taken_[at] = true;
-    gpu_->batches[at].hidden = false;
-    return static_cast<Id>(at);
+    return at;
 }
 
-void CasterScene::change(Id id, const MaskMesh& mesh) {
+void CasterScene::show(std::size_t batch, const glm::dmat4& worldFromBatch) {
+    place(batch, worldFromBatch);
+    taken_[batch] = true;
+    gpu_->batches[batch].hidden = false;
+}
+
+void CasterScene::change(Id id, const PreparedMesh& mesh) {
     requireKnown(id);
-    const auto& groups = loaded_.scene.batches[id].geometry->groups;
-    put(id, geometryOf(mesh, groups.empty() ? casting : groups.front().material));
+    put(id, mesh);
 }
 
 void CasterScene::move(Id id, const Matrix16& worldFromObject) {
@@ -88,7 +72,7 @@ void CasterScene::move(Id id, const Matrix16& worldFromObject) {
 
 void CasterScene::remove(Id id) {
     requireKnown(id);
-    put(id, {});
+    put(id, PreparedMesh(MaskMesh{}));
     gpu_->batches[id].hidden = true;
     taken_[id] = false;
 }
@@ -104,16 +88,11 @@ void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
     changed();
 }
 
-void CasterScene::put(std::size_t batch, Geometry geometry) {
-    Stopwatch watch;
-    Batch& to = loaded_.scene.batches[batch];
-    to.geometry = CopyOnWrite<Geometry>(std::move(geometry));
-    const std::vector<Material>& materials = loaded_.scene.materials;
-    loaded_.planePairs[batch] = std::make_shared<const PlanePairShadow>(
-        buildPlanePairs(to, castersOf(to, materials, false), materials, 0.0));
+void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
+    loaded_.scene.batches[batch].geometry = mesh.data()->geometry;
+    loaded_.planePairs[batch] = mesh.data()->shadow;
     uploaded_[batch] = false;
     changed();
-    buildMs_ += 1e3 * watch.lap();
 }
 
 void CasterScene::changed() {
@@ -123,15 +102,28 @@ void CasterScene::changed() {
 }
 
 void CasterScene::upload() {
+    if (std::find(uploaded_.begin(), uploaded_.end(), false) == uploaded_.end()) return;
+    std::map<const PlanePairShadow*, std::size_t> first;
+    for (std::size_t i = 0; i < uploaded_.size(); ++i)
+        if (uploaded_[i]) first.emplace(loaded_.planePairs[i].get(), i);
     for (std::size_t i = 0; i < uploaded_.size(); ++i) {
         if (uploaded_[i]) continue;
         GpuBatch& to = gpu_->batches[i];
+        uploaded_[i] = true;
+        const auto [same, isFirst] = first.emplace(loaded_.planePairs[i].get(), i);
+        if (!isFirst) {
+            to.surfaces = gpu_->batches[same->second].surfaces;
+            to.volumes = gpu_->batches[same->second].volumes;
+            continue;
+        }
         to.surfaces = std::make_shared<std::vector<SurfaceChunk>>(
             uploadSurfaces(loaded_.scene.batches[i], loaded_.scene.materials));
         to.volumes.planePairs = std::make_shared<PlanePairBuffers>(
             loaded_.planePairs[i], std::vector<glm::vec4>(), layout_);
-        uploaded_[i] = true;
     }
+    std::set<const PlanePairBuffers*> owned;
+    for (GpuBatch& batch : gpu_->batches)
+        batch.owns = owned.insert(batch.volumes.planePairs.get()).second;
 }
 
 void CasterScene::fillLayers(std::vector<FrameLight>& lights) {
@@ -146,7 +138,7 @@ const Box& CasterScene::bounds() {
 std::size_t CasterScene::bytes() const {
     std::size_t total = gpu_->shadowBytes();
     for (const GpuBatch& batch : gpu_->batches)
-        if (batch.surfaces)
+        if (batch.owns && batch.surfaces)
             for (const SurfaceChunk& chunk : *batch.surfaces)
                 total += chunk.vertices.size() + chunk.indices.size();
     return total;

@@ -23,12 +23,12 @@ class CasterScene {
     CasterScene(SidesLayout layout, const gl::Capabilities& capabilities);
 
     // As in ShadowMasks. Nothing is uploaded. Throws InputError.
-    Id add(const MaskMesh& mesh, const Matrix16& worldFromObject, bool casts);
-    void change(Id id, const MaskMesh& mesh);
+    Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject);
+    void change(Id id, const PreparedMesh& mesh);
     void move(Id id, const Matrix16& worldFromObject);
     void remove(Id id);
 
-    /// Uploads what is not there yet.
+    /// Uploads what is not there yet; the same mesh once.
     void upload();
     /// The lights' layers, in a scene that is as the picture shows it.
     void fillLayers(std::vector<FrameLight>& lights);
@@ -38,13 +38,14 @@ class CasterScene {
     const Box& bounds();
     /// On the GPU, of surfaces and records.
     std::size_t bytes() const;
-    /// What finding edges took since the last call, milliseconds.
-    double takeBuildMs() { return std::exchange(buildMs_, 0.0); }
 
   private:
     void requireKnown(Id id) const;
+    /// A number that none has, hidden.
+    std::size_t freeBatch();
+    void show(std::size_t batch, const glm::dmat4& worldFromBatch);
     void place(std::size_t batch, const glm::dmat4& worldFromBatch);
-    void put(std::size_t batch, Geometry geometry);
+    void put(std::size_t batch, const PreparedMesh& mesh);
     void changed();
 
     SidesLayout layout_;
@@ -53,7 +54,6 @@ class CasterScene {
     std::vector<bool> taken_, uploaded_; ///< by batch
     KeptLayers layers_;
     std::optional<Box> bounds_; ///< nothing: something has moved since
-    double buildMs_ = 0.0;
 };
 
 } // namespace edgeshade

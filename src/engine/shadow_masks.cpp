@@ -5,6 +5,7 @@
 #include "shaders_es2.hpp"
 #include "src/engine/caster_scene.hpp"
 #include "src/engine/host_lights.hpp"
+#include "src/engine/nearness_picture.hpp"
 #include "src/gl/host_state.hpp"
 #include "src/render/accumulation/lit_counter.hpp"
 
@@ -65,6 +66,7 @@ struct MaskDrawing {
     WholePicture channel;
     std::vector<gl::ColorTarget> masks;
     std::vector<unsigned> names;
+    std::optional<NearnessPicture> nearness;
     int width = 0, height = 0;
     std::size_t vertexRuns = 0;
 };
@@ -97,7 +99,12 @@ void MaskDrawing::draw(const MaskView& of, const std::vector<Light>& lights) {
     vertexRuns = 0;
     for (std::size_t i = 0; i < lights.size(); ++i)
         drawLight(view, i);
-    gl::requireNoError("drawing shadow masks");
+    if (!of.nearness) {
+        nearness.reset();
+        return;
+    }
+    if (!nearness) nearness.emplace(capabilities);
+    nearness->draw(renderer, casters.gpu(), view, request.frustum);
 }
 
 void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
@@ -107,12 +114,9 @@ void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
         FrameView alone = view;
         alone.lights = {view.lights[light]};
         counter.add(renderer, casters.gpu(), casters.loaded(), alone, view.lights);
-    }
-    for (std::size_t first = 0; first < points;) {
-        const std::size_t count = std::min(points - first, LitCounter::lightsAtOnce(casters.gpu()));
-        counter.add(renderer, casters.gpu(), casters.loaded(),
-                    pointsView(view, light, first, count), view.lights);
-        first += count;
+    } else {
+        counter.addPoints(renderer, casters.gpu(), casters.loaded(), view, light, 0, points,
+                          view.lights);
     }
     vertexRuns += renderer.vertexRuns();
     const VisibilityLookup seen = counter.visibility();
@@ -133,29 +137,59 @@ void MaskDrawing::drawLight(const FrameView& view, std::size_t light) {
 }
 
 struct ShadowMasks::Impl {
-    explicit Impl(LookUp lookUp) : functions(functionsOf(lookUp)), arrays(functions) {
-        const gl::HostState keeper(functions, arrays);
-        drawing.emplace(capabilitiesOf(lookUp));
+    Impl(LookUp lookUp, StateKeeper keeper) : functions(functionsOf(lookUp)) {
+        if (keeper == StateKeeper::engine) arrays.emplace(functions);
+        withStateKept([&] { drawing.emplace(capabilitiesOf(lookUp)); });
+    }
+
+    /// Returns the host's own error.
+    template <class Action>
+    unsigned withStateKept(Action action) {
+        if (!arrays) {
+            gl::setDrawingDefaults(functions);
+            action();
+            return GL_NO_ERROR;
+        }
+        const gl::HostState state(functions, *arrays);
+        action();
+        gl::requireNoError("drawing shadow masks");
+        return state.error();
+    }
+
+    PreparedMesh prepared(const MaskMesh& mesh) {
+        Stopwatch watch;
+        PreparedMesh made(mesh);
+        buildMs += 1e3 * watch.lap();
+        return made;
     }
 
     gl::HostFunctions functions;
-    gl::OwnArrays arrays;
+    std::optional<gl::OwnArrays> arrays; ///< none: the host keeps its state
     std::optional<MaskDrawing> drawing;
+    double buildMs = 0.0; ///< since the last draw()
     MaskCost cost;
 };
 
-ShadowMasks::ShadowMasks(LookUp lookUp) : impl_(std::make_unique<Impl>(lookUp)) {}
+ShadowMasks::ShadowMasks(LookUp lookUp, StateKeeper keeper)
+    : impl_(std::make_unique<Impl>(lookUp, keeper)) {}
 ShadowMasks::~ShadowMasks() = default;
 ShadowMasks::ShadowMasks(ShadowMasks&&) noexcept = default;
 ShadowMasks& ShadowMasks::operator=(ShadowMasks&&) noexcept = default;
 
-ShadowMasks::Id ShadowMasks::add(const MaskMesh& mesh, const Matrix16& worldFromObject,
-                                 bool casts) {
-    return impl_->drawing->casters.add(mesh, worldFromObject, casts);
+ShadowMasks::Id ShadowMasks::add(const PreparedMesh& mesh, const Matrix16& worldFromObject) {
+    return impl_->drawing->casters.add(mesh, worldFromObject);
+}
+
+ShadowMasks::Id ShadowMasks::add(const MaskMesh& mesh, const Matrix16& worldFromObject) {
+    return add(impl_->prepared(mesh), worldFromObject);
+}
+
+void ShadowMasks::change(Id id, const PreparedMesh& mesh) {
+    impl_->drawing->casters.change(id, mesh);
 }
 
 void ShadowMasks::change(Id id, const MaskMesh& mesh) {
-    impl_->drawing->casters.change(id, mesh);
+    change(id, impl_->prepared(mesh));
 }
 
 void ShadowMasks::move(Id id, const Matrix16& worldFromObject) {
@@ -178,22 +212,24 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) 
     Stopwatch watch;
     MaskDrawing& drawing = *impl_->drawing;
     MaskCost cost;
-    {
-        const gl::HostState keeper(impl_->functions, impl_->arrays);
-        cost.hostError = keeper.error();
-        drawing.draw(view, planned);
-    }
-    cost.buildMs = drawing.casters.takeBuildMs();
+    cost.hostError = impl_->withStateKept([&] { drawing.draw(view, planned); });
+    cost.buildMs = std::exchange(impl_->buildMs, 0.0);
     cost.drawMs = 1e3 * watch.lap();
     cost.vertexRuns = drawing.vertexRuns;
     cost.bytes = drawing.casters.bytes() + drawing.renderer.bytes() + drawing.counter.bytes() +
                  drawing.masks.size() * channels * static_cast<std::size_t>(view.width) *
-                     static_cast<std::size_t>(view.height);
+                     static_cast<std::size_t>(view.height) +
+                 (drawing.nearness ? drawing.nearness->bytes() : 0);
     impl_->cost = cost;
 }
 
 std::span<const unsigned> ShadowMasks::textures() const {
     return impl_->drawing->names;
+}
+
+const MaskNearness& ShadowMasks::nearness() const {
+    static constexpr MaskNearness none;
+    return impl_->drawing->nearness ? impl_->drawing->nearness->told() : none;
 }
 
 const MaskCost& ShadowMasks::cost() const {

@@ -19,8 +19,11 @@ constexpr GLenum switches[] = {GL_BLEND,
                                GL_SAMPLE_COVERAGE,
                                GL_SAMPLE_ALPHA_TO_COVERAGE,
                                GL_POLYGON_OFFSET_FILL};
-constexpr GLenum es3Switches[] = {0x8C89,  // RASTERIZER_DISCARD
-                                  0x8D69}; // PRIMITIVE_RESTART_FIXED_INDEX
+constexpr GLenum es3Switches[] = {
+#ifndef __EMSCRIPTEN__
+    0x8D69, // PRIMITIVE_RESTART_FIXED_INDEX, which WebGL 2 has always on
+#endif
+    0x8C89}; // RASTERIZER_DISCARD
 constexpr GLenum storage[] = {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT};
 constexpr GLenum es3Storage[] = {
     0x0CF2, 0x0CF3, 0x0CF4, 0x806D, 0x806E, // UNPACK_: ROW_LENGTH, SKIP_ROWS, SKIP_PIXELS, images
@@ -105,7 +108,7 @@ HostState::HostState(const HostFunctions& functions, const OwnArrays& arrays)
     glGetFloatv(GL_POLYGON_OFFSET_UNITS, &offsetUnits_);
     saveArrays();
     if (functions_.hasVertexArrays()) functions_.bindVertexArray(arrays.name());
-    setDefaults();
+    setDrawingDefaults(functions_);
 }
 
 HostState::~HostState() {
@@ -190,17 +193,22 @@ void HostState::restoreArrays() const {
     glBindBuffer(GL_ARRAY_BUFFER, word(arrayBuffer_));
 }
 
-void HostState::setDefaults() const {
-    for (const auto& [name, on] : switches_)
+void setDrawingDefaults(const HostFunctions& functions) {
+    for (const GLenum name : switches)
         set(name, name == GL_DITHER);
-    for (const auto& [name, value] : storage_)
-        glPixelStorei(name, name == GL_PACK_ALIGNMENT || name == GL_UNPACK_ALIGNMENT ? 4 : 0);
-    if (functions_.es3) {
+    for (const GLenum name : storage)
+        glPixelStorei(name, 4);
+    if (functions.es3) {
+        for (const GLenum name : es3Switches)
+            glDisable(name);
+        for (const GLenum name : es3Storage)
+            glPixelStorei(name, 0);
         glBindBuffer(packBuffer, 0);
         glBindBuffer(unpackBuffer, 0);
     }
-    for (std::size_t i = 0; functions_.bindSampler && i < units_.size(); ++i)
-        functions_.bindSampler(static_cast<unsigned>(i), 0);
+    const int units = functions.bindSampler ? integer(GL_MAX_TEXTURE_IMAGE_UNITS) : 0;
+    for (int i = 0; i < units; ++i)
+        functions.bindSampler(static_cast<unsigned>(i), 0);
     glBlendEquation(GL_FUNC_ADD);
     glCullFace(GL_BACK);
     glFrontFace(GL_CCW);

@@ -51,7 +51,6 @@ class HostState {
 
     void saveArrays();
     void restoreArrays() const;
-    void setDefaults() const;
     StencilFace stencilOf(bool back) const;
     void restoreStencil(unsigned face, const StencilFace& stencil) const;
 
@@ -75,5 +74,9 @@ class HostState {
     std::array<float, 2> depthRange_{};
     float depthClear_ = 1.0f, offsetFactor_ = 0.0f, offsetUnits_ = 0.0f;
 };
+
+/// Sets what drawing expects of a state of which nothing is known; that of vertex arrays and of
+/// bindings, but for samplers and pixel buffers, is left.
+void setDrawingDefaults(const HostFunctions& functions);
 
 } // namespace edgeshade::gl

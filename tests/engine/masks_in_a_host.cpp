@@ -52,18 +52,22 @@ MaskLight hostLight(const Light& light) {
     return host;
 }
 
-std::vector<std::uint8_t> readMask(const ShadowMasks& masks, std::size_t light) {
+std::vector<std::uint8_t> readTexture(unsigned texture) {
     GLuint framebuffer = 0;
     GLint before = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &before);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                           masks.textures()[light / 4], 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
     std::vector<std::uint8_t> rgba(std::size_t{4} * hostWidth * hostHeight);
     glReadPixels(0, 0, hostWidth, hostHeight, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(before));
     glDeleteFramebuffers(1, &framebuffer);
+    return rgba;
+}
+
+std::vector<std::uint8_t> readMask(const ShadowMasks& masks, std::size_t light) {
+    const std::vector<std::uint8_t> rgba = readTexture(masks.textures()[light / 4]);
     std::vector<std::uint8_t> mask;
     for (int y = hostHeight - 1; y >= 0; --y)
         for (int x = 0; x < hostWidth; ++x)

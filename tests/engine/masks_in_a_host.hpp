@@ -18,9 +18,12 @@ void* eglLookUp(const char* name);
 void* lookUpWithoutArrays(const char* name);
 
 Matrix16 numbersOf(const glm::dmat4& matrix);
-MaskMesh meshOf(const Geometry& geometry);
+MaskMesh meshOf(const Geometry& geometry); ///< seen from both sides
 MaskView viewOf(const Camera& camera);
 MaskLight hostLight(const Light& light);
+
+/// RGBA, rows bottom to top.
+std::vector<std::uint8_t> readTexture(unsigned texture);
 
 /// One byte a pixel, rows top to bottom: a light's channel.
 std::vector<std::uint8_t> readMask(const ShadowMasks& masks, std::size_t light);

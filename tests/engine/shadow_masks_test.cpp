@@ -108,6 +108,104 @@ TEST(ShadowMasks, FollowWhatComesGoesMovesAndChanges) {
     EXPECT_NE(withLeft.mask, withRight.mask);
 }
 
+TEST(ShadowMasks, OfAMeshAtTwoPlacesAreThoseOfTwoMeshes) {
+    const glm::dmat4 left = glm::translate(glm::dmat4(1.0), {-1.5, 0, 0.5});
+    const glm::dmat4 right = glm::translate(glm::dmat4(1.0), {1.2, 0.3, -0.4});
+    const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene ground = yard().scene(), box = boxAt(glm::dmat4(1.0));
+    const auto drawn = [&](ShadowMasks& masks) {
+        masks.draw(viewOf(corner), {&light, 1});
+        return readMask(masks, 0);
+    };
+    ShadowMasks twice(eglLookUp), places(eglLookUp);
+    for (ShadowMasks* masks : {&twice, &places})
+        masks->add(meshOf(geometryOf(ground)));
+    twice.add(meshOf(geometryOf(box)), numbersOf(left));
+    twice.add(meshOf(geometryOf(box)), numbersOf(right));
+    const PreparedMesh mesh(meshOf(geometryOf(box)));
+    const auto first = places.add(mesh, numbersOf(left));
+    const auto second = places.add(mesh, numbersOf(right));
+    EXPECT_EQ(drawn(places), drawn(twice));
+    EXPECT_LT(places.cost().bytes, twice.cost().bytes) << "they are kept once";
+    // The first may go, and the other change: neither has the other's fate.
+    places.remove(first);
+    ShadowMasks one(eglLookUp);
+    one.add(meshOf(geometryOf(ground)));
+    one.add(meshOf(geometryOf(box)), numbersOf(right));
+    EXPECT_EQ(drawn(places), drawn(one));
+    const auto third = places.add(mesh, numbersOf(left));
+    places.change(second, meshOf(geometryOf(ground)));
+    places.remove(second);
+    places.move(third, numbersOf(right));
+    EXPECT_EQ(drawn(places), drawn(one));
+}
+
+TEST(ShadowMasks, SeeThroughTheBacksOfWhatHasOneSide) {
+    const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene ground = yard().scene();
+    // A triangle that hides much of the picture, wound clockwise as the eye sees it.
+    const std::vector<float> positions = {4, 3, 4, -1, 5, 4.5, 3, 0.5, 6};
+    const std::vector<std::uint32_t> front = {0, 1, 2}, back = {0, 2, 1};
+    const auto drawn = [&](const std::vector<std::uint32_t>& indices, bool doubleSided) {
+        ShadowMasks masks(eglLookUp);
+        masks.add(meshOf(geometryOf(ground)));
+        masks.add({positions, indices, false, doubleSided});
+        masks.draw(viewOf(corner), {&light, 1});
+        return readMask(masks, 0);
+    };
+    ShadowMasks alone(eglLookUp);
+    alone.add(meshOf(geometryOf(ground)));
+    alone.draw(viewOf(corner), {&light, 1});
+    const auto without = readMask(alone, 0), hidden = drawn(front, true);
+    EXPECT_EQ(drawn(back, true), hidden);
+    ASSERT_NE(hidden, without);
+    EXPECT_TRUE((drawn(front, false) == without) != (drawn(back, false) == without));
+    EXPECT_TRUE((drawn(front, false) == hidden) != (drawn(back, false) == hidden));
+}
+
+/// What nearness() says of each pixel's depth, rows bottom to top; 0: no surface.
+std::vector<double> depthsTold(const ShadowMasks& masks, bool orthographic) {
+    const MaskNearness& told = masks.nearness();
+    const std::vector<std::uint8_t> rgba = readTexture(told.texture);
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        const double nearness =
+            (65536.0 * rgba[i] + 256.0 * rgba[i + 1] + rgba[i + 2]) / 16777215.0;
+        depths.push_back(nearness == 0.0 ? 0.0
+                         : orthographic  ? (nearness - told.offset) / told.scale
+                                         : told.scale / (nearness - told.offset));
+    }
+    return depths;
+}
+
+TEST(ShadowMasks, TellHowFarAwaySurfacesAre) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
+    // A square of half-width 1, square to the view, 3 before the eye.
+    const std::vector<float> positions = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    const std::vector<std::uint32_t> indices = {0, 1, 2, 0, 2, 3};
+    const Camera straight{{0, 0, 3}, {0, 0, 0}, 50.0};
+    for (const bool orthographic : {false, true}) {
+        ShadowMasks masks(eglLookUp);
+        masks.add({positions, indices});
+        MaskView view = viewOf(straight);
+        if (orthographic) {
+            const Frustum frustum =
+                frustumOf(straight, static_cast<double>(hostWidth) / hostHeight, 4.0);
+            view.clipFromView = numbersOf(clipFromView(frustum, 0.1, 10.0));
+        }
+        masks.draw(view, {&light, 1});
+        EXPECT_EQ(masks.nearness().texture, 0u) << "nobody asked";
+        view.nearness = true;
+        masks.draw(view, {&light, 1});
+        const std::vector<double> depths = depthsTold(masks, orthographic);
+        EXPECT_NEAR(depths[hostHeight / 2 * hostWidth + hostWidth / 2], 3.0, 1e-5);
+        EXPECT_EQ(depths.front(), 0.0);
+    }
+}
+
 TEST(ShadowMasks, OfALightWithAnExtentAreShares) {
     const gl::HeadlessContext context({hostWidth, hostHeight});
     ShadowMasks masks(eglLookUp);
@@ -134,7 +232,10 @@ TEST(ShadowMasks, AreLitWhereNothingIs) {
 TEST(ShadowMasks, OfWhatOnlyReceivesShowNoShadowOfIt) {
     const gl::HeadlessContext context({hostWidth, hostHeight});
     ShadowMasks masks(eglLookUp);
-    masks.add(meshOf(geometryOf(yard().scene())), identity16, false);
+    const Scene scene = yard().scene();
+    MaskMesh mesh = meshOf(geometryOf(scene));
+    mesh.casts = false;
+    masks.add(mesh);
     const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
     masks.draw(viewOf(corner), {&light, 1});
     EXPECT_EQ(shadowed(readMask(masks, 0)), 0u);

@@ -218,6 +218,29 @@ std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
     return runs;
 }
 
+void Renderer::drawNearness(const GpuScene& scene, const FrameView& view) {
+    PlaneSpace space{.near = static_cast<float>(view.near())};
+    if (view.frustum.orthographic)
+        space.depthRange = static_cast<float>(view.farPlane - view.near());
+    glViewport(0, 0, view.width, view.height);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_DEPTH_TEST);
+    for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_DITHER, GL_STENCIL_TEST})
+        glDisable(off);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (const DepthSlice& slice : view.slices) {
+        glClear(GL_DEPTH_BUFFER_BIT);
+        SurfaceShading shading;
+        shading.nearness = &space;
+        shading.farthest = static_cast<float>(slice.far * sliceOverlap);
+        drawSurfaces(scene, view, slice, shading);
+    }
+    glEnable(GL_DITHER);
+}
+
 bool Renderer::cutsToVisible() const {
     const auto records = settings_.records();
     return !records || records->volumes != VolumeLayout::oppositeVertices;

@@ -63,6 +63,10 @@ class Renderer {
     void draw(GpuScene& scene, const FrameView& view, StageClock* clock = nullptr,
               std::span<const VisibilityLookup> visibility = {});
 
+    /// Draws how near what is visible is (shaders_es2/nearness.glsl) into the current framebuffer,
+    /// which needs depth; 0 where nothing is. Perspective: near planes are the nearest slice's.
+    void drawNearness(const GpuScene& scene, const FrameView& view);
+
     /// What the last frame drew, until the next one.
     const FramePlan& plan() const { return plan_; }
 

@@ -269,7 +269,7 @@ const std::array<SurfacePass::Attribute, 8> SurfacePass::attributes_ = {{
 void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
                               const SurfaceShading& shading, Variant& variant) const {
     const Material& material = scene.materials[chunk.material];
-    if (!shading.full || shading.mask || shading.planes || shading.tintPrimitives) return;
+    if (!shading.full || shading.mask || shading.geometryAlone() || shading.tintPrimitives) return;
     variant.linear = shading.full->linear;
     if (variant.catcher) {
         variant.plain = shading.lights == 1.0 &&
@@ -306,7 +306,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
                               shading.tintPrimitives};
     variant.textured = scene.textures.has(material.baseColor());
     variant.catcher = material.ground == GroundMaterial::catcher && !shading.mask &&
-                      !shading.planes && !shading.tintPrimitives;
+                      !shading.geometryAlone() && !shading.tintPrimitives;
     variant.colored = chunk.colored && (variant.catcher || material.ground == GroundMaterial::none);
     variant.lit = shading.light.has_value();
     variant.withAmbient = variant.lit && shading.withAmbient;
@@ -318,9 +318,8 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.coarse = shading.coarse != nullptr;
     variant.visibility = shading.visibility != nullptr;
     variant.planes = shading.planes != nullptr;
-    const PlaneSpace* space = shading.planes   ? shading.planes
-                              : shading.coarse ? &shading.coarse->space
-                                               : nullptr;
+    variant.nearness = shading.nearness != nullptr;
+    const PlaneSpace* space = shading.coarse ? &shading.coarse->space : shading.geometryAlone();
     variant.orthographic = space && space->depthRange;
     addMaterial(scene, chunk, shading, variant);
     return variant;
@@ -366,17 +365,19 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.primitives && variant.primitives->tint) defines.push_back("PRIMITIVE_MAP_TINT");
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.visibility) defines.push_back("VISIBILITY");
-    if (variant.coarse || variant.planes) defines.push_back("PLANE");
+    if (variant.coarse || variant.planes || variant.nearness) defines.push_back("PLANE");
+    if (variant.nearness) defines.push_back("NEARNESS_ALONE");
     if (variant.orthographic) defines.push_back("ORTHOGRAPHIC");
     std::vector<std::string> names;
     for (const Attribute& attribute : attributes_)
         if (attribute.isOf(variant)) names.push_back(attribute.name);
     return programs_
-        .emplace(variant, gl::Program(shaders::surface_vert,
-                                      variant.planes     ? shaders::coarse_surface_frag
-                                      : variant.material ? shaders::material_frag
-                                                         : shaders::surface_frag,
-                                      defines, names))
+        .emplace(variant,
+                 gl::Program(shaders::surface_vert,
+                             variant.planes || variant.nearness ? shaders::coarse_surface_frag
+                             : variant.material                 ? shaders::material_frag
+                                                                : shaders::surface_frag,
+                             defines, names))
         .first->second;
 }
 
@@ -399,7 +400,7 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
                                    const BatchView& view, const glm::dvec3& eye,
                                    const SurfaceShading& shading) {
     if (!mayBeSeen(chunk, view)) return 0;
-    const bool shaded = !shading.mask && !shading.planes;
+    const bool shaded = !shading.mask && !shading.geometryAlone();
     if (shaded && scene.materials[chunk.material].unlit)
         return drawSeen(scene, chunk, view, eye, unlitShading(shading));
     if (shaded && scene.materials[chunk.material].ground == GroundMaterial::catcher)
@@ -426,7 +427,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     if (!shading.places.empty()) setPlaces(used, *shading.primitives, shading);
     if (shading.coarse) setCoarseMask(used, *shading.coarse, casts);
     if (shading.visibility) setVisibility(used, *shading.visibility);
-    if (shading.planes) setPlaneSpace(used, *shading.planes);
+    if (shading.geometryAlone()) setPlaneSpace(used, *shading.geometryAlone());
     used.set("u_clipFromObject", view.clipFromObject);
     used.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);
     used.set("u_normalFromObject", view.normalFromObject);

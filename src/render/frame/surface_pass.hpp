@@ -58,7 +58,11 @@ struct SurfaceShading {
     bool tintPrimitives = false; ///< show what its texels hold
     const CoarseMaskLookup* coarse = nullptr;
     const VisibilityLookup* visibility = nullptr; ///< how much of its extent is seen
-    const PlaneSpace* planes = nullptr; ///< not null: planes are drawn, and nothing is shaded
+    const PlaneSpace* planes = nullptr;   ///< not null: planes are drawn, and nothing is shaded
+    const PlaneSpace* nearness = nullptr; ///< likewise, nearness alone
+
+    /// Surfaces themselves are drawn, not what they look like.
+    const PlaneSpace* geometryAlone() const { return planes ? planes : nearness; }
 };
 
 /// Whether all surfaces of a batch are certainly outside one of the planes, viewPlanes() of the
@@ -123,6 +127,7 @@ class SurfacePass {
         bool coarse;       ///< looks up a mask of lower resolution
         bool visibility;   ///< looks up how much of the light is seen
         bool planes;       ///< draws what such a mask stores of surfaces
+        bool nearness;     ///< draws how near they are
         bool orthographic; ///< looks it up or draws it for such a picture
         bool sided;        ///< its vertices know which side the light is on
 
@@ -130,7 +135,7 @@ class SurfacePass {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
                             linear, softTerminator, catcher, textured, colored, lit, falloff,
                             withAmbient, directional, ranged, spot, mask, sliced, coarse,
-                            visibility, planes, orthographic, sided);
+                            visibility, planes, nearness, orthographic, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

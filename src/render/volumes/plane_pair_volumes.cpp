@@ -10,8 +10,9 @@
 namespace edgeshade {
 namespace {
 
-/// Quads that 16-bit indices reach, four vertices each.
-constexpr std::uint32_t quadsPerDraw = 65536 / verticesPerQuad;
+/// Quads that 16-bit indices reach, four vertices each. The last index, 65535, is none of them: it
+/// begins anew in WebGL 2.
+constexpr std::uint32_t quadsPerDraw = 65535 / verticesPerQuad;
 
 /// Components of the attributes after the corner.
 const std::vector<int> pairComponents = {3, 3, 4, 4};
