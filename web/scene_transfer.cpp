@@ -4,7 +4,7 @@
 #include "preprocess/gltf/glb.hpp"
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/packing/packed_file.hpp"
-#include "web/archive.hpp"
+#include "web/mesh_archive.hpp"
 
 #include <set>
 
@@ -34,20 +34,6 @@ void transfer(Archive& archive, Maybe<Deformation> auto& deformation) {
     archive(deformation.meshes, deformation.joints, deformation.parts);
 }
 
-template <class Archive>
-void transfer(Archive& archive, Maybe<RecordVertices> auto& vertices) {
-    archive(vertices.inBatch, vertices.pairs, vertices.singles, vertices.singlePlanes,
-            vertices.caps);
-}
-
-template <class Archive>
-void transfer(Archive& archive, Maybe<Geometry> auto& geometry) {
-    archive(geometry.positions, geometry.normals, geometry.texcoords, geometry.colors,
-            geometry.tangents, geometry.indices, geometry.groups, geometry.simplifiedCasters);
-    for (auto& texcoords : geometry.moreTexcoords)
-        archive(texcoords);
-}
-
 /// All but its geometry.
 template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
@@ -65,13 +51,6 @@ template <class Archive>
 void transfer(Archive& archive, Maybe<SceneLight> auto& light) {
     archive(light.kind, light.name, light.nodeName, light.place, light.position, light.direction,
             light.color, light.intensity, light.range, light.innerCone, light.outerCone);
-}
-
-template <class Archive>
-void transfer(Archive& archive, Maybe<PlanePairShadow> auto& shadow) {
-    archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.caps, shadow.capTriangles,
-            shadow.groups, shadow.clusters, shadow.leaves, shadow.edges, shadow.flatPairs,
-            shadow.flatEdges, shadow.vertices);
 }
 
 namespace {

@@ -10,7 +10,7 @@ export const repository = fileURLToPath(new URL('../../../', import.meta.url));
 const roots = {
   '/tests/': fileURLToPath(new URL('../pages/', import.meta.url)),
   '/compare/': join(repository, 'web/compare/'),
-  '/node_modules/three/': join(repository, 'web/node_modules/three/'),
+  '/node_modules/': join(repository, 'web/node_modules/'),
   '/shared/': join(repository, '../shared/scenes/'),
   '/': join(repository, 'build/web/'),
 };

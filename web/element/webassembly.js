@@ -1,0 +1,40 @@
+// WebAssembly programs: each is compiled once a page.
+
+/** A function that gives the compiled module at an address; fetched and compiled at its first call. `who`: what
+ * the program is to a user. */
+export function compiledOnce(address, who) {
+  let compiled = null;
+  return () => {
+    compiled ??= compile(address, who).catch((error) => {
+      compiled = null; // so that the next call tries again
+      throw error;
+    });
+    return compiled;
+  };
+}
+
+async function compile(address, who) {
+  let response;
+  try {
+    response = await fetch(address);
+  } catch {
+    throw new Error(`The ${who}'s program could not be fetched. Is there a connection?`);
+  }
+  if (!response.ok)
+    throw new Error(`The ${who}'s program could not be fetched: the server said ${response.status}.`);
+  try {
+    return await WebAssembly.compile(await response.arrayBuffer());
+  } catch {
+    throw new Error(`This browser is too old for the ${who}: it can't run its WebAssembly.`);
+  }
+}
+
+/** An instance of a compiled module, by what Emscripten made to run it. */
+export function instantiateBy(createModule, module) {
+  return createModule({
+    instantiateWasm(imports, done) {
+      WebAssembly.instantiate(module, imports).then((instance) => done(instance));
+      return {};
+    },
+  });
+}

@@ -1,0 +1,179 @@
+// What JavaScript sees of the mask engine. Numbers come as addresses in the program's memory; what
+// fails returns a negative number or false, and its sentence is lastProblem().
+
+#include "edgeshade/shadow_masks.hpp"
+#include "preprocess/base/error.hpp"
+#include "web/masks/mesh_transfer.hpp"
+#include "web/masks/web_functions.hpp"
+#include "web/page_bytes.hpp"
+#include "web/sentence.hpp"
+
+#include <algorithm>
+#include <emscripten/bind.h>
+#include <map>
+
+namespace edgeshade::web {
+namespace {
+
+template <class T>
+const T* at(std::uintptr_t address) {
+    return reinterpret_cast<const T*>(address);
+}
+
+Matrix16 matrixAt(std::uintptr_t address) {
+    Matrix16 matrix{};
+    std::copy_n(at<double>(address), matrix.size(), matrix.begin());
+    return matrix;
+}
+
+MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
+                std::size_t count, bool casts, bool doubleSided) {
+    return {
+        {at<float>(positions), floats}, {at<std::uint32_t>(indices), count}, casts, doubleSided};
+}
+
+/// kind, position, direction, range, outer angle, radius.
+constexpr std::size_t lightNumbers = 10;
+
+MaskLight lightAt(const double* numbers) {
+    MaskLight light;
+    light.kind = static_cast<MaskLight::Kind>(static_cast<int>(numbers[0]));
+    std::copy_n(numbers + 1, 3, light.position.begin());
+    std::copy_n(numbers + 4, 3, light.direction.begin());
+    light.range = numbers[7];
+    light.outerAngle = numbers[8];
+    light.radius = numbers[9];
+    return light;
+}
+
+/// The masks of one context, which is current whenever one of these is called, and whose state the
+/// page keeps.
+class PageMasks {
+  public:
+    bool start() {
+        return done([&] { masks_.emplace(webFunction, StateKeeper::host); });
+    }
+
+    /// Meshes have numbers of their own, which are given back by release().
+    int prepare(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
+                std::size_t count, bool casts, bool doubleSided) {
+        return numberOf([&] {
+            return PreparedMesh(meshAt(positions, floats, indices, count, casts, doubleSided));
+        });
+    }
+    /// Takes over a mesh from the worker: `size` bytes that malloc() gave, which it frees.
+    int take(std::uintptr_t address, std::size_t size) {
+        return numberOf([&] {
+            const PageBytes bytes(address, size);
+            return meshFromTransfer(bytes.view());
+        });
+    }
+    void release(int mesh) { meshes_.erase(mesh); }
+
+    int add(int mesh, std::uintptr_t matrix) {
+        int id = -1;
+        done([&] { id = static_cast<int>(masks_->add(meshes_.at(mesh), matrixAt(matrix))); });
+        return id;
+    }
+    bool change(int id, int mesh) {
+        return done([&] { masks_->change(idOf(id), meshes_.at(mesh)); });
+    }
+    bool move(int id, std::uintptr_t matrix) {
+        return done([&] { masks_->move(idOf(id), matrixAt(matrix)); });
+    }
+    bool remove(int id) {
+        return done([&] { masks_->remove(idOf(id)); });
+    }
+
+    /// `matrices`: viewFromWorld, clipFromView.
+    bool draw(int width, int height, std::uintptr_t matrices, std::uintptr_t lights,
+              std::size_t lightCount, std::size_t lightSamples, bool nearness) {
+        return done([&] {
+            std::vector<MaskLight> all;
+            for (std::size_t i = 0; i < lightCount; ++i)
+                all.push_back(lightAt(at<double>(lights) + lightNumbers * i));
+            masks_->draw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)), width, height,
+                          lightSamples, nearness},
+                         all);
+        });
+    }
+    std::string lastProblem() const { return problem_; }
+
+    unsigned texture(std::size_t index) const {
+        const auto all = masks_->textures();
+        return index < all.size() ? all[index] : 0;
+    }
+    unsigned nearnessTexture() const { return masks_->nearness().texture; }
+    double nearnessScale() const { return masks_->nearness().scale; }
+    double nearnessOffset() const { return masks_->nearness().offset; }
+    double buildMs() const { return masks_->cost().buildMs; }
+    double drawMs() const { return masks_->cost().drawMs; }
+    double vertexRuns() const { return static_cast<double>(masks_->cost().vertexRuns); }
+    double bytes() const { return static_cast<double>(masks_->cost().bytes); }
+
+  private:
+    static ShadowMasks::Id idOf(int id) { return static_cast<ShadowMasks::Id>(id); }
+
+    template <class Action>
+    bool done(Action action) {
+        problem_ = sentenceOfFailure(action);
+        return problem_.empty();
+    }
+    template <class Make>
+    int numberOf(Make make) {
+        const bool made = done([&] { meshes_.emplace(nextMesh_, make()); });
+        return made ? nextMesh_++ : -1;
+    }
+
+    std::optional<ShadowMasks> masks_;
+    std::map<int, PreparedMesh> meshes_;
+    int nextMesh_ = 0;
+    std::string problem_;
+};
+
+/// A worker's part: finds a mesh's edges.
+class MeshPacker {
+  public:
+    /// Returns "" or what went wrong.
+    std::string pack(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
+                     std::size_t count, bool casts, bool doubleSided) {
+        return sentenceOfFailure([&] {
+            bytes_ = toTransfer(
+                PreparedMesh(meshAt(positions, floats, indices, count, casts, doubleSided)));
+        });
+    }
+    emscripten::val bytes() const { return viewOf(bytes_); }
+
+  private:
+    Bytes bytes_;
+};
+
+EMSCRIPTEN_BINDINGS(edgeshade_masks) {
+    emscripten::class_<PageMasks>("Masks")
+        .constructor<>()
+        .function("start", &PageMasks::start)
+        .function("prepare", &PageMasks::prepare)
+        .function("take", &PageMasks::take)
+        .function("release", &PageMasks::release)
+        .function("add", &PageMasks::add)
+        .function("change", &PageMasks::change)
+        .function("move", &PageMasks::move)
+        .function("remove", &PageMasks::remove)
+        .function("draw", &PageMasks::draw)
+        .function("lastProblem", &PageMasks::lastProblem)
+        .function("texture", &PageMasks::texture)
+        .function("nearnessTexture", &PageMasks::nearnessTexture)
+        .function("nearnessScale", &PageMasks::nearnessScale)
+        .function("nearnessOffset", &PageMasks::nearnessOffset)
+        .function("buildMs", &PageMasks::buildMs)
+        .function("drawMs", &PageMasks::drawMs)
+        .function("vertexRuns", &PageMasks::vertexRuns)
+        .function("bytes", &PageMasks::bytes);
+    emscripten::class_<MeshPacker>("MeshPacker")
+        .constructor<>()
+        .function("pack", &MeshPacker::pack)
+        .function("bytes", &MeshPacker::bytes);
+}
+
+} // namespace
+} // namespace edgeshade::web

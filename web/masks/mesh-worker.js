@@ -1,0 +1,20 @@
+// The worker that finds meshes' edges. It hands the page buffers that only need copying.
+
+import { meshNumbers, withCopies } from './numbers.js';
+import { instantiate } from './runtime.js';
+
+let packer = null;
+
+async function pack({ number, module, mesh }) {
+  packer ??= instantiate(module).then((program) => ({ program, packer: new program.MeshPacker() }));
+  const { program, packer: by } = await packer;
+  const [positions, indices] = meshNumbers(mesh);
+  const problem = withCopies(program, [positions, indices], ([p, i]) =>
+    by.pack(p, positions.length, i, indices.length, mesh.casts, mesh.doubleSided));
+  if (problem) throw new Error(problem);
+  const bytes = by.bytes().slice();
+  postMessage({ number, bytes }, [bytes.buffer]);
+}
+
+onmessage = ({ data }) =>
+  pack(data).catch((error) => postMessage({ number: data.number, problem: error.message }));

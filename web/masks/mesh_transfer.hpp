@@ -1,0 +1,16 @@
+#pragma once
+
+#include "edgeshade/shadow_masks.hpp"
+#include "preprocess/base/file_io.hpp"
+
+namespace edgeshade::web {
+
+/// A prepared mesh as bytes that another instance of this same program takes over with little more
+/// than copying: a worker finds the edges, the page draws. No file format; never for bytes from
+/// elsewhere.
+Bytes toTransfer(const PreparedMesh& mesh);
+
+/// The mesh again.
+PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes);
+
+} // namespace edgeshade::web

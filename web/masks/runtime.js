@@ -1,0 +1,7 @@
+// The mask engine's program: an instance of its own for every context and for every worker.
+
+import createModule from '../wasm/edgeshade-masks.mjs';
+import { compiledOnce, instantiateBy } from '../element/webassembly.js';
+
+export const compiledModule = compiledOnce(new URL('../wasm/edgeshade-masks.wasm', import.meta.url), 'shadows');
+export const instantiate = (module) => instantiateBy(createModule, module);

@@ -1,0 +1,161 @@
+// Exact shadows in a WebGL context of one's own: what each light reaches, as textures.
+
+import { HostState } from './host-state.js';
+import { MeshPacking } from './mesh-packing.js';
+import { meshNumbers, withCopies } from './numbers.js';
+import { compiledModule, instantiate } from './runtime.js';
+
+const kinds = ['directional', 'point', 'spot'];
+const lightNumbers = 10;
+
+/** That one draw() can have. */
+export const mostLights = 32;
+
+function numbersOf({ kind = 'directional', position = [0, 0, 0], direction = [0, -1, 0], range = Infinity,
+  outerAngle = Math.PI / 4, radius = 0 }, index) {
+  const number = kinds.indexOf(kind);
+  if (number < 0) throw new Error(`Light ${index} is of kind '${kind}', which is none of ${kinds.join(', ')}.`);
+  return [number, ...position, ...direction, range, outerAngle, radius];
+}
+
+export class ShadowMasks {
+  #gl;
+  #program;
+  #handle;
+  #masks;
+  #state;
+  #packing;
+  #allocatedFor = ''; // what draw() needs no more memory for
+  #hostError = 0;
+
+  /** Resolves when it can draw in the context. */
+  static async create(gl) {
+    const module = await compiledModule();
+    return new ShadowMasks(gl, await instantiate(module), new MeshPacking(module));
+  }
+
+  /** Not for pages: create() is. */
+  constructor(gl, program, packing) {
+    this.#gl = gl;
+    this.#program = program;
+    this.#packing = packing;
+    this.#masks = new program.Masks();
+    this.restore();
+  }
+
+  /** After the context was lost and came back: begins anew, without casters; meshes stay prepared. */
+  restore() {
+    const webGl2 = typeof WebGL2RenderingContext !== 'undefined' && this.#gl instanceof WebGL2RenderingContext;
+    if (!webGl2) this.#gl.getExtension('ANGLE_instanced_arrays');
+    if (this.#handle !== undefined) this.#program.GL.deleteContext(this.#handle);
+    this.#handle = this.#program.GL.registerContext(this.#gl, { majorVersion: webGl2 ? 2 : 1, minorVersion: 0,
+      enableExtensionsByDefault: !webGl2 });
+    this.#state = new HostState(this.#gl);
+    this.#allocatedFor = '';
+    this.#takeHostError();
+    this.#require(this.#inContext(() => this.#masks.start()));
+  }
+
+  /** Finds a mesh's edges in a worker. Resolves with its number. */
+  async prepare(mesh) {
+    const { casts = true, doubleSided = true } = mesh;
+    const [positions, indices] = meshNumbers(mesh);
+    const bytes = await this.#packing.pack({ positions, indices, casts, doubleSided });
+    const address = this.#program._malloc(bytes.length);
+    if (!address) throw new Error('That needs more memory than the browser gives a page.');
+    this.#program.HEAPU8.set(bytes, address);
+    return this.#numberOf(this.#masks.take(address, bytes.length));
+  }
+
+  /** The same at once. */
+  prepareNow(mesh) {
+    const { casts = true, doubleSided = true } = mesh;
+    const [positions, indices] = meshNumbers(mesh);
+    return withCopies(this.#program, [positions, indices], ([p, i]) =>
+      this.#numberOf(this.#masks.prepare(p, positions.length, i, indices.length, casts, doubleSided)));
+  }
+
+  release(mesh) {
+    this.#masks.release(mesh);
+  }
+
+  add(mesh, matrix) {
+    this.#allocatedFor = '';
+    return this.#withMatrices(matrix, (address) => this.#numberOf(this.#masks.add(mesh, address)));
+  }
+
+  change(id, mesh) {
+    this.#allocatedFor = '';
+    this.#require(this.#masks.change(id, mesh));
+  }
+
+  move(id, matrix) {
+    this.#withMatrices(matrix, (address) => this.#require(this.#masks.move(id, address)));
+  }
+
+  remove(id) {
+    this.#require(this.#masks.remove(id));
+  }
+
+  draw({ viewFromWorld, clipFromView, width, height, lightSamples = 64, nearness = true }, lights) {
+    const numbers = Float64Array.from(lights.flatMap(numbersOf));
+    const needs = `${width} ${height} ${lights.length} ${nearness}`;
+    this.#hostError = 0;
+    if (this.#allocatedFor !== needs) this.#takeHostError();
+    this.#allocatedFor = needs;
+    withCopies(this.#program, [Float64Array.from([...viewFromWorld, ...clipFromView]), numbers], ([matrices, all]) =>
+      this.#require(this.#inContext(() =>
+        this.#masks.draw(width, height, matrices, all, numbers.length / lightNumbers, lightSamples, nearness))));
+    const textures = [];
+    for (let i = 0; 4 * i < lights.length; ++i) textures.push(this.#textureOf(this.#masks.texture(i)));
+    return {
+      textures,
+      nearness: nearness ? { texture: this.#textureOf(this.#masks.nearnessTexture()),
+        scale: this.#masks.nearnessScale(), offset: this.#masks.nearnessOffset() } : null,
+    };
+  }
+
+  get cost() {
+    return { buildMs: this.#masks.buildMs(), drawMs: this.#masks.drawMs(), vertexRuns: this.#masks.vertexRuns(),
+      bytes: this.#masks.bytes(), hostError: this.#hostError };
+  }
+
+  dispose() {
+    this.#packing.dispose();
+    this.#inContext(() => this.#masks.delete());
+    this.#program.GL.deleteContext(this.#handle);
+  }
+
+  /** Where memory is asked for errors are too, which must not be somebody else's. */
+  #takeHostError() {
+    for (let i = 0; i < 16; ++i) { // a lost context never runs out of them
+      const error = this.#gl.getError();
+      if (error === this.#gl.NO_ERROR) return;
+      this.#hostError ||= error;
+    }
+  }
+
+  #inContext(act) {
+    return this.#state.keptWhile(() => {
+      this.#program.GL.makeContextCurrent(this.#handle);
+      return act();
+    });
+  }
+
+  #withMatrices(matrix, use) {
+    return withCopies(this.#program, [Float64Array.from(matrix)], ([address]) => use(address));
+  }
+
+  #textureOf(name) {
+    return this.#program.GL.textures[name];
+  }
+
+  #numberOf(number) {
+    this.#require(number >= 0);
+    return number;
+  }
+
+  #require(done) {
+    if (!done) throw new Error(this.#masks.lastProblem());
+  }
+}

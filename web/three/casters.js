@@ -1,0 +1,182 @@
+// Keeps the mask engine's meshes as three.js's scene has them.
+
+import { BackSide, DoubleSide, Matrix4 } from 'three';
+import { isPosed, poseOf, shapeOf, versionOf } from './mesh-shape.js';
+
+/** Triangles up to which edges are found at once: in less time than a frame has to spare. */
+const fewTriangles = 500;
+
+const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
+const isCutOut = (material) => material.alphaTest > 0 || material.alphaMap || material.alphaHash;
+/** What masks can show: see-through surfaces show what is behind them too, cut-out ones are none of it yet. */
+const isOpaque = (material) => material.visible && !isCutOut(material) && (!material.transparent || material.isShadowMaterial);
+
+const place = new Matrix4(), instance = new Matrix4();
+
+const sameNumbers = (a, b) => a.length === b.length && a.every((number, i) => number === b[i]);
+
+/** How the mask engine has a mesh; null: not at all. */
+function roleOf(mesh) {
+  const materials = materialsOf(mesh);
+  if (!mesh.geometry?.attributes?.position || !materials.some(isOpaque)) return null;
+  if (!mesh.castShadow && !mesh.receiveShadow) return null;
+  const sides = materials.map(({ side }) => side);
+  return {
+    casts: Boolean(mesh.castShadow),
+    doubleSided: sides.some((side) => side === DoubleSide) || new Set(sides).size > 1,
+    inward: sides[0] === BackSide,
+  };
+}
+
+/** The engine's matrix of a place, or null where it flattens the mesh. */
+function numbersOf(matrix) {
+  const numbers = [...matrix.elements];
+  [numbers[3], numbers[7], numbers[11], numbers[15]] = [0, 0, 0, 1];
+  return matrix.determinant() === 0 || !numbers.every(Number.isFinite) ? null : numbers;
+}
+
+/** Where a mesh is, more than once if it is instanced. */
+function placesOf(mesh) {
+  if (!mesh.isInstancedMesh) return [numbersOf(mesh.matrixWorld)];
+  return Array.from({ length: mesh.count }, (_, i) => {
+    mesh.getMatrixAt(i, instance);
+    return numbersOf(place.multiplyMatrices(mesh.matrixWorld, instance));
+  });
+}
+
+export class Casters {
+  #masks;
+  #prepared = new Map(); // key: {number or null while it is waited for, users, promise}
+  #meshes = new Map();   // three.js's mesh: what the engine has of it
+  #problems = [];
+
+  constructor(masks) {
+    this.#masks = masks;
+  }
+
+  /** Meshes whose edges are not found yet. */
+  get pending() {
+    return [...this.#prepared.values()].filter(({ number }) => number === null).length;
+  }
+
+  /** Resolves when none is waited for any more; throws what went wrong since the last call. */
+  async settled() {
+    while (this.pending) await Promise.allSettled([...this.#prepared.values()].map(({ promise }) => promise));
+    if (this.#problems.length) throw new Error(this.#problems.splice(0).join(' '));
+  }
+
+  /** The engine has exactly these, as they are now, but for those whose edges are being found. */
+  follow(meshes) {
+    const seen = new Set();
+    for (const mesh of meshes) {
+      const role = roleOf(mesh);
+      if (!role) continue;
+      seen.add(mesh);
+      this.#followOne(mesh, role);
+    }
+    for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
+  }
+
+  /** The engine has lost all that was added to it. */
+  forget() {
+    for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], shown: null });
+  }
+
+  clear() {
+    for (const mesh of [...this.#meshes.keys()]) this.#drop(mesh);
+  }
+
+  #followOne(mesh, role) {
+    const roleKey = `${role.casts} ${role.doubleSided} ${role.inward}`;
+    let had = this.#meshes.get(mesh);
+    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], shown: null });
+    if (isPosed(mesh)) this.#pose(mesh, role, roleKey, had);
+    else this.#prepare(mesh, role, `${mesh.geometry.uuid} ${versionOf(mesh)} ${roleKey}`, had);
+    const found = this.#prepared.get(had.key)?.number ?? null;
+    if (found !== null) this.#place(mesh, found, had);
+  }
+
+  /** Of a geometry that some meshes may have in common. */
+  #prepare(mesh, role, key, had) {
+    if (had.key === key) return;
+    this.#release(had.key);
+    had.key = key;
+    const known = this.#prepared.get(key);
+    if (known) {
+      known.users += 1;
+      return;
+    }
+    const shape = this.#shapeOf(mesh, role);
+    const entry = { number: null, users: 1, promise: null };
+    this.#prepared.set(key, entry);
+    if (shape.indices.length <= 3 * fewTriangles) {
+      this.#prepareNow(shape, entry);
+      return;
+    }
+    entry.promise = this.#masks.prepare(shape).then(
+      (number) => {
+        if (this.#prepared.get(key) === entry) entry.number = number;
+        else this.#masks.release(number); // nobody has it any more
+      },
+      (error) => {
+        entry.number = -1;
+        this.#problems.push(error.message);
+      });
+  }
+
+  #prepareNow(shape, entry) {
+    try {
+      entry.number = this.#masks.prepareNow(shape);
+    } catch (error) {
+      entry.number = -1;
+      this.#problems.push(error.message);
+    }
+  }
+
+  /** Of a mesh that is bent: at once, so that shadow and picture are of the same pose. */
+  #pose(mesh, role, roleKey, had) {
+    const pose = poseOf(mesh);
+    const version = `${versionOf(mesh)} ${roleKey}`;
+    if (had.key === mesh.uuid && had.version === version && sameNumbers(had.pose, pose)) return;
+    this.#release(had.key);
+    Object.assign(had, { key: mesh.uuid, version, pose });
+    const entry = { number: null, users: 1, promise: null };
+    this.#prepared.set(had.key, entry);
+    this.#prepareNow(this.#shapeOf(mesh, role), entry);
+  }
+
+  #shapeOf(mesh, { casts, doubleSided, inward }) {
+    const shape = shapeOf(mesh);
+    if (inward) shape.indices.reverse();
+    return { ...shape, casts, doubleSided };
+  }
+
+  #place(mesh, number, had) {
+    const places = number < 0 ? [] : placesOf(mesh).filter(Boolean);
+    const ids = had.ids;
+    while (ids.length > places.length) this.#masks.remove(ids.pop());
+    for (const [i, matrix] of places.entries()) {
+      if (i >= ids.length) {
+        ids.push(this.#masks.add(number, matrix));
+        continue;
+      }
+      if (had.shown !== number) this.#masks.change(ids[i], number);
+      if (!sameNumbers(had.places[i], matrix)) this.#masks.move(ids[i], matrix);
+    }
+    Object.assign(had, { places, shown: number });
+  }
+
+  #drop(mesh) {
+    const had = this.#meshes.get(mesh);
+    this.#meshes.delete(mesh);
+    for (const id of had.ids) this.#masks.remove(id);
+    this.#release(had.key);
+  }
+
+  #release(key) {
+    const entry = this.#prepared.get(key);
+    if (!entry || (entry.users -= 1) > 0) return;
+    this.#prepared.delete(key);
+    if (entry.number >= 0 && entry.number !== null) this.#masks.release(entry.number);
+  }
+}

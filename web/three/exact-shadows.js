@@ -1,0 +1,195 @@
+// Exact shadows in three.js.
+
+import { Vector3, Vector4 } from 'three';
+import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
+import { Casters } from './casters.js';
+import { MaskTextures } from './mask-textures.js';
+import { MaterialPatches } from './material-patch.js';
+import { castingLights } from './scene-lights.js';
+
+/** What the camera sees of the scene, in three.js's order. */
+function visibleOf(scene, camera, roots) {
+  const lights = [], meshes = [];
+  const visit = (object, within) => {
+    if (object.visible === false) return;
+    const takesPart = within || roots.has(object);
+    if (object.layers.test(camera.layers)) {
+      if (object.isLOD && object.autoUpdate) object.update(camera);
+      if (object.isLight) lights.push(object);
+      else if (object.isMesh && takesPart) meshes.push(object);
+    }
+    for (const child of object.children) visit(child, takesPart);
+  };
+  visit(scene, false);
+  return { lights, meshes };
+}
+
+const ancestorTakesPart = (object, roots) => {
+  for (let at = object; at; at = at.parent) if (roots.has(at)) return true;
+  return false;
+};
+
+export class ExactShadows {
+  #renderer;
+  #masks = null;
+  #casters = null;
+  #starting;
+  #problem = null;
+  #lost = false;
+  #complete = false; // all that there was at first had its shadows once
+  #disposed = false;
+  #roots = new Set();
+  #last = null; // {scene, camera} of the last render()
+  #radii = new WeakMap();
+  #textures;
+  #patches;
+  #viewport = new Vector4();
+  #uniforms = {
+    edgeshadeMasks: { value: [null] },
+    edgeshadeIntensities: { value: new Float32Array(mostLights).fill(1) },
+    edgeshadeNearness: { value: null },
+    edgeshadeViewport: { value: new Vector4() },
+    edgeshadeOwn: { value: new Vector3() },
+  };
+  #forget = () => {
+    this.#lost = true;
+    this.#casters?.forget();
+    this.#textures.clear();
+  };
+  #restore = () => {
+    this.#masks?.restore();
+    this.#lost = false;
+  };
+
+  constructor(renderer, { lightSamples = 64 } = {}) {
+    if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
+    const context = renderer.getContext();
+    if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
+      throw new Error('ExactShadows needs a renderer that draws with WebGL 2.');
+    this.#renderer = renderer;
+    this.lightSamples = lightSamples;
+    this.#textures = new MaskTextures(renderer);
+    this.#patches = new MaterialPatches(this.#uniforms);
+    const canvas = renderer.domElement;
+    canvas.addEventListener('webglcontextlost', this.#forget);
+    canvas.addEventListener('webglcontextrestored', this.#restore);
+    this.#starting = ShadowMasks.create(context).then(
+      (masks) => {
+        if (this.#disposed) return masks.dispose();
+        this.#masks = masks;
+        this.#casters = new Casters(masks);
+        return undefined;
+      },
+      (error) => { this.#problem = error; });
+  }
+
+  /** Everything below an object takes part from now on, what comes there later too. */
+  add(object) {
+    this.#roots.add(object);
+    return this;
+  }
+
+  remove(object) {
+    this.#roots.delete(object);
+    return this;
+  }
+
+  /** What a light's shadows are soft by: a point light's radius; of a sun half its angle. 0: they are hard. */
+  setRadius(light, radius) {
+    this.#radii.set(light, radius);
+    return this;
+  }
+
+  /** Resolves once all that the last render() asked for has its shadows. Throws what went wrong. */
+  async ready() {
+    await this.#starting;
+    if (this.#problem) throw this.#problem;
+    if (this.#last && !this.#disposed) this.#follow(this.#last);
+    await this.#casters?.settled();
+  }
+
+  /** What the last masks cost, or null. */
+  get cost() {
+    return this.#masks && { ...this.#masks.cost, pending: this.#casters.pending };
+  }
+
+  /** In place of renderer.render(). */
+  render(scene, camera) {
+    const renderer = this.#renderer;
+    const { shadowMap } = renderer;
+    const { autoUpdate, needsUpdate } = shadowMap;
+    this.#last = { scene, camera };
+    const drawn = this.#draw(scene, camera);
+    try {
+      if (drawn) Object.assign(shadowMap, { autoUpdate: false, needsUpdate: false });
+      renderer.render(scene, camera);
+    } finally {
+      this.#uniforms.edgeshadeViewport.value.set(0, 0, 0, 0);
+      if (drawn) Object.assign(shadowMap, { autoUpdate, needsUpdate });
+    }
+  }
+
+  /** Gives back all that it holds; materials are as they came. */
+  dispose() {
+    this.#disposed = true;
+    this.#last = null;
+    this.#patches.clear();
+    this.#textures.clear();
+    const canvas = this.#renderer.domElement;
+    canvas.removeEventListener('webglcontextlost', this.#forget);
+    canvas.removeEventListener('webglcontextrestored', this.#restore);
+    this.#casters = null;
+    this.#masks?.dispose();
+    this.#masks = null;
+  }
+
+  /** Draws the masks of what is to be rendered; false: there are none, and no shadows. */
+  #draw(scene, camera) {
+    if (this.#disposed) throw new Error('These ExactShadows were disposed of.');
+    if (this.#lost || camera.isArrayCamera || this.#renderer.xr.isPresenting) return false;
+    const lights = this.#follow({ scene, camera });
+    if (!this.#masks) return false;
+    const casting = castingLights(lights, (light) => this.#radii.get(light) ?? 0);
+    this.#complete ||= this.#casters.pending === 0;
+    if (casting.lights.length === 0 || !this.#complete) return false;
+    this.#renderer.getCurrentViewport(this.#viewport);
+    const { x, y, z: width, w: height } = this.#viewport;
+    if (width < 1 || height < 1) return false;
+    this.#show(camera, casting, this.#masks.draw({
+      viewFromWorld: camera.matrixWorldInverse.elements,
+      clipFromView: camera.projectionMatrix.elements,
+      width, height, lightSamples: this.lightSamples,
+    }, casting.lights));
+    this.#uniforms.edgeshadeViewport.value.set(x, y, 1 / width, 1 / height);
+    return true;
+  }
+
+  /** Takes over the scene as it is. Returns the lights that the camera sees. */
+  #follow({ scene, camera }) {
+    if (scene.matrixWorldAutoUpdate !== false) scene.updateMatrixWorld();
+    if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
+    const within = ancestorTakesPart(scene, this.#roots);
+    const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
+    for (const mesh of meshes)
+      if (mesh.receiveShadow) for (const material of [mesh.material].flat()) if (material) this.#patches.add(material);
+    this.#casters?.follow(meshes);
+    return lights;
+  }
+
+  #show(camera, { intensities }, { textures, nearness }) {
+    const { edgeshadeMasks, edgeshadeIntensities, edgeshadeNearness, edgeshadeOwn } = this.#uniforms;
+    edgeshadeNearness.value = this.#textures.at(0, nearness.texture);
+    edgeshadeMasks.value = textures.map((texture, i) => this.#textures.at(i + 1, texture));
+    edgeshadeIntensities.value.set(intensities);
+    const { scale, offset } = nearness;
+    if (camera.projectionMatrix.elements[15] === 0) {
+      edgeshadeOwn.value.set(scale, 0, offset); // gl_FragCoord.w is 1 / depth
+      return;
+    }
+    // Depth is linear in gl_FragCoord.z, which is clip space's z, from 0 to 1 if depths are reversed.
+    const { 10: slope, 14: shift } = camera.projectionMatrix.elements;
+    const reversed = camera.reversedDepth === true;
+    const perZ = (reversed ? -1 : -2) / slope, atZero = (shift + (reversed ? 0 : 1)) / slope;
+    edgeshadeOwn.value.set(0, scale * perZ, scale * atZero + offset);
+  }
+}

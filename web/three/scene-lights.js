@@ -1,0 +1,38 @@
+// The lights that cast, in the order in which three.js numbers them.
+
+import { Vector3 } from 'three';
+
+const kindOf = (light) => (light.isPointLight && 'point') || (light.isSpotLight && 'spot') ||
+  (light.isDirectionalLight && 'directional') || null;
+
+/** As three.js sorts them: those that cast first, and of these those with a map. */
+const byCasting = (a, b) => (b.castShadow ? 2 : 0) - (a.castShadow ? 2 : 0) + (b.map ? 1 : 0) - (a.map ? 1 : 0);
+
+const at = new Vector3(), target = new Vector3();
+
+/** As the mask engine has them. Cones and ranges are three.js's own to draw: they end within these. */
+function maskLightOf(light, radius) {
+  const kind = kindOf(light);
+  at.setFromMatrixPosition(light.matrixWorld);
+  const made = { kind, position: at.toArray(), radius: kind === 'spot' ? 0 : radius };
+  if (kind !== 'point') {
+    target.setFromMatrixPosition(light.target.matrixWorld).sub(at);
+    made.direction = target.lengthSq() > 0 ? target.toArray() : [0, -1, 0];
+  }
+  if (kind !== 'directional' && light.distance > 0) made.range = 1.01 * light.distance;
+  if (kind === 'spot') made.outerAngle = Math.min(light.angle + 0.02, Math.PI / 2);
+  return made;
+}
+
+/**
+ * `lights`: all that the camera sees, in the scene's order; `radiusOf(light)`: of its extent. {lights,
+ * intensities}, by channel of the masks: points, then spots, then suns.
+ */
+export function castingLights(lights, radiusOf) {
+  const casting = [...lights].sort(byCasting).filter((light) => light.castShadow);
+  const ordered = ['point', 'spot', 'directional'].flatMap((kind) => casting.filter((light) => kindOf(light) === kind));
+  return {
+    lights: ordered.map((light) => maskLightOf(light, radiusOf(light))),
+    intensities: ordered.map((light) => light.shadow.intensity ?? 1),
+  };
+}
