@@ -53,6 +53,8 @@ class PageMasks {
     bool start() {
         return done([&] { masks_.emplace(webFunction, StateKeeper::host); });
     }
+    /// What was in a context that is lost.
+    void forget() { masks_.reset(); }
 
     /// Meshes have numbers of their own, which are given back by release().
     int prepare(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
@@ -72,17 +74,17 @@ class PageMasks {
 
     int add(int mesh, std::uintptr_t matrix) {
         int id = -1;
-        done([&] { id = static_cast<int>(masks_->add(meshes_.at(mesh), matrixAt(matrix))); });
+        done([&] { id = static_cast<int>(masks().add(meshes_.at(mesh), matrixAt(matrix))); });
         return id;
     }
     bool change(int id, int mesh) {
-        return done([&] { masks_->change(idOf(id), meshes_.at(mesh)); });
+        return done([&] { masks().change(idOf(id), meshes_.at(mesh)); });
     }
     bool move(int id, std::uintptr_t matrix) {
-        return done([&] { masks_->move(idOf(id), matrixAt(matrix)); });
+        return done([&] { masks().move(idOf(id), matrixAt(matrix)); });
     }
     bool remove(int id) {
-        return done([&] { masks_->remove(idOf(id)); });
+        return done([&] { masks().remove(idOf(id)); });
     }
 
     /// `matrices`: viewFromWorld, clipFromView.
@@ -92,7 +94,7 @@ class PageMasks {
             std::vector<MaskLight> all;
             for (std::size_t i = 0; i < lightCount; ++i)
                 all.push_back(lightAt(at<double>(lights) + lightNumbers * i));
-            masks_->draw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)), width, height,
+            masks().draw({matrixAt(matrices), matrixAt(matrices + sizeof(Matrix16)), width, height,
                           lightSamples, nearness},
                          all);
         });
@@ -113,6 +115,12 @@ class PageMasks {
 
   private:
     static ShadowMasks::Id idOf(int id) { return static_cast<ShadowMasks::Id>(id); }
+
+    ShadowMasks& masks() {
+        if (!masks_)
+            throw Error(ExitStatus::unavailable, "The WebGL context of the shadows is lost.");
+        return *masks_;
+    }
 
     template <class Action>
     bool done(Action action) {
@@ -152,6 +160,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
     emscripten::class_<PageMasks>("Masks")
         .constructor<>()
         .function("start", &PageMasks::start)
+        .function("forget", &PageMasks::forget)
         .function("prepare", &PageMasks::prepare)
         .function("take", &PageMasks::take)
         .function("release", &PageMasks::release)

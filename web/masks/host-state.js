@@ -42,9 +42,12 @@ export class HostState {
   #arrays; // bind(), binding and a vertex array of our own, where the context has them
   #instancing;
   #units;
+  #isGone;
 
-  constructor(gl) {
+  /** `isGone(texture)`: whether drawing has deleted it, so that it can't be bound again. */
+  constructor(gl, isGone = () => false) {
     this.#gl = gl;
+    this.#isGone = isGone;
     this.#webGl2 = typeof WebGL2RenderingContext !== 'undefined' && gl instanceof WebGL2RenderingContext;
     const extension = this.#webGl2 ? null : gl.getExtension('OES_vertex_array_object');
     if (this.#webGl2)
@@ -120,7 +123,7 @@ export class HostState {
       gl.bindBuffer(gl.ARRAY_BUFFER, bound.buffer);
       for (const [i, [texture, sampler]] of units.entries()) {
         gl.activeTexture(gl.TEXTURE0 + i);
-        gl.bindTexture(gl.TEXTURE_2D, texture);
+        gl.bindTexture(gl.TEXTURE_2D, texture && this.#isGone(texture) ? null : texture);
         if (this.#webGl2) gl.bindSampler(i, sampler);
       }
       gl.activeTexture(bound.unit);

@@ -43,14 +43,20 @@ export class ShadowMasks {
     this.restore();
   }
 
-  /** After the context was lost and came back: begins anew, without casters; meshes stay prepared. */
+  /** When the context is lost: nothing can be added or drawn until restore(). Meshes stay prepared. */
+  forget() {
+    this.#masks.forget();
+  }
+
+  /** When it came back: begins anew, without casters. */
   restore() {
     const webGl2 = typeof WebGL2RenderingContext !== 'undefined' && this.#gl instanceof WebGL2RenderingContext;
     if (!webGl2) this.#gl.getExtension('ANGLE_instanced_arrays');
     if (this.#handle !== undefined) this.#program.GL.deleteContext(this.#handle);
     this.#handle = this.#program.GL.registerContext(this.#gl, { majorVersion: webGl2 ? 2 : 1, minorVersion: 0,
       enableExtensionsByDefault: !webGl2 });
-    this.#state = new HostState(this.#gl);
+    // Emscripten numbers what is the program's, and takes the number from what was deleted.
+    this.#state = new HostState(this.#gl, (texture) => texture.name === 0);
     this.#allocatedFor = '';
     this.#takeHostError();
     this.#require(this.#inContext(() => this.#masks.start()));

@@ -53,6 +53,7 @@ export class ExactShadows {
   };
   #forget = () => {
     this.#lost = true;
+    this.#masks?.forget();
     this.#casters?.forget();
     this.#textures.clear();
   };
@@ -118,15 +119,26 @@ export class ExactShadows {
     const renderer = this.#renderer;
     const { shadowMap } = renderer;
     const { autoUpdate, needsUpdate } = shadowMap;
-    this.#last = { scene, camera };
-    const drawn = this.#draw(scene, camera);
+    const drawn = this.beginMasks(scene, camera);
     try {
       if (drawn) Object.assign(shadowMap, { autoUpdate: false, needsUpdate: false });
       renderer.render(scene, camera);
     } finally {
-      this.#uniforms.edgeshadeViewport.value.set(0, 0, 0, 0);
+      this.endMasks();
       if (drawn) Object.assign(shadowMap, { autoUpdate, needsUpdate });
     }
+  }
+
+  /** Draws the masks alone, for a render() of one's own right after it, which ends with endMasks(). Whether there
+   * are any. */
+  beginMasks(scene, camera) {
+    this.#last = { scene, camera };
+    return this.#draw(scene, camera);
+  }
+
+  /** From here on three.js draws without them. */
+  endMasks() {
+    this.#uniforms.edgeshadeViewport.value.set(0, 0, 0, 0);
   }
 
   /** Gives back all that it holds; materials are as they came. */
@@ -172,7 +184,7 @@ export class ExactShadows {
     const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
     for (const mesh of meshes)
       if (mesh.receiveShadow) for (const material of [mesh.material].flat()) if (material) this.#patches.add(material);
-    this.#casters?.follow(meshes);
+    if (!this.#lost) this.#casters?.follow(meshes);
     return lights;
   }
 

@@ -3,17 +3,17 @@
 import { Texture } from 'three';
 
 export class MaskTextures {
-  #properties;
+  #renderer;
   #made = [];
 
   constructor(renderer) {
-    this.#properties = renderer.properties;
+    this.#renderer = renderer;
   }
 
   /** The n-th of them, for a WebGLTexture. */
   at(n, webGlTexture) {
     this.#made[n] ??= new Texture();
-    const kept = this.#properties.get(this.#made[n]);
+    const kept = this.#renderer.properties.get(this.#made[n]);
     kept.__webglTexture = webGlTexture;
     kept.__webglInit = true;
     return this.#made[n];
@@ -21,7 +21,7 @@ export class MaskTextures {
 
   /** three.js forgets them; they are the engine's to delete. */
   clear() {
-    for (const texture of this.#made) if (texture) this.#properties.remove(texture);
+    for (const texture of this.#made) if (texture) this.#renderer.properties.remove(texture);
     this.#made.length = 0;
   }
 }

@@ -1,6 +1,6 @@
 // Materials that take the masks where they would take shadow maps, as long as they are patched.
 
-import { ShaderChunk } from 'three';
+import { MathUtils, ShaderChunk } from 'three';
 import { declarations, lightsWithMasks, shadowMask } from './lit.glsl.js';
 
 const lightsBegin = '#include <lights_fragment_begin>';
@@ -24,6 +24,7 @@ function withMasks(source, isShadowMaterial) {
 
 export class MaterialPatches {
   #uniforms;
+  #key = `edgeshade ${MathUtils.generateUUID()}`; // programs keep the uniforms that they were made with
   #patched = new Map(); // material: what it had
 
   /** `uniforms`: of declarations, as three.js has them, shared by all materials. */
@@ -37,7 +38,7 @@ export class MaterialPatches {
     const { onBeforeCompile, customProgramCacheKey } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
     this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, own });
-    const uniforms = this.#uniforms;
+    const uniforms = this.#uniforms, key = this.#key;
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
       Object.assign(shader.uniforms, uniforms);
@@ -46,7 +47,7 @@ export class MaterialPatches {
     // three.js' own key is the text of onBeforeCompile, which is ours now.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `edgeshade ${before ?? customProgramCacheKey.call(this)}`;
+      return `${key} ${before ?? customProgramCacheKey.call(this)}`;
     };
     material.needsUpdate = true;
   }

@@ -2,6 +2,7 @@
 
 import * as three from 'three';
 import { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { ExactShadows } from 'edgeshade/three';
 
@@ -50,6 +51,15 @@ function cameraOf({ from, to, fov }, aspect) {
   return camera;
 }
 
+/** A light as bright as white surfaces show it, wherever they are, and what it shines at. */
+function lampOf({ kind, position }) {
+  const light = kind === 'DirectionalLight' ? new three.DirectionalLight(0xffffff, Math.PI)
+    : new three[kind](0xffffff, Math.PI, 0, ...(kind === 'SpotLight' ? [0.5, 0, 0] : [0]));
+  light.position.set(...position);
+  light.castShadow = true;
+  return light.target ? [light, light.target] : [light];
+}
+
 /** Draws until all shadows are there. */
 async function drawn(shadows, scene, camera) {
   shadows.render(scene, camera);
@@ -68,4 +78,113 @@ function redOf(renderer) {
   return red;
 }
 
-window.page = { three, ExactShadows, rendererOf, loaded, whiten, cameraOf, drawn, redOf };
+const base64Of = (bytes) => {
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+  return btoa(text);
+};
+
+/** A ground, a box above it and a sun: what tests change. */
+function yard(size) {
+  const renderer = rendererOf(size);
+  const scene = new three.Scene();
+  const material = new three.MeshStandardMaterial({ color: 0xffffff });
+  const mesh = (geometry) => {
+    const made = new three.Mesh(geometry, material);
+    made.castShadow = made.receiveShadow = true;
+    return made;
+  };
+  const ground = mesh(new three.BoxGeometry(8, 0.2, 8));
+  ground.position.y = -0.1;
+  const box = mesh(new three.BoxGeometry(1, 1, 1));
+  box.position.set(0.3, 0.8, -0.2);
+  const [light, target] = lampOf({ kind: 'DirectionalLight', position: [0.5, 1, -0.3] });
+  scene.add(ground, box, light, target);
+  return { three, renderer, scene, ground, box, light, material, mesh };
+}
+
+/** Draws, changes, and draws again: {red, glb}, the latter as three.js exports what is seen. */
+async function changedPicture(world, view, change) {
+  const { renderer, scene } = world;
+  const { width, height } = renderer.domElement;
+  const camera = cameraOf(view, width / height);
+  const shadows = new ExactShadows(renderer).add(scene);
+  whiten(scene);
+  await drawn(shadows, scene, camera);
+  const other = change(world);
+  if (other) {
+    other.position.copy(camera.position);
+    other.quaternion.copy(camera.quaternion);
+  }
+  whiten(scene);
+  await drawn(shadows, scene, other ?? camera);
+  const red = redOf(renderer);
+  scene.traverse((object) => { if (!object.layers.test(camera.layers)) object.visible = false; });
+  const glb = await new GLTFExporter().parseAsync(scene, { binary: true, onlyVisible: true });
+  return { red, glb: base64Of(new Uint8Array(glb)) };
+}
+
+/** A number that stands for values. */
+const hash = (values) => values.reduce((sum, value) => (Math.imul(sum, 31) + value) | 0, 7);
+
+/** Red where a point of the world is seen. */
+function redAt(renderer, camera, point) {
+  const gl = renderer.getContext();
+  const at = new three.Vector3(...point).project(camera);
+  const pixel = new Uint8Array(4);
+  const place = (share, size) => Math.floor((0.5 * share + 0.5) * size);
+  gl.readPixels(place(at.x, gl.drawingBufferWidth), place(at.y, gl.drawingBufferHeight), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  return pixel[0];
+}
+
+const names = new WeakMap();
+let nextName = 1;
+
+/** Objects as numbers, so that they can be compared outside. */
+function plainOf(value) {
+  if (value === null || typeof value !== 'object') return value;
+  if (ArrayBuffer.isView(value) || Array.isArray(value)) return [...value];
+  if (!names.has(value)) names.set(value, nextName++);
+  return names.get(value);
+}
+
+/** All that getParameter() knows of state, by name; of every unit what is bound. */
+function stateOf(gl) {
+  const state = {};
+  const skipped = /^(MAX_|ALIASED_|COMPRESSED_|DEPTH_BITS|STENCIL_BITS|RED_BITS|GREEN_BITS|BLUE_BITS|ALPHA_BITS|SUBPIXEL|VENDOR|RENDERER$|VERSION|SHADING|SAMPLES$|SAMPLE_BUFFERS|IMPLEMENTATION)/;
+  const tried = new Set();
+  for (const name in gl) {
+    const value = gl[name];
+    if (typeof value !== 'number' || !/^[A-Z0-9_]+$/.test(name) || skipped.test(name) || tried.has(value) || value < 0x0B00) continue;
+    tried.add(value);
+    const told = gl.getParameter(value);
+    if (gl.getError() === gl.NO_ERROR && told !== undefined) state[name] = plainOf(told);
+  }
+  const active = gl.getParameter(gl.ACTIVE_TEXTURE);
+  for (let i = 0; i < gl.getParameter(gl.MAX_COMBINED_TEXTURE_IMAGE_UNITS); ++i) {
+    gl.activeTexture(gl.TEXTURE0 + i);
+    for (const name of ['TEXTURE_BINDING_2D', 'TEXTURE_BINDING_CUBE_MAP', 'TEXTURE_BINDING_3D', 'SAMPLER_BINDING'])
+      if (gl[name] !== undefined) state[`${name} ${i}`] = plainOf(gl.getParameter(gl[name]));
+  }
+  gl.activeTexture(active);
+  return state;
+}
+
+/** The attributes of the bound vertex array, or of the context. */
+function attributesOf(gl) {
+  const state = {};
+  for (let i = 0; i < gl.getParameter(gl.MAX_VERTEX_ATTRIBS); ++i)
+    for (const name of ['ENABLED', 'SIZE', 'STRIDE', 'TYPE', 'NORMALIZED', 'BUFFER_BINDING'])
+      state[`${i} ${name}`] = plainOf(gl.getVertexAttrib(i, gl[`VERTEX_ATTRIB_ARRAY_${name}`]));
+  for (let i = 0; i < gl.getParameter(gl.MAX_VERTEX_ATTRIBS); ++i)
+    state[`${i} offset`] = gl.getVertexAttribOffset(i, gl.VERTEX_ATTRIB_ARRAY_POINTER);
+  return state;
+}
+
+/** What WebGL draws with. */
+function rendererName() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  return gl?.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? '';
+}
+
+window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, redOf, base64Of, yard, changedPicture };

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { greyAlphaOf } from './png.mjs';
 import { repository } from './server.mjs';
 
-const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
+export const program = process.env.EDGESHADE_PROGRAM ?? join(repository, 'build/release/edgeshade');
 
 /** What `make` returns of a folder that goes away with everything in it. */
 function inFolder(make) {

@@ -1,0 +1,71 @@
+// A page with three.js and its exact shadows; masks that the native program draws of what it shows.
+
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { program } from './native.mjs';
+
+/** Releases that are tried; the names of packages. */
+export const releases = ['three-0.152', 'three-0.169', 'three'];
+
+export const size = { width: 480, height: 270 };
+
+/** Opens it, with `release` of three.js. */
+export async function openThree(shared, release = 'three', options = {}) {
+  const page = await shared.open(`/tests/three.html?three=${release}`, { scene: false, ...options });
+  await page.waitForFunction(() => window.page);
+  return page;
+}
+
+/** What `render --mask` draws of a .glb's bytes or a path, in colour PNG bytes. */
+export function nativeMask(scene, { from, to, fov, height }, light) {
+  const folder = mkdtempSync(join(tmpdir(), 'edgeshade-'));
+  try {
+    const png = join(folder, 'mask.png');
+    let file = scene;
+    if (typeof scene !== 'string') {
+      file = join(folder, 'scene.glb');
+      writeFileSync(file, scene);
+    }
+    execFileSync(program, ['render', file, png, '--mask', '--size', `${size.width}x${size.height}`,
+      '--camera-from', `${from}`, '--camera-to', `${to}`, '--fov', `${fov}`, ...(height ? ['--ortho', `${height}`] : []), ...light],
+    { stdio: 'pipe', timeout: 60000 });
+    return readFileSync(png);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/**
+ * Both masks, pixel by pixel: the page's as `red` (redOf), the native one as PNG. {surfaces, wrong, beyond}: pixels
+ * that show something; those of them where one is lit and the other isn't; those of these without a boundary of
+ * the native mask, or of what is seen, within a pixel.
+ */
+export function compareMasks(page, red, png) {
+  return page.evaluate(async ({ values, base64 }) => {
+    const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { premultiplyAlpha: 'none' });
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
+    // 0: nothing is there; 1: in shadow; 2: lit.
+    const known = (x, y) => (data[4 * (y * width + x) + 3] === 0 ? 0 : data[4 * (y * width + x)] > 127 ? 2 : 1);
+    let surfaces = 0, wrong = 0, beyond = 0, dark = 0;
+    for (let y = 0; y < height; ++y)
+      for (let x = 0; x < width; ++x) {
+        const here = known(x, y);
+        if (here === 0) continue;
+        surfaces += 1;
+        dark += here === 1;
+        if ((values[y * width + x] > 127) === (here === 2)) continue;
+        wrong += 1;
+        let boundary = false;
+        for (let v = Math.max(0, y - 1); v <= Math.min(height - 1, y + 1); ++v)
+          for (let u = Math.max(0, x - 1); u <= Math.min(width - 1, x + 1); ++u) boundary ||= known(u, v) !== here;
+        beyond += !boundary;
+      }
+    return { surfaces, dark, wrong, beyond };
+  }, { values: red, base64: png.toString('base64') });
+}
