@@ -23,7 +23,7 @@ template <class Archive>
 void transfer(Archive& archive, Maybe<PlanePairShadow> auto& shadow) {
     archive(shadow.pairs, shadow.pairPlanes, shadow.singles, shadow.caps, shadow.capTriangles,
             shadow.groups, shadow.clusters, shadow.leaves, shadow.edges, shadow.flatPairs,
-            shadow.flatEdges, shadow.vertices);
+            shadow.flatEdges, shadow.vertices, shadow.solids);
 }
 
 } // namespace edgeshade::web

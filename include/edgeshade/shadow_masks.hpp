@@ -33,6 +33,7 @@ struct MaskMesh {
     bool casts = true;       ///< else it only receives, and is lit from behind as well
     bool doubleSided = true; ///< else it is seen from its front alone, where it is wound
                              ///< counter-clockwise; it casts from either side
+    bool bends = false;      ///< another shape comes soon: nothing that takes long is worked out
 };
 
 /// A mesh whose edges are found, which takes time linear in its triangles: on any thread, and
@@ -121,6 +122,8 @@ class ShadowMasks {
     /// invertible.
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject = identity16);
     Id add(const MaskMesh& mesh, const Matrix16& worldFromObject = identity16);
+    /// Uploads a mesh ahead of add(), so that no draw() takes long.
+    void upload(const PreparedMesh& mesh);
     /// Another mesh in the same place.
     void change(Id id, const PreparedMesh& mesh);
     void change(Id id, const MaskMesh& mesh);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 namespace edgeshade {
 
@@ -115,6 +116,8 @@ struct PlanePairShadow {
     std::size_t flatPairs = 0;                           ///< pairs that were dropped
     std::size_t flatEdges = 0;                           ///< edges of which nothing is left
     std::shared_ptr<const RecordVertices> vertices = {}; ///< null: the batch is rigid
+    /// By cluster: what findSolids() says of it; nothing: nobody has asked yet.
+    std::optional<std::vector<std::uint8_t>> solids = {};
 };
 
 /// What plane-pair records take; sums over batches with +=.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace edgeshade {
@@ -101,6 +100,22 @@ void CasterScene::changed() {
     gpu_->groups.clear();
 }
 
+CasterScene::Buffers
+CasterScene::buffersOf(const Batch& batch,
+                       const std::shared_ptr<const PlanePairShadow>& shadow) const {
+    return {
+        std::make_shared<std::vector<SurfaceChunk>>(uploadSurfaces(batch, loaded_.scene.materials)),
+        std::make_shared<PlanePairBuffers>(shadow, std::vector<glm::vec4>(), layout_)};
+}
+
+void CasterScene::upload(const PreparedMesh& mesh) {
+    std::erase_if(ahead_, [](const auto& entry) { return entry.second.mesh.expired(); });
+    if (ahead_.contains(mesh.data()->shadow.get())) return;
+    Batch batch;
+    batch.geometry = mesh.data()->geometry;
+    ahead_[mesh.data()->shadow.get()] = {mesh.data(), buffersOf(batch, mesh.data()->shadow)};
+}
+
 void CasterScene::upload() {
     if (std::find(uploaded_.begin(), uploaded_.end(), false) == uploaded_.end()) return;
     std::map<const PlanePairShadow*, std::size_t> first;
@@ -116,10 +131,13 @@ void CasterScene::upload() {
             to.volumes = gpu_->batches[same->second].volumes;
             continue;
         }
-        to.surfaces = std::make_shared<std::vector<SurfaceChunk>>(
-            uploadSurfaces(loaded_.scene.batches[i], loaded_.scene.materials));
-        to.volumes.planePairs = std::make_shared<PlanePairBuffers>(
-            loaded_.planePairs[i], std::vector<glm::vec4>(), layout_);
+        const auto ahead = ahead_.find(loaded_.planePairs[i].get());
+        const Buffers buffers = ahead != ahead_.end()
+                                    ? ahead->second.buffers
+                                    : buffersOf(loaded_.scene.batches[i], loaded_.planePairs[i]);
+        to.surfaces = buffers.surfaces;
+        to.volumes.planePairs = buffers.volumes;
+        if (ahead != ahead_.end()) ahead_.erase(ahead);
     }
     std::set<const PlanePairBuffers*> owned;
     for (GpuBatch& batch : gpu_->batches)

@@ -6,6 +6,7 @@
 #include "src/shadow/geometry/kept_layers.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
+#include <map>
 #include <vector>
 
 namespace edgeshade {
@@ -28,6 +29,8 @@ class CasterScene {
     void move(Id id, const Matrix16& worldFromObject);
     void remove(Id id);
 
+    /// Uploads a mesh ahead of add(); forgotten when nobody has the mesh any more.
+    void upload(const PreparedMesh& mesh);
     /// Uploads what is not there yet; the same mesh once.
     void upload();
     /// The lights' layers, in a scene that is as the picture shows it.
@@ -40,6 +43,17 @@ class CasterScene {
     std::size_t bytes() const;
 
   private:
+    struct Buffers {
+        std::shared_ptr<std::vector<SurfaceChunk>> surfaces;
+        std::shared_ptr<PlanePairBuffers> volumes;
+    };
+    struct Ahead {
+        std::weak_ptr<const PreparedMesh::Data> mesh;
+        Buffers buffers;
+    };
+
+    Buffers buffersOf(const Batch& batch,
+                      const std::shared_ptr<const PlanePairShadow>& shadow) const;
     void requireKnown(Id id) const;
     /// A number that none has, hidden.
     std::size_t freeBatch();
@@ -51,6 +65,7 @@ class CasterScene {
     SidesLayout layout_;
     LoadedScene loaded_;
     std::optional<GpuScene> gpu_;
+    std::map<const PlanePairShadow*, Ahead> ahead_;
     std::vector<bool> taken_, uploaded_; ///< by batch
     KeptLayers layers_;
     std::optional<Box> bounds_; ///< nothing: something has moved since

@@ -1,6 +1,7 @@
 #include "src/engine/prepared_mesh.hpp"
 
 #include "preprocess/scene/triangle_mesh.hpp"
+#include "src/shadow/plan/solid_clusters.hpp"
 
 namespace edgeshade {
 namespace {
@@ -29,8 +30,10 @@ std::shared_ptr<const PreparedMesh::Data> prepared(const MaskMesh& mesh) {
     Batch batch;
     batch.geometry = CopyOnWrite<Geometry>(geometryOf(mesh));
     const std::vector<Material> materials = maskMaterials();
-    auto shadow = std::make_shared<const PlanePairShadow>(
+    auto shadow = std::make_shared<PlanePairShadow>(
         buildPlanePairs(batch, castersOf(batch, materials, false), materials, 0.0));
+    shadow->solids =
+        mesh.bends ? std::vector<std::uint8_t>(shadow->clusters.size(), 0) : findSolids(*shadow);
     return std::make_shared<const PreparedMesh::Data>(
         PreparedMesh::Data{batch.geometry, std::move(shadow)});
 }

@@ -184,6 +184,10 @@ ShadowMasks::Id ShadowMasks::add(const MaskMesh& mesh, const Matrix16& worldFrom
     return add(impl_->prepared(mesh), worldFromObject);
 }
 
+void ShadowMasks::upload(const PreparedMesh& mesh) {
+    impl_->withStateKept([&] { impl_->drawing->casters.upload(mesh); });
+}
+
 void ShadowMasks::change(Id id, const PreparedMesh& mesh) {
     impl_->drawing->casters.change(id, mesh);
 }

@@ -4,9 +4,17 @@
 
 namespace edgeshade::gl {
 
+#ifdef __EMSCRIPTEN__
+// Nothing coarsens depth there, and asking for its range waits for all that is being drawn.
+constexpr bool keepsDepthRange = false;
+#else
+constexpr bool keepsDepthRange = true;
+#endif
+
 FramebufferKeeper::FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name_);
     glDisable(GL_SCISSOR_TEST);
+    if (!keepsDepthRange) return;
     glGetFloatv(GL_DEPTH_RANGE, depthRange_);
     glGetFloatv(GL_DEPTH_CLEAR_VALUE, &depthClear_);
     glDepthRangef(0.0f, 1.0f);
@@ -16,6 +24,7 @@ FramebufferKeeper::FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) =
 FramebufferKeeper::~FramebufferKeeper() {
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(name_));
     if (scissor_) glEnable(GL_SCISSOR_TEST);
+    if (!keepsDepthRange) return;
     glDepthRangef(depthRange_[0], depthRange_[1]);
     glClearDepthf(depthClear_);
 }

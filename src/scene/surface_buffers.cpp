@@ -83,7 +83,9 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
 } // namespace
 
 SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index) {
-    const glm::vec4 color = srgbFromLinear(batch.geometry->colors[index]);
+    const glm::vec4& linear = batch.geometry->colors[index];
+    const bool white = linear == glm::vec4(1.0f); // most are, and powers take time
+    const glm::vec4 color = white ? linear : srgbFromLinear(linear);
     return {batch.geometry->positions[index],
             batch.geometry->normals[index],
             batch.geometry->texcoords[index],

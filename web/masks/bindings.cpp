@@ -27,9 +27,12 @@ Matrix16 matrixAt(std::uintptr_t address) {
 }
 
 MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
-                std::size_t count, bool casts, bool doubleSided) {
-    return {
-        {at<float>(positions), floats}, {at<std::uint32_t>(indices), count}, casts, doubleSided};
+                std::size_t count, bool casts, bool doubleSided, bool bends) {
+    return {{at<float>(positions), floats},
+            {at<std::uint32_t>(indices), count},
+            casts,
+            doubleSided,
+            bends};
 }
 
 /// kind, position, direction, range, outer angle, radius.
@@ -58,9 +61,10 @@ class PageMasks {
 
     /// Meshes have numbers of their own, which are given back by release().
     int prepare(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
-                std::size_t count, bool casts, bool doubleSided) {
+                std::size_t count, bool casts, bool doubleSided, bool bends) {
         return numberOf([&] {
-            return PreparedMesh(meshAt(positions, floats, indices, count, casts, doubleSided));
+            return PreparedMesh(
+                meshAt(positions, floats, indices, count, casts, doubleSided, bends));
         });
     }
     /// Takes over a mesh from the worker: `size` bytes that malloc() gave, which it frees.
@@ -69,6 +73,9 @@ class PageMasks {
             const PageBytes bytes(address, size);
             return meshFromTransfer(bytes.view());
         });
+    }
+    bool upload(int mesh) {
+        return done([&] { masks().upload(meshes_.at(mesh)); });
     }
     void release(int mesh) { meshes_.erase(mesh); }
 
@@ -147,7 +154,7 @@ class MeshPacker {
                      std::size_t count, bool casts, bool doubleSided) {
         return sentenceOfFailure([&] {
             bytes_ = toTransfer(
-                PreparedMesh(meshAt(positions, floats, indices, count, casts, doubleSided)));
+                PreparedMesh(meshAt(positions, floats, indices, count, casts, doubleSided, false)));
         });
     }
     emscripten::val bytes() const { return viewOf(bytes_); }
@@ -163,6 +170,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("forget", &PageMasks::forget)
         .function("prepare", &PageMasks::prepare)
         .function("take", &PageMasks::take)
+        .function("upload", &PageMasks::upload)
         .function("release", &PageMasks::release)
         .function("add", &PageMasks::add)
         .function("change", &PageMasks::change)

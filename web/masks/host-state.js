@@ -2,10 +2,11 @@
 
 const switches = ['BLEND', 'CULL_FACE', 'DEPTH_TEST', 'DITHER', 'SCISSOR_TEST', 'STENCIL_TEST', 'SAMPLE_COVERAGE',
   'SAMPLE_ALPHA_TO_COVERAGE', 'POLYGON_OFFSET_FILL'];
-const storage = ['PACK_ALIGNMENT', 'UNPACK_ALIGNMENT'];
+const storage = ['UNPACK_ALIGNMENT'];
+const askedStorage = ['PACK_ALIGNMENT'];
 const pageStorage = ['UNPACK_FLIP_Y_WEBGL', 'UNPACK_PREMULTIPLY_ALPHA_WEBGL', 'UNPACK_COLORSPACE_CONVERSION_WEBGL'];
-const storage2 = ['UNPACK_ROW_LENGTH', 'UNPACK_SKIP_ROWS', 'UNPACK_SKIP_PIXELS', 'UNPACK_IMAGE_HEIGHT',
-  'UNPACK_SKIP_IMAGES', 'PACK_ROW_LENGTH', 'PACK_SKIP_ROWS', 'PACK_SKIP_PIXELS'];
+const storage2 = ['UNPACK_SKIP_ROWS', 'UNPACK_SKIP_PIXELS', 'UNPACK_SKIP_IMAGES', 'PACK_SKIP_ROWS', 'PACK_SKIP_PIXELS'];
+const askedStorage2 = ['UNPACK_ROW_LENGTH', 'UNPACK_IMAGE_HEIGHT', 'PACK_ROW_LENGTH'];
 const faces = { FRONT: 'STENCIL_', BACK: 'STENCIL_BACK_' };
 
 /** Attributes, where there are no vertex array objects; they are switched off. */
@@ -60,37 +61,67 @@ export class HostState {
   }
 
   /** Draws with the state kept: what `draw` sets is as it was after it, but for attributes' current values and
-   * what is not set in drawing (line width, hints, cube textures, uniform buffers). */
-  keptWhile(draw) {
-    const restore = this.#keep();
+   * what is not set in drawing (line width, hints, cube textures, uniform buffers). `all`: also what the browser
+   * doesn't know without waiting for all that is being drawn (keepFunctions()); else that is as drawing leaves it. */
+  keptWhile(draw, all) {
+    const restores = [this.#keepBindings(), this.#keepSwitches(), ...(all ? [this.#keepFunctions()] : []), this.#keepArrays()];
+    for (const name of pageStorage) this.#gl.pixelStorei(this.#gl[name], 0);
     try {
       return draw();
     } finally {
-      restore();
+      for (const restore of restores.reverse()) restore();
     }
   }
 
-  #keep() {
+  #keepBindings() {
     const gl = this.#gl;
     const ask = (name) => gl.getParameter(gl[name]);
-    const on = switches.map((name) => gl.isEnabled(gl[name]));
-    const discards = this.#webGl2 && gl.isEnabled(gl.RASTERIZER_DISCARD);
-    const stored = [...storage, ...(this.#webGl2 ? storage2 : []), ...pageStorage].map((name) => [gl[name], ask(name)]);
-    const bound = {
-      framebuffer: ask('FRAMEBUFFER_BINDING'),
-      read: this.#webGl2 ? ask('READ_FRAMEBUFFER_BINDING') : null,
-      renderbuffer: ask('RENDERBUFFER_BINDING'),
-      program: ask('CURRENT_PROGRAM'),
-      buffer: ask('ARRAY_BUFFER_BINDING'),
-      pack: this.#webGl2 ? ask('PIXEL_PACK_BUFFER_BINDING') : null,
-      unpack: this.#webGl2 ? ask('PIXEL_UNPACK_BUFFER_BINDING') : null,
-      unit: ask('ACTIVE_TEXTURE'),
-    };
+    const [framebuffer, renderbuffer, program, buffer, unit] =
+      ['FRAMEBUFFER_BINDING', 'RENDERBUFFER_BINDING', 'CURRENT_PROGRAM', 'ARRAY_BUFFER_BINDING', 'ACTIVE_TEXTURE'].map(ask);
+    const [read, pack, unpack] = this.#webGl2 ?
+      ['READ_FRAMEBUFFER_BINDING', 'PIXEL_PACK_BUFFER_BINDING', 'PIXEL_UNPACK_BUFFER_BINDING'].map(ask) : [];
     const units = [];
     for (let i = 0; i < this.#units; ++i) {
       gl.activeTexture(gl.TEXTURE0 + i);
       units.push([ask('TEXTURE_BINDING_2D'), this.#webGl2 ? ask('SAMPLER_BINDING') : null]);
     }
+    return () => {
+      if (this.#webGl2) {
+        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, framebuffer);
+        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, read);
+        gl.bindBuffer(gl.PIXEL_PACK_BUFFER, pack);
+        gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, unpack);
+      } else {
+        gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      }
+      gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
+      gl.useProgram(program);
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      for (const [i, [texture, sampler]] of units.entries()) {
+        gl.activeTexture(gl.TEXTURE0 + i);
+        gl.bindTexture(gl.TEXTURE_2D, texture && this.#isGone(texture) ? null : texture);
+        if (this.#webGl2) gl.bindSampler(i, sampler);
+      }
+      gl.activeTexture(unit);
+    };
+  }
+
+  #keepSwitches() {
+    const gl = this.#gl;
+    const on = [...switches, ...(this.#webGl2 ? ['RASTERIZER_DISCARD'] : [])].map((name) => [gl[name], gl.isEnabled(gl[name])]);
+    const stored = [...storage, ...(this.#webGl2 ? storage2 : []), ...pageStorage].map((name) => [gl[name], gl.getParameter(gl[name])]);
+    const viewport = gl.getParameter(gl.VIEWPORT);
+    return () => {
+      for (const [name, enabled] of on) enabled ? gl.enable(name) : gl.disable(name);
+      for (const [name, value] of stored) gl.pixelStorei(name, value);
+      gl.viewport(...viewport);
+    };
+  }
+
+  #keepFunctions() {
+    const gl = this.#gl;
+    const ask = (name) => gl.getParameter(gl[name]);
+    const stored = [...askedStorage, ...(this.#webGl2 ? askedStorage2 : [])].map((name) => [gl[name], ask(name)]);
     const blend = ['BLEND_SRC_RGB', 'BLEND_DST_RGB', 'BLEND_SRC_ALPHA', 'BLEND_DST_ALPHA'].map(ask);
     const equations = ['BLEND_EQUATION_RGB', 'BLEND_EQUATION_ALPHA'].map(ask);
     const stencil = Object.entries(faces).map(([face, prefix]) => [gl[face],
@@ -98,35 +129,11 @@ export class HostState {
       ['FAIL', 'PASS_DEPTH_FAIL', 'PASS_DEPTH_PASS'].map((name) => ask(prefix + name)), ask(`${prefix}WRITEMASK`)]);
     const [cull, front, depthFunction, stencilClear, depthClear] =
       ['CULL_FACE_MODE', 'FRONT_FACE', 'DEPTH_FUNC', 'STENCIL_CLEAR_VALUE', 'DEPTH_CLEAR_VALUE'].map(ask);
-    const [viewport, scissor, colors, clear, range] =
-      ['VIEWPORT', 'SCISSOR_BOX', 'COLOR_WRITEMASK', 'COLOR_CLEAR_VALUE', 'DEPTH_RANGE'].map(ask);
+    const [scissor, colors, clear, range] = ['SCISSOR_BOX', 'COLOR_WRITEMASK', 'COLOR_CLEAR_VALUE', 'DEPTH_RANGE'].map(ask);
     const depthWrites = ask('DEPTH_WRITEMASK');
     const offset = ['POLYGON_OFFSET_FACTOR', 'POLYGON_OFFSET_UNITS'].map(ask);
-    const restoreArrays = this.#keepArrays();
-    for (const name of pageStorage) gl.pixelStorei(gl[name], 0);
-
     return () => {
-      restoreArrays();
-      switches.forEach((name, i) => (on[i] ? gl.enable(gl[name]) : gl.disable(gl[name])));
-      if (discards) gl.enable(gl.RASTERIZER_DISCARD);
       for (const [name, value] of stored) gl.pixelStorei(name, value);
-      if (this.#webGl2) {
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, bound.framebuffer);
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, bound.read);
-        gl.bindBuffer(gl.PIXEL_PACK_BUFFER, bound.pack);
-        gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, bound.unpack);
-      } else {
-        gl.bindFramebuffer(gl.FRAMEBUFFER, bound.framebuffer);
-      }
-      gl.bindRenderbuffer(gl.RENDERBUFFER, bound.renderbuffer);
-      gl.useProgram(bound.program);
-      gl.bindBuffer(gl.ARRAY_BUFFER, bound.buffer);
-      for (const [i, [texture, sampler]] of units.entries()) {
-        gl.activeTexture(gl.TEXTURE0 + i);
-        gl.bindTexture(gl.TEXTURE_2D, texture && this.#isGone(texture) ? null : texture);
-        if (this.#webGl2) gl.bindSampler(i, sampler);
-      }
-      gl.activeTexture(bound.unit);
       gl.blendFuncSeparate(...blend);
       gl.blendEquationSeparate(...equations);
       gl.cullFace(cull);
@@ -139,7 +146,6 @@ export class HostState {
         gl.stencilOpSeparate(face, ...actions);
         gl.stencilMaskSeparate(face, writes);
       }
-      gl.viewport(...viewport);
       gl.scissor(...scissor);
       gl.colorMask(...colors);
       gl.depthMask(depthWrites);

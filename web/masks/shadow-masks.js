@@ -25,20 +25,23 @@ export class ShadowMasks {
   #masks;
   #state;
   #packing;
-  #allocatedFor = ''; // what draw() needs no more memory for
+  #allocatedFor = ''; // sizes that draw() has pictures of
   #hostError = 0;
 
-  /** Resolves when it can draw in the context. */
-  static async create(gl) {
+  #keepsState;
+
+  /** Resolves when it can draw in the context. `keepsState`: see HostState.keptWhile(). */
+  static async create(gl, { keepsState = true } = {}) {
     const module = await compiledModule();
-    return new ShadowMasks(gl, await instantiate(module), new MeshPacking(module));
+    return new ShadowMasks(gl, await instantiate(module), new MeshPacking(module), keepsState);
   }
 
   /** Not for pages: create() is. */
-  constructor(gl, program, packing) {
+  constructor(gl, program, packing, keepsState) {
     this.#gl = gl;
     this.#program = program;
     this.#packing = packing;
+    this.#keepsState = keepsState;
     this.#masks = new program.Masks();
     this.restore();
   }
@@ -75,10 +78,15 @@ export class ShadowMasks {
 
   /** The same at once. */
   prepareNow(mesh) {
-    const { casts = true, doubleSided = true } = mesh;
+    const { casts = true, doubleSided = true, bends = false } = mesh;
     const [positions, indices] = meshNumbers(mesh);
     return withCopies(this.#program, [positions, indices], ([p, i]) =>
-      this.#numberOf(this.#masks.prepare(p, positions.length, i, indices.length, casts, doubleSided)));
+      this.#numberOf(this.#masks.prepare(p, positions.length, i, indices.length, casts, doubleSided, bends)));
+  }
+
+  /** Uploads a prepared mesh ahead of add(), so that no draw() takes long. */
+  upload(mesh) {
+    this.#require(this.#inContext(() => this.#masks.upload(mesh)));
   }
 
   release(mesh) {
@@ -86,12 +94,10 @@ export class ShadowMasks {
   }
 
   add(mesh, matrix) {
-    this.#allocatedFor = '';
     return this.#withMatrices(matrix, (address) => this.#numberOf(this.#masks.add(mesh, address)));
   }
 
   change(id, mesh) {
-    this.#allocatedFor = '';
     this.#require(this.#masks.change(id, mesh));
   }
 
@@ -132,7 +138,7 @@ export class ShadowMasks {
     this.#program.GL.deleteContext(this.#handle);
   }
 
-  /** Where memory is asked for errors are too, which must not be somebody else's. */
+  /** Where pictures are made errors are asked for, which must not be somebody else's. */
   #takeHostError() {
     for (let i = 0; i < 16; ++i) { // a lost context never runs out of them
       const error = this.#gl.getError();
@@ -145,7 +151,7 @@ export class ShadowMasks {
     return this.#state.keptWhile(() => {
       this.#program.GL.makeContextCurrent(this.#handle);
       return act();
-    });
+    }, this.#keepsState);
   }
 
   #withMatrices(matrix, use) {

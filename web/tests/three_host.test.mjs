@@ -40,7 +40,7 @@ test('all that a host may have set is as it was, and three.js\' own passes are u
       renderer.readRenderTargetPixels(target, 0, 0, 64, 64, pixels);
       return hash(pixels);
     };
-    const shadows = new ExactShadows(renderer).add(scene);
+    const shadows = new ExactShadows(renderer, { keepsState: true }).add(scene);
     await drawn(shadows, scene, camera);
     const plainBefore = drawPlain();
     // As a host that draws by itself leaves it.

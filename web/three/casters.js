@@ -46,7 +46,7 @@ function placesOf(mesh) {
 
 export class Casters {
   #masks;
-  #prepared = new Map(); // key: {number or null while it is waited for, users, promise}
+  #prepared = new Map(); // key: {number or null while it is waited for, users, promise; ahead: to be uploaded}
   #meshes = new Map();   // three.js's mesh: what the engine has of it
   #problems = [];
 
@@ -54,15 +54,19 @@ export class Casters {
     this.#masks = masks;
   }
 
-  /** Meshes whose edges are not found yet. */
+  /** Meshes whose edges are not found yet, or that are not uploaded. */
   get pending() {
-    return [...this.#prepared.values()].filter(({ number }) => number === null).length;
+    return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
   /** Resolves when none is waited for any more; throws what went wrong since the last call. */
   async settled() {
-    while (this.pending) await Promise.allSettled([...this.#prepared.values()].map(({ promise }) => promise));
+    while (this.#waiting.length) await Promise.allSettled(this.#waiting.map(({ promise }) => promise));
     if (this.#problems.length) throw new Error(this.#problems.splice(0).join(' '));
+  }
+
+  get #waiting() {
+    return [...this.#prepared.values()].filter(({ number }) => number === null);
   }
 
   /** The engine has exactly these, as they are now, but for those whose edges are being found. */
@@ -75,6 +79,15 @@ export class Casters {
       this.#followOne(mesh, role);
     }
     for (const mesh of [...this.#meshes.keys()]) if (!seen.has(mesh)) this.#drop(mesh);
+    this.#uploadOne();
+  }
+
+  /** A large mesh is uploaded in one frame, and added in the next. */
+  #uploadOne() {
+    const entry = [...this.#prepared.values()].find(({ number, ahead }) => ahead && number !== null);
+    if (!entry) return;
+    entry.ahead = false;
+    if (entry.number >= 0) this.#masks.upload(entry.number);
   }
 
   /** The engine has lost all that was added to it. */
@@ -92,8 +105,8 @@ export class Casters {
     if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], shown: null });
     if (isPosed(mesh)) this.#pose(mesh, role, roleKey, had);
     else this.#prepare(mesh, role, `${mesh.geometry.uuid} ${versionOf(mesh)} ${roleKey}`, had);
-    const found = this.#prepared.get(had.key)?.number ?? null;
-    if (found !== null) this.#place(mesh, found, had);
+    const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
+    if (found !== null && !ahead) this.#place(mesh, found, had);
   }
 
   /** Of a geometry that some meshes may have in common. */
@@ -113,6 +126,7 @@ export class Casters {
       this.#prepareNow(shape, entry);
       return;
     }
+    entry.ahead = true;
     entry.promise = this.#masks.prepare(shape).then(
       (number) => {
         if (this.#prepared.get(key) === entry) entry.number = number;
@@ -142,7 +156,7 @@ export class Casters {
     Object.assign(had, { key: mesh.uuid, version, pose });
     const entry = { number: null, users: 1, promise: null };
     this.#prepared.set(had.key, entry);
-    this.#prepareNow(this.#shapeOf(mesh, role), entry);
+    this.#prepareNow({ ...this.#shapeOf(mesh, role), bends: true }, entry);
   }
 
   #shapeOf(mesh, { casts, doubleSided, inward }) {

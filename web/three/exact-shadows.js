@@ -41,6 +41,7 @@ export class ExactShadows {
   #roots = new Set();
   #last = null; // {scene, camera} of the last render()
   #radii = new WeakMap();
+  #keepsState;
   #textures;
   #patches;
   #viewport = new Vector4();
@@ -62,22 +63,24 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64 } = {}) {
+  constructor(renderer, { lightSamples = 64, keepsState = false } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
       throw new Error('ExactShadows needs a renderer that draws with WebGL 2.');
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
+    this.#keepsState = keepsState;
     this.#textures = new MaskTextures(renderer);
     this.#patches = new MaterialPatches(this.#uniforms);
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);
-    this.#starting = ShadowMasks.create(context).then(
+    this.#starting = ShadowMasks.create(context, { keepsState }).then(
       (masks) => {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
+        this.#resetRenderer();
         this.#casters = new Casters(masks);
         return undefined;
       },
@@ -105,8 +108,11 @@ export class ExactShadows {
   async ready() {
     await this.#starting;
     if (this.#problem) throw this.#problem;
-    if (this.#last && !this.#disposed) this.#follow(this.#last);
-    await this.#casters?.settled();
+    while (this.#last && !this.#disposed && !this.#lost) {
+      this.#follow(this.#last);
+      await this.#casters?.settled();
+      if (!this.#casters?.pending) return;
+    }
   }
 
   /** What the last masks cost, or null. */
@@ -172,8 +178,17 @@ export class ExactShadows {
       clipFromView: camera.projectionMatrix.elements,
       width, height, lightSamples: this.lightSamples,
     }, casting.lights));
+    this.#resetRenderer();
     this.#uniforms.edgeshadeViewport.value.set(x, y, 1 / width, 1 / height);
     return true;
+  }
+
+  /** Where not all state is kept three.js sets it anew. */
+  #resetRenderer() {
+    if (this.#keepsState) return;
+    const renderer = this.#renderer;
+    renderer.resetState();
+    renderer.setRenderTarget(renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel());
   }
 
   /** Takes over the scene as it is. Returns the lights that the camera sees. */

@@ -152,12 +152,12 @@ class Divider {
         for (const std::uint32_t i : parents) {
             if (here_->outlines[i].misses(cell.part())) continue;
             ++work_;
-            const TriangleCone& cone = cones()[here_->triangles[i]];
+            const TriangleCone cone(rays()[here_->triangles[i]]);
             if (!mayTouch(cone, corners, sides)) continue;
             members.push_back(i);
             covering += covers(cone, corners);
         }
-        const std::size_t mostWork = std::max(leastWork, workPerTriangle * cones().size());
+        const std::size_t mostWork = std::max(leastWork, workPerTriangle * rays().size());
         const bool hopeless = covering > limit_ || depth == deepest || work_ > mostWork;
         if (members.size() <= limit_ || hopeless) {
             most_ = std::max(most_, members.size());
@@ -171,20 +171,20 @@ class Divider {
             divide(quarter, members, depth + 1);
     }
 
-    /// Of all casters, made when the grid is too coarse somewhere.
-    const std::vector<TriangleCone>& cones() {
-        if (cones_.empty())
-            forEachCaster(scene_, castMasked_, from_, [&](const std::array<glm::dvec3, 3>& rays) {
-                cones_.emplace_back(rays);
-            });
-        return cones_;
+    /// To the corners of all casters, made when the grid is too coarse somewhere.
+    const std::vector<std::array<glm::dvec3, 3>>& rays() {
+        if (!rays_.empty()) return rays_;
+        rays_.reserve(scene_.triangleCount());
+        forEachCaster(scene_, castMasked_, from_,
+                      [&](const std::array<glm::dvec3, 3>& corners) { rays_.push_back(corners); });
+        return rays_;
     }
 
     const Scene& scene_;
     const bool castMasked_;
     const LightView& from_;
     const std::size_t limit_;
-    std::vector<TriangleCone> cones_;
+    std::vector<std::array<glm::dvec3, 3>> rays_;
     const FaceOutlines* here_ = nullptr; ///< of the face that is being divided
     std::size_t most_ = 0;
     std::size_t work_ = 0; ///< pairs of a triangle and a cell looked at closely

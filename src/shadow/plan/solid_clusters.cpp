@@ -220,6 +220,7 @@ std::vector<std::uint8_t> findSolids(const PlanePairShadow& shadow) {
 
 const std::vector<std::uint8_t>&
 KeptSolids::of(const std::shared_ptr<const PlanePairShadow>& shadow) {
+    if (shadow->solids) return *shadow->solids;
     const auto found = entries_.find(shadow.get());
     if (found != entries_.end() && found->second.shadow.lock() == shadow)
         return found->second.solids;

@@ -17,7 +17,7 @@ namespace edgeshade {
 /// rounding can't tell from one. Some hundred milliseconds for 100,000 triangles.
 std::vector<std::uint8_t> findSolids(const PlanePairShadow& shadow);
 
-/// Keeps what findSolids() says, for as long as the records are there.
+/// Keeps what findSolids() says, for as long as the records are there, of those that don't say it.
 class KeptSolids {
   public:
     const std::vector<std::uint8_t>& of(const std::shared_ptr<const PlanePairShadow>& shadow);

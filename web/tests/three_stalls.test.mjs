@@ -1,0 +1,56 @@
+// Loading 150,000 triangles doesn't hold up the page: edges are found elsewhere, uploading and the first masks
+// come in frames of their own.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { openThree } from './support/three.mjs';
+
+const shared = useBrowser();
+
+test('the shadows of 150,000 triangles come without long tasks', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { three, yard, ExactShadows, cameraOf, drawn } = window.page;
+    const { renderer, scene, mesh, box } = yard({ width: 320, height: 180 });
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 320 / 180);
+    const knot = new three.TorusKnotGeometry(0.8, 0.3, 1500, 50);
+    const shadows = new ExactShadows(renderer).add(scene);
+    await drawn(shadows, scene, camera); // programs are compiled
+    const tasks = [];
+    const observer = new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration)));
+    observer.observe({ entryTypes: ['longtask'] });
+    const frame = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
+    const calls = [];
+    const render = () => {
+      const since = performance.now();
+      shadows.render(scene, camera);
+      calls.push(performance.now() - since);
+    };
+    scene.remove(box);
+    const big = mesh(knot);
+    big.position.y = 1.4;
+    scene.add(big);
+    let frames = 0, without = 0;
+    do {
+      await frame();
+      render();
+      frames += 1;
+      without += shadows.cost.vertexRuns < 1000;
+    } while (shadows.cost.pending > 0);
+    const first = calls.length;
+    for (let i = 0; i < 5; ++i) {
+      await frame();
+      render();
+    }
+    await frame();
+    observer.takeRecords().forEach(({ duration }) => tasks.push(duration));
+    return { triangles: knot.index.count / 3, tasks, frames, without, longest: Math.max(...calls), calls: calls.slice(first - 1), cost: shadows.cost };
+  });
+  console.log(`tasks above 50 ms: ${told.tasks.join(', ') || 'none'}; the longest render(): ${told.longest.toFixed(0)} ms`, told.calls.map(Math.round));
+  assert.ok(told.triangles >= 150000 && told.frames > 1, `${told.triangles} triangles, ${told.frames} frames`);
+  assert.ok(told.without >= told.frames - 1, 'until then pictures come without them');
+  assert.equal(told.cost.buildMs, 0, 'no edges are found in a frame');
+  assert.equal(told.cost.pending, 0);
+  await shared.check(page);
+});
