@@ -31,19 +31,29 @@ test('WebAssembly and JavaScript together weigh at most 800 KB, compressed', () 
   assert.ok(total <= 800e3, `${total} bytes`);
 });
 
+test('three.js\' adapter weighs at most 400 KB, compressed', () => {
+  let total = 0;
+  for (const file of ['wasm/edgeshade-masks.wasm', 'wasm/edgeshade-masks.mjs', 'element/webassembly.js',
+    ...['masks', 'three'].flatMap((folder) => readdirSync(join(site, folder)).map((name) => `${folder}/${name}`)).filter((name) => name.endsWith('.js'))])
+    total += gzipSync(readFileSync(join(site, file)), { level: 9 }).length;
+  console.log(`${total} bytes`);
+  assert.ok(total <= 400e3, `${total} bytes`);
+});
+
 test('npm packs the element, its types and its WebAssembly', () => {
   const [{ files, name, version }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json', '--loglevel', 'error'],
     { cwd: site, encoding: 'utf8' }));
   assert.equal(`${name}@${version}`, `edgeshade@${description.version}`);
   const paths = files.map(({ path }) => path);
   for (const wanted of ['element/edgeshade-viewer.js', 'element/edgeshade-viewer.d.ts', 'element/scene-worker.js',
-    'wasm/edgeshade.mjs', 'wasm/edgeshade.wasm', 'package.json', 'README.md', 'LICENSE', 'LICENSE.erfa'])
+    'three/exact-shadows.js', 'three/exact-shadows.d.ts', 'masks/shadow-masks.js', 'masks/shadow-masks.d.ts', 'masks/mesh-worker.js',
+    'wasm/edgeshade.mjs', 'wasm/edgeshade.wasm', 'wasm/edgeshade-masks.mjs', 'wasm/edgeshade-masks.wasm', 'package.json', 'README.md', 'LICENSE', 'LICENSE.erfa'])
     assert.ok(paths.includes(wanted), `${wanted} is in it`);
-  assert.ok(!paths.some((path) => path.startsWith('page/') || path.startsWith('tests/')));
+  assert.ok(!paths.some((path) => path.startsWith('page/') || /\.[ch]pp$/.test(path) || path.startsWith('tests/')));
 });
 
 test('nothing names a server: no address in the page goes elsewhere', () => {
-  for (const folder of ['', 'element', 'page'])
+  for (const folder of ['', 'element', 'masks', 'three', 'page'])
     for (const file of readdirSync(join(site, folder)).filter((entry) => /\.(js|css|html)$/.test(entry)))
       assert.doesNotMatch(readFileSync(join(site, folder, file), 'utf8').replaceAll('http://www.w3.org', ''),
         /https?:\/\/(?!localhost)/, `${folder}/${file}`);

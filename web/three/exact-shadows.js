@@ -187,8 +187,9 @@ export class ExactShadows {
   #resetRenderer() {
     if (this.#keepsState) return;
     const renderer = this.#renderer;
-    renderer.resetState();
-    renderer.setRenderTarget(renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel());
+    const target = [renderer.getRenderTarget(), renderer.getActiveCubeFace(), renderer.getActiveMipmapLevel()];
+    renderer.resetState(); // forgets the target, too
+    renderer.setRenderTarget(...target);
   }
 
   /** Takes over the scene as it is. Returns the lights that the camera sees. */

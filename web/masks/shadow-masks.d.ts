@@ -1,0 +1,106 @@
+/** Exact shadows in a WebGL 1 or 2 context of your own: what each light reaches, as textures. */
+
+/** 16 numbers, column-major. */
+export type Matrix = ArrayLike<number> & Iterable<number>;
+
+/** Triangles that move together; nothing is kept of the arrays. */
+export interface MaskMesh {
+  /** x, y, z a vertex; finite. */
+  positions: ArrayLike<number>;
+  /** Three a triangle; without, vertices come in threes. */
+  indices?: ArrayLike<number>;
+  /** Else it only receives, and is lit from behind as well. Default: true. */
+  casts?: boolean;
+  /** Else it is seen from its front alone, where it is wound counter-clockwise. Default: true. */
+  doubleSided?: boolean;
+}
+
+export interface MaskLight {
+  /** Default: 'directional'. */
+  kind?: 'directional' | 'point' | 'spot';
+  /** In the world; of a point or a spot. */
+  position?: [number, number, number];
+  /** Where a sun or a spot shines; any length. */
+  direction?: [number, number, number];
+  /** Dark from there on. Default: Infinity. */
+  range?: number;
+  /** Of a spot, radians, to pi / 2: dark from there on. */
+  outerAngle?: number;
+  /** A point light's radius; of a sun half its angle, radians. 0: shadows are hard. */
+  radius?: number;
+}
+
+export interface MaskView {
+  /** A turn, a shift and one scale. */
+  viewFromWorld: Matrix;
+  /** Perspective, off-axis too, or orthographic; its depths are not used. */
+  clipFromView: Matrix;
+  /** Pixels. */
+  width: number;
+  height: number;
+  /** Points of each light that has a radius, 1 to 4096. Default: 64. */
+  lightSamples?: number;
+  /** Whether `nearness` is drawn, too. Default: true. */
+  nearness?: boolean;
+}
+
+export interface Masks {
+  /** RGBA, as large as the view; light i is channel i % 4 of textures[i / 4]: 1 lit, 0 not. */
+  textures: WebGLTexture[];
+  /**
+   * Which surface a pixel is of, for outlines that are others than the masks', as with
+   * multisampling: RGB, 24 bits, red the highest, of scale / depth + offset (perspective) or
+   * scale * depth + offset; 0: no surface.
+   */
+  nearness: { texture: WebGLTexture; scale: number; offset: number } | null;
+}
+
+/** Of the last draw(). Milliseconds are the CPU's. */
+export interface MaskCost {
+  buildMs: number;
+  drawMs: number;
+  vertexRuns: number;
+  /** On the GPU. */
+  bytes: number;
+  /** A GL error that was there before; 0: none. Asked for where pictures are made alone. */
+  hostError: number;
+}
+
+/** Lights that one draw() can have. */
+export const mostLights: number;
+
+/** All methods throw an Error whose message is a sentence. */
+export class ShadowMasks {
+  /**
+   * `keepsState`: all state of the context is after each call as before, which waits for what is
+   * being drawn. Without: bindings, switches and pixel storage alone; blending, stencil, depth,
+   * culling, masks and clear values are as drawing leaves them. Default: true.
+   */
+  static create(gl: WebGLRenderingContext | WebGL2RenderingContext, options?: { keepsState?: boolean }): Promise<ShadowMasks>;
+
+  /** Finds a mesh's edges in a worker. Resolves with the mesh's number. */
+  prepare(mesh: MaskMesh): Promise<number>;
+  /** The same at once. */
+  prepareNow(mesh: MaskMesh): number;
+  /** Uploads it ahead of add(), so that no draw() takes long. */
+  upload(mesh: number): void;
+  /** The number stands for nothing any more; what was added of it stays. */
+  release(mesh: number): void;
+
+  /** A mesh at a place, affine and invertible; as often as you like. Returns an id. */
+  add(mesh: number, worldFromObject: Matrix): number;
+  /** Another mesh in the same place. */
+  change(id: number, mesh: number): void;
+  move(id: number, worldFromObject: Matrix): void;
+  remove(id: number): void;
+
+  /** The textures are the engine's to delete, and as they are until the next draw(). */
+  draw(view: MaskView, lights: MaskLight[]): Masks;
+  readonly cost: MaskCost;
+
+  /** When the context is lost: nothing can be added or drawn until restore(). */
+  forget(): void;
+  /** When it came back: begins anew, without what was added; meshes stay prepared. */
+  restore(): void;
+  dispose(): void;
+}

@@ -1,0 +1,48 @@
+/** Exact shadows in three.js. */
+
+import type { Camera, Light, Object3D, WebGLRenderer } from 'three';
+import type { MaskCost } from '../masks/shadow-masks.js';
+
+export interface ExactShadowsOptions {
+  /** Points of each light that has a radius, 1 to 4096. Default: 64. */
+  lightSamples?: number;
+  /**
+   * All state of the context is kept over the masks, which waits for what is being drawn; without,
+   * renderer.resetState() follows them. Default: false.
+   */
+  keepsState?: boolean;
+}
+
+/**
+ * Shadows of what casts (castShadow), on what receives (receiveShadow): standard, physical, Lambert,
+ * Phong, toon and shadow materials; of directional, point and spot lights with castShadow. Meshes,
+ * instances, skinned and morphed meshes. Until the edges of all meshes are found pictures have no
+ * shadows. See-through surfaces and those with alpha tests take and cast none.
+ */
+export class ExactShadows {
+  /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */
+  constructor(renderer: WebGLRenderer, options?: ExactShadowsOptions);
+
+  lightSamples: number;
+
+  /** Everything below an object takes part from now on, what comes there later too. */
+  add(object: Object3D): this;
+  remove(object: Object3D): this;
+  /** A point light's radius, scene units; of a sun half its angle, radians. 0: shadows are hard. */
+  setRadius(light: Light, radius: number): this;
+
+  /** In place of renderer.render(): in the current render target and viewport. */
+  render(scene: Object3D, camera: Camera): void;
+  /** Draws the masks alone, for a render() of your own; whether there are any. */
+  beginMasks(scene: Object3D, camera: Camera): boolean;
+  /** After it: three.js draws without them again. */
+  endMasks(): void;
+
+  /** Resolves once all that the last render() asked for has its shadows. Throws what went wrong. */
+  ready(): Promise<void>;
+  /** Of the last masks; `pending`: meshes that are waited for. Null before the first. */
+  readonly cost: (MaskCost & { pending: number }) | null;
+
+  /** Gives back all that it holds; materials are as they came. */
+  dispose(): void;
+}
