@@ -13,6 +13,7 @@ constexpr bool keepsDepthRange = true;
 
 FramebufferKeeper::FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name_);
+    if (scissor_) glGetIntegerv(GL_SCISSOR_BOX, scissorBox_);
     glDisable(GL_SCISSOR_TEST);
     if (!keepsDepthRange) return;
     glGetFloatv(GL_DEPTH_RANGE, depthRange_);
@@ -23,7 +24,10 @@ FramebufferKeeper::FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) =
 
 FramebufferKeeper::~FramebufferKeeper() {
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(name_));
-    if (scissor_) glEnable(GL_SCISSOR_TEST);
+    if (scissor_) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(scissorBox_[0], scissorBox_[1], scissorBox_[2], scissorBox_[3]);
+    }
     if (!keepsDepthRange) return;
     glDepthRangef(depthRange_[0], depthRange_[1]);
     glClearDepthf(depthClear_);

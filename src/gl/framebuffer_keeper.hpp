@@ -15,6 +15,7 @@ class FramebufferKeeper {
   private:
     int name_ = 0;
     bool scissor_;
+    int scissorBox_[4] = {}; ///< where it was on
     float depthRange_[2] = {};
     float depthClear_ = 1.0f;
 };
