@@ -1,5 +1,7 @@
 #include "src/gl/depth_stencil.hpp"
 
+#include "src/gl/platform.hpp"
+
 #include <GLES2/gl2.h>
 #include <GLES2/gl2ext.h>
 
@@ -10,11 +12,9 @@ namespace {
 // WebGL 1 has names of its own for it (WebGL 1.0.3, section 6.8).
 constexpr GLenum packedFormat = 0x84F9;     // DEPTH_STENCIL
 constexpr GLenum packedAttachment = 0x821A; // DEPTH_STENCIL_ATTACHMENT
-constexpr bool isWeb = true;
 #else
 constexpr GLenum packedFormat = GL_DEPTH24_STENCIL8_OES;
 constexpr GLenum packedAttachment = 0;
-constexpr bool isWeb = false;
 #endif
 
 Renderbuffer makeRenderbuffer(GLenum format, int width, int height) {
@@ -32,7 +32,7 @@ Renderbuffer makeRenderbuffer(GLenum format, int width, int height) {
 
 DepthStencil::DepthStencil(int width, int height, const Capabilities& capabilities) {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    const bool packed = isWeb || capabilities.has("GL_OES_packed_depth_stencil") ||
+    const bool packed = inBrowser || capabilities.has("GL_OES_packed_depth_stencil") ||
                         capabilities.version.starts_with("OpenGL ES 3");
     if (packed) {
         depth_ = makeRenderbuffer(packedFormat, width, height);
@@ -50,7 +50,7 @@ void DepthStencil::attach() const {
     const auto attachTo = [](GLenum attachment, const Renderbuffer& buffer) {
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
     };
-    if (isWeb) {
+    if (inBrowser) {
         attachTo(packedAttachment, depth_);
         return;
     }

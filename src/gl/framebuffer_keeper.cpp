@@ -1,15 +1,13 @@
 #include "src/gl/framebuffer_keeper.hpp"
 
+#include "src/gl/platform.hpp"
+
 #include <GLES2/gl2.h>
 
 namespace edgeshade::gl {
 
-#ifdef __EMSCRIPTEN__
-// Nothing coarsens depth there, and asking for its range waits for all that is being drawn.
-constexpr bool keepsDepthRange = false;
-#else
-constexpr bool keepsDepthRange = true;
-#endif
+// In browsers nothing coarsens depth.
+constexpr bool keepsDepthRange = !inBrowser;
 
 FramebufferKeeper::FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &name_);

@@ -1,6 +1,7 @@
 #include "src/gl/objects.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "src/gl/platform.hpp"
 
 #include <GLES2/gl2.h>
 
@@ -26,13 +27,9 @@ void deleteRenderbuffer(Name name) {
     glDeleteRenderbuffers(1, &name);
 }
 
-#ifdef __EMSCRIPTEN__
-/// Asking whether there was an error waits for all that is being drawn: only where much memory was
-/// asked for.
-constexpr std::size_t surelyThere = 4u << 20;
-#else
-constexpr std::size_t surelyThere = 0;
-#endif
+/// In browsers asking whether there was an error waits for all that is being drawn: only where much
+/// memory was asked for.
+constexpr std::size_t surelyThere = inBrowser ? 4u << 20 : 0;
 
 Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()) {
     const GLenum target = kind == Kind::vertices ? GL_ARRAY_BUFFER : GL_ELEMENT_ARRAY_BUFFER;

@@ -1,5 +1,7 @@
 #include "src/gl/scissor.hpp"
 
+#include "src/gl/platform.hpp"
+
 #include <algorithm>
 #include <GLES2/gl2.h>
 
@@ -15,17 +17,15 @@ PixelRectangle scissored(int width, int height) {
 
 ScissorScope::ScissorScope(const PixelRectangle& rectangle)
     : enabled_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {
-    if (enabled_) glGetIntegerv(GL_SCISSOR_BOX, box_);
+    if (enabled_ || !inBrowser) glGetIntegerv(GL_SCISSOR_BOX, box_);
     glEnable(GL_SCISSOR_TEST);
     glScissor(rectangle.x, rectangle.y, std::max(0, rectangle.width),
               std::max(0, rectangle.height));
 }
 
 ScissorScope::~ScissorScope() {
-    if (enabled_)
-        glScissor(box_[0], box_[1], box_[2], box_[3]);
-    else
-        glDisable(GL_SCISSOR_TEST);
+    if (enabled_ || !inBrowser) glScissor(box_[0], box_[1], box_[2], box_[3]);
+    if (!enabled_) glDisable(GL_SCISSOR_TEST);
 }
 
 } // namespace edgeshade::gl

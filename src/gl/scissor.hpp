@@ -7,8 +7,8 @@ namespace edgeshade::gl {
 /// What the scissor lets through of a framebuffer of this size.
 PixelRectangle scissored(int width, int height);
 
-/// Draws within a rectangle alone, for as long as it lives; then the scissor is as before, but for
-/// its box where it is off: WebGL doesn't know that without waiting for all that is being drawn.
+/// Draws within a rectangle alone, for as long as it lives; then the scissor is as before, but in
+/// browsers for its box where it is off.
 class ScissorScope {
   public:
     explicit ScissorScope(const PixelRectangle& rectangle);
@@ -17,7 +17,7 @@ class ScissorScope {
     ScissorScope& operator=(const ScissorScope&) = delete;
 
   private:
-    int box_[4] = {}; ///< where it was on
+    int box_[4] = {}; ///< in browsers where it was on
     bool enabled_;
 };
 
