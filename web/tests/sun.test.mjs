@@ -103,9 +103,9 @@ test('sliders, date and place move it, and the address keeps it', async () => {
 
 test('a day plays, round and round, until it is paused or the sun is moved', async () => {
   const page = await shared.open(address);
-  await page.click('#play-day');
   const minutes = async () => partsOf((await stateOf(page)).sun.time).minutes;
   const start = await minutes();
+  await page.click('#play-day');
   await page.waitForFunction(() => document.querySelector('#viewer').state.sun.time > '2026-06-21T15');
   assert.ok(await minutes() > start);
   assert.equal(await page.getAttribute('#play-day', 'aria-pressed'), 'true');
@@ -119,7 +119,7 @@ test('a day plays, round and round, until it is paused or the sun is moved', asy
   const state = await stateOf(page);
   assert.equal(state.sun, null);
   assert.equal(state.day_playing, false);
-  assert.equal(await page.isChecked('#by-place'), false);
+  await page.waitForFunction(() => !document.querySelector('#by-place').checked); // the panel follows
   await shared.check(page);
 });
 
