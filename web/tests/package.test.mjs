@@ -2,13 +2,16 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync, readdirSync } from 'node:fs';
-import { join } from 'node:path';
+import { mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
 import { test } from 'node:test';
 import { gzipSync } from 'node:zlib';
+import { missing, packedInto } from './support/package.mjs';
 import { repository } from './support/server.mjs';
 
 const site = join(repository, 'build/web');
+const skip = missing('esbuild');
 const description = JSON.parse(readFileSync(join(repository, 'web/package.json'), 'utf8'));
 
 test('the version is that of the program', () => {
@@ -31,25 +34,57 @@ test('WebAssembly and JavaScript together weigh at most 800 KB, compressed', () 
   assert.ok(total <= 800e3, `${total} bytes`);
 });
 
-test('three.js\' adapter weighs at most 420 KB, compressed', () => {
-  let total = 0;
-  for (const file of ['wasm/edgeshade-masks.wasm', 'wasm/edgeshade-masks.mjs', 'element/webassembly.js',
-    ...['masks', 'three'].flatMap((folder) => readdirSync(join(site, folder)).map((name) => `${folder}/${name}`)).filter((name) => name.endsWith('.js'))])
-    total += gzipSync(readFileSync(join(site, file)), { level: 9 }).length;
-  console.log(`${total} bytes`);
-  assert.ok(total <= 420e3, `${total} bytes`);
+/** What npm packs; `text(path)` and `weight(path, …)` are of the files as they are in it. */
+const packed = (() => {
+  if (skip) return null;
+  const folder = mkdtempSync(join(tmpdir(), 'edgeshade-pack-'));
+  try {
+    const told = packedInto(folder);
+    execFileSync('tar', ['-xf', told.filename], { cwd: folder });
+    const bytes = new Map(told.files.map(({ path }) => [path, readFileSync(join(folder, 'package', path))]));
+    return { ...told, paths: [...bytes.keys()], text: (path) => bytes.get(path).toString(),
+      weight: (...paths) => paths.reduce((sum, path) => sum + gzipSync(bytes.get(path), { level: 9 }).length, 0) };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+})();
+
+test('the package is at most 1.3 MB, 3.5 MB unpacked', { skip }, () => {
+  const { size, unpackedSize } = packed;
+  console.log(`tarball ${size} bytes, unpacked ${unpackedSize}`);
+  assert.ok(size <= 1.3e6 && unpackedSize <= 3.5e6);
 });
 
-test('npm packs the element, its types and its WebAssembly', () => {
-  const [{ files, name, version }] = JSON.parse(execFileSync('npm', ['pack', '--dry-run', '--json', '--loglevel', 'error'],
-    { cwd: site, encoding: 'utf8' }));
-  assert.equal(`${name}@${version}`, `edgeshade@${description.version}`);
-  const paths = files.map(({ path }) => path);
-  for (const wanted of ['element/edgeshade-viewer.js', 'element/edgeshade-viewer.d.ts', 'element/scene-worker.js',
-    'three/exact-shadows.js', 'three/exact-shadows.d.ts', 'masks/shadow-masks.js', 'masks/shadow-masks.d.ts', 'masks/mesh-worker.js',
-    'wasm/edgeshade.mjs', 'wasm/edgeshade.wasm', 'wasm/edgeshade-masks.mjs', 'wasm/edgeshade-masks.wasm', 'package.json', 'README.md', 'LICENSE', 'LICENSE.erfa'])
-    assert.ok(paths.includes(wanted), `${wanted} is in it`);
-  assert.ok(!paths.some((path) => path.startsWith('page/') || /\.[ch]pp$/.test(path) || path.startsWith('tests/')));
+test('three.js\' adapter weighs at most 410 KB, the element 780 KB, without a bundler, compressed', { skip }, () => {
+  const modules = (...folders) => packed.paths.filter((path) => path.endsWith('.js') && folders.some((folder) => path.startsWith(`dist/${folder}/`)));
+  const wasm = (name) => [`dist/wasm/${name}.wasm`, `dist/wasm/${name}.mjs`];
+  const adapter = packed.weight(...wasm('edgeshade-masks'), 'dist/element/webassembly.js', ...modules('masks', 'three'));
+  const element = packed.weight(...wasm('edgeshade'), ...modules('element'));
+  console.log(`adapter ${adapter} bytes, element ${element}`);
+  assert.ok(adapter <= 410e3 && element <= 780e3);
+});
+
+test('npm packs every entry with its types, workers and WebAssembly', { skip }, () => {
+  assert.equal(`${packed.name}@${packed.version}`, `edgeshade@${description.version}`);
+  const entries = Object.values(description.exports).flatMap((entry) => (typeof entry === 'string' ? entry : Object.values(entry)));
+  for (const wanted of [...entries.map((path) => path.replace('./', '')), 'dist/element/scene-worker.js', 'dist/element/map-worker.js',
+    'dist/masks/mesh-worker.js', 'dist/wasm/edgeshade.mjs', 'dist/wasm/edgeshade.wasm', 'dist/wasm/edgeshade-masks.mjs',
+    'dist/wasm/edgeshade-masks.wasm', 'README.md', 'LICENSE', 'LICENSE.erfa'])
+    assert.ok(packed.paths.includes(wanted), `${wanted} is in it`);
+  for (const path of packed.paths) assert.match(path, /^(package\.json|README\.md|LICENSE(\.erfa)?|dist\/(element|masks|three|wasm)\/[^/]+)$/);
+});
+
+test('every module has a map that holds its source', { skip }, () => {
+  const modules = packed.paths.filter((path) => path.endsWith('.js'));
+  assert.ok(modules.length > 30, `${modules.length} modules`);
+  for (const path of modules) {
+    assert.ok(packed.text(path).endsWith(`//# sourceMappingURL=${basename(path)}.map\n`), path);
+    const { sources, sourcesContent, mappings } = JSON.parse(packed.text(`${path}.map`));
+    const source = path.replace('dist/', '');
+    assert.deepEqual(sources, [`../../${source}`]);
+    assert.equal(sourcesContent[0], readFileSync(join(repository, 'web', source), 'utf8'));
+    assert.ok(mappings.length > 0);
+  }
 });
 
 test('nothing names a server: no address in the page goes elsewhere', () => {

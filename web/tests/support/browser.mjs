@@ -17,13 +17,13 @@ function withoutAntialiasing() {
 }
 
 /**
- * Call at the top of a test file; `angle` as in chromium.mjs. open(path, options) gives a page that has loaded its scene;
- * check(page) fails if anything was reported to its console.
+ * Call at the top of a test file; `angle` as in chromium.mjs, `roots` as in server.mjs. open(path, options)
+ * gives a page that has loaded its scene; check(page) fails if anything was reported to its console.
  */
-export function useBrowser({ angle } = {}) {
+export function useBrowser({ angle, roots } = {}) {
   const shared = {};
   before(async () => {
-    shared.server = await serve();
+    shared.server = await serve(roots);
     shared.browser = await launchChromium({ angle });
   });
   after(async () => {
@@ -42,7 +42,7 @@ export function useBrowser({ angle } = {}) {
     page.on('pageerror', (error) => page.reports.push(String(error)));
     await page.addInitScript(withoutAntialiasing);
     if (init) await page.addInitScript(init);
-    await page.goto(shared.server.address + path);
+    await page.goto(new URL(path, shared.server.address).href);
     if (scene) await loaded(page);
     return page;
   };

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { smallGltf, texelsAsPng, texturedGltf } from './scenes.mjs';
 
 export const repository = fileURLToPath(new URL('../../../', import.meta.url));
-const roots = {
+const usual = {
   '/tests/': fileURLToPath(new URL('../pages/', import.meta.url)),
   '/compare/': join(repository, 'web/compare/'),
   '/node_modules/': join(repository, 'web/node_modules/'),
@@ -26,15 +26,15 @@ const made = {
   '/tests/gone/scene.gltf': () => texturedGltf({ uri: 'gone.png' }),
 };
 
-function fileOf(url) {
+function fileOf(url, roots) {
   const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
   const root = Object.keys(roots).find((prefix) => path.startsWith(prefix));
   const below = normalize(path.slice(root.length));
   return below.startsWith('..') ? null : join(roots[root], below.endsWith('/') || below === '.' ? `${below}/index.html` : below);
 }
 
-/** {address, asked, close()}; `asked`: every path that was asked for. */
-export async function serve() {
+/** {address, asked, close()}; `asked`: every path that was asked for. `roots`: folders by how paths begin. */
+export async function serve(roots = usual) {
   const asked = [];
   const server = createServer((request, response) => {
     asked.push(request.url);
@@ -43,7 +43,7 @@ export async function serve() {
       response.writeHead(200, { 'content-type': type }).end(made[request.url]());
       return;
     }
-    const file = fileOf(request.url);
+    const file = fileOf(request.url, roots);
     if (!file || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404).end();
       return;

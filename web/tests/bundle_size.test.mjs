@@ -1,0 +1,80 @@
+// What bundlers make of the package: a page gets of it what it imports and no more, and how much that is.
+
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, extname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
+import { installIn, missing } from './support/package.mjs';
+
+const folder = mkdtempSync(join(tmpdir(), 'edgeshade-bundled-'));
+const skip = missing('esbuild', 'vite', 'three');
+before(() => skip || installIn(folder));
+after(() => rmSync(folder, { recursive: true }));
+
+/** Where a module is in dist/; '' for others. */
+const place = (path) => path.split('edgeshade/dist/')[1] ?? '';
+const left = (modules, bytes) => Object.keys(modules).filter((path) => modules[path][bytes] > 0).map(place).filter(Boolean);
+
+/** Bundlers: of a page's script, without three.js, {code, modules, files}: of the package what something is left of,
+ * and [name, contents] of all that is served. */
+const bundlers = {
+  async esbuild(script, workers = [], wasm = []) {
+    const { build } = await import('esbuild');
+    writeFileSync(join(folder, 'page.js'), script);
+    const { outputFiles, metafile: { outputs } } = await build({ absWorkingDir: folder, outdir: '.', write: false, metafile: true,
+      entryPoints: ['page.js', ...[...workers, ...wasm].map((path) => `node_modules/edgeshade/dist/${path}`)], entryNames: 'out/[name]',
+      bundle: true, minify: true, format: 'esm', loader: { '.wasm': 'copy' }, external: ['three'], logLevel: 'error' });
+    const files = outputFiles.map(({ path, contents }) => [basename(path), contents]);
+    return { code: outputFiles[0].text, modules: left(outputs['out/page.js'].inputs, 'bytesInOutput'), files };
+  },
+  async Vite(script) {
+    const { build } = await import('vite');
+    writeFileSync(join(folder, 'page.js'), script);
+    const { output } = await build({ root: folder, configFile: false, logLevel: 'error',
+      build: { write: false, modulePreload: false, rolldownOptions: { input: join(folder, 'page.js'), external: ['three'] } } });
+    const [{ code, modules }] = output;
+    return { code, modules: left(modules, 'renderedLength'),
+      files: output.map((file) => [basename(file.fileName), file.code ?? file.source]) };
+  },
+};
+
+/** By entry: a page's script, words of its own modules that minifying leaves, the folders that it takes all of what
+ * it has from, and its program. */
+const entries = {
+  three: { script: "import { ExactShadows } from 'edgeshade/three'; window.use = ExactShadows;", mark: 'edgeshadeNearness',
+    folders: ['three', 'masks'], program: 'edgeshade-masks' },
+  masks: { script: "import { ShadowMasks } from 'edgeshade/masks'; window.use = ShadowMasks;", mark: 'mesh-worker',
+    folders: ['masks'], program: 'edgeshade-masks' },
+  element: { script: "import 'edgeshade';", mark: '<canvas', folders: ['element'], program: 'edgeshade' },
+};
+
+for (const [bundler, bundle] of Object.entries(bundlers)) {
+  test(`${bundler} takes what is imported, and nothing of the other entries`, { skip }, async () => {
+    for (const [name, { script, folders, program }] of Object.entries(entries)) {
+      const { code, modules } = await bundle(script);
+      const others = modules.filter((path) => !folders.includes(path.split('/')[0]));
+      const shared = [...(folders.includes('element') ? [] : ['element/webassembly.js']), `wasm/${program}.mjs`];
+      assert.deepEqual(others.sort(), shared, name);
+      for (const [other, { mark }] of Object.entries(entries))
+        assert.equal(code.includes(mark), folders.includes(other), `${name}: ${mark} of ${other}`);
+    }
+  });
+
+  test(`${bundler} drops what isn't used`, { skip }, async () => {
+    const { code, modules } = await bundle("import { ExactShadows } from 'edgeshade/three'; import { ShadowMasks } from 'edgeshade/masks'; window.used = 1;");
+    assert.deepEqual(modules, []);
+    assert.ok(code.length < 100, code);
+  });
+
+  test(`a page of ${bundler} has at most 30 KB of scripts by edgeshade/three, compressed, and 20 KB in its worker`, { skip }, async () => {
+    const { files } = await bundle(entries.three.script, ['masks/mesh-worker.js'], ['wasm/edgeshade-masks.wasm']);
+    const sizes = Object.fromEntries(files.map(([name, contents]) =>
+      [name.includes('worker') ? 'worker' : extname(name) === '.wasm' ? 'wasm' : 'page',
+        { bytes: Buffer.from(contents).length, compressed: gzipSync(contents, { level: 9 }).length }]));
+    console.log(bundler, sizes);
+    assert.deepEqual(Object.keys(sizes).sort(), ['page', 'wasm', 'worker']);
+    assert.ok(sizes.page.compressed <= 30e3 && sizes.worker.compressed <= 20e3);
+  });
+}

@@ -1,0 +1,130 @@
+// The package as its users have it: installed from npm's tarball, and the README's lines for each entry in pages
+// made by Vite, by esbuild, and by nobody. Their shadows are where they belong.
+
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { basename, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { useBrowser } from './support/browser.mjs';
+import { installIn, missing, modules } from './support/package.mjs';
+import { blocksOf } from './support/readme.mjs';
+import { smallGlb } from './support/scenes.mjs';
+
+const folder = mkdtempSync(join(tmpdir(), 'edgeshade-packed-'));
+const skip = missing('esbuild', 'vite', 'three');
+const shared = useBrowser({ roots: { '/': `${folder}/` } });
+
+/** Without a bundler. */
+const imports = {
+  three: '/node_modules/three/build/three.module.js',
+  edgeshade: '/node_modules/edgeshade/dist/element/edgeshade-viewer.js',
+  'edgeshade/three': '/node_modules/edgeshade/dist/three/exact-shadows.js',
+  'edgeshade/masks': '/node_modules/edgeshade/dist/masks/shadow-masks.js',
+};
+const importMap = `<script type="importmap">${JSON.stringify({ imports })}</script>`;
+
+const [elementHtml] = blocksOf('`edgeshade`', 'html');
+const [tag] = /<edgeshade-viewer[^]*<\/edgeshade-viewer>/.exec(elementHtml);
+
+const lines = (entry) => blocksOf(`\`${entry}\``, 'js').join('\n');
+
+/** Each page's script: the README's lines between what they are given and what is asked of them; its body. */
+const pages = {
+  three: { script: `import './three-world.js';\n${lines('edgeshade/three')}` },
+  masks: {
+    script: `import './masks-world.js';\n${lines('edgeshade/masks')}
+window.shadowAndLight = () => shadowAndLightIn(textures[0]);`,
+  },
+  element: {
+    script: `import './element-world.js';\nimport 'edgeshade';
+await new Promise((resolve) => { document.querySelector('edgeshade-viewer').addEventListener('load', resolve, { once: true }); });
+${lines('edgeshade')}
+const seen = await shadowAndLightOf(viewer);
+window.shadowAndLight = () => seen;`,
+    body: tag.replace('house.glb', '/house.glb'),
+  },
+};
+
+const html = (script, { head = '', body = '' } = {}) =>
+  `<!DOCTYPE html><link rel="icon" href="data:,">${head}<body>${body}<script type="module" src="${script}"></script>`;
+
+/** A page of `pages` as `name`.html in a folder of the site. */
+function write(where, name, script, extra) {
+  mkdirSync(join(folder, where), { recursive: true });
+  writeFileSync(join(folder, where, `${name}.html`), html(script, { ...extra, body: pages[name].body }));
+}
+
+before(() => {
+  if (skip) return;
+  installIn(folder);
+  writeFileSync(join(folder, 'house.glb'), smallGlb());
+  cpSync(fileURLToPath(new URL('pages/packed', import.meta.url)), folder, { recursive: true });
+  for (const [name, { script }] of Object.entries(pages)) {
+    writeFileSync(join(folder, `${name}.js`), script);
+    write('.', name, `./${name}.js`);
+  }
+});
+after(() => rmSync(folder, { recursive: true }));
+
+/** Waits until a place in shadow is dark and one in light is not. */
+async function showsShadow(address) {
+  const page = await shared.open(address, { scene: false, size: { width: 400, height: 300 } });
+  await page.waitForFunction(() => {
+    const [shadow, light] = window.shadowAndLight?.() ?? [];
+    return shadow < 20 && light > 60;
+  }, null, { timeout: 15000, polling: 50 }).catch(async () =>
+    assert.fail(`${address}: ${await page.evaluate(() => window.shadowAndLight?.())} ${page.reports}`));
+  await shared.check(page);
+}
+
+test('Vite: nothing is set up', { skip }, async () => {
+  const { build } = await import('vite');
+  for (const name of Object.keys(pages)) {
+    await build({ root: folder, base: './', configFile: false, logLevel: 'error',
+      build: { outDir: `vite-${name}`, rolldownOptions: { input: join(folder, `${name}.html`) }, chunkSizeWarningLimit: 1e4 } });
+    await showsShadow(`/vite-${name}/${name}.html`);
+  }
+});
+
+test('Vite\'s server for development', { skip }, async () => {
+  const { createServer } = await import('vite');
+  const server = await createServer({ root: folder, configFile: false, logLevel: 'error', server: { port: 0, fs: { strict: false } } });
+  try {
+    await server.listen();
+    await showsShadow(new URL('three.html', server.resolvedUrls.local[0]).href);
+  } finally {
+    await server.close();
+  }
+});
+
+/** Entries as the README's esbuild command has them, for each page. */
+const beside = {
+  three: [['masks/mesh-worker.js'], 'edgeshade-masks'],
+  masks: [['masks/mesh-worker.js'], 'edgeshade-masks'],
+  element: [['element/scene-worker.js', 'element/map-worker.js'], 'edgeshade'],
+};
+
+test('esbuild, by the README\'s command', { skip }, async () => {
+  const [command] = blocksOf('Bundlers', 'sh');
+  const PATH = `${join(modules, '.bin')}:${process.env.PATH}`;
+  for (const name of Object.keys(pages)) {
+    const [workers, wasm] = beside[name];
+    const entries = workers.map((worker) => `js/${basename(worker, '.js')}=$dist/${worker}`).join(' ');
+    const own = command.replace('page.js', `${name}.js`).replace('--outdir=site', `--log-level=error --outdir=esbuild-${name}`)
+      .replace('js/mesh-worker=$dist/masks/mesh-worker.js', entries).replaceAll('edgeshade-masks', wasm);
+    execFileSync('sh', ['-euc', own], { cwd: folder, env: { ...process.env, PATH } });
+    write(`esbuild-${name}`, name, './js/page.js');
+    await showsShadow(`/esbuild-${name}/${name}.html`);
+  }
+});
+
+test('no bundler: an import map', { skip }, async () => {
+  for (const name of Object.keys(pages)) {
+    write('plain', name, `/${name}.js`, { head: importMap });
+    await showsShadow(`/plain/${name}.html`);
+  }
+});
