@@ -5,6 +5,7 @@ by find_package() and by pkg-config.
     tests/install/install_test.py BUILD
 """
 
+import contextlib
 import json
 import os
 import pathlib
@@ -104,6 +105,32 @@ def check_picture(path, wanted):
     require(wrong == 0, f"{wrong} pixels of the consumer's picture are not as render --mask has them.")
 
 
+@contextlib.contextmanager
+def display():
+    """What programs need in their environment to open windows, on a screen that nobody sees."""
+    reading, writing = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
+                              pass_fds=[writing], stderr=subprocess.DEVNULL)
+    os.close(writing)
+    try:
+        with os.fdopen(reading) as number:
+            shown = {key: value for key, value in os.environ.items() if key != "WAYLAND_DISPLAY"}
+            yield {**shown, "DISPLAY": f":{number.readline().strip()}", "LIBGL_ALWAYS_SOFTWARE": "1"}
+    finally:
+        server.terminate()
+        server.wait()
+
+
+def check_window(program, folder, wanted):
+    missing = [name for name, there in (("GLFW", program.exists()), ("Xvfb", shutil.which("Xvfb"))) if not there]
+    if missing:
+        print(f"No window is opened: {missing[0]} is not here.")
+        return
+    with display() as environment:
+        told(program, folder / "window.ppm", env=environment)
+    check_picture(folder / "window.ppm", wanted)
+
+
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory() as name:
@@ -122,6 +149,7 @@ def main():
         whole = project(prefix, folder, "whole")
         told(whole / "draw", folder / "drawn.ppm")
         check_picture(folder / "drawn.ppm", wanted)
+        check_window(whole / "window", folder, wanted)
 
         told(program, "pack", scene, folder / "packed.glb")
         report = json.loads(told(program, "info", scene, "--report", "-"))
@@ -136,7 +164,8 @@ def main():
 
         flags = {"PKG_CONFIG_PATH": str(next(prefix.rglob("pkgconfig")))}
         words = told("pkg-config", "--cflags", "--libs", "edgeshade", env={**os.environ, **flags}).split()
-        told(CXX, "-std=c++20", HERE / "consumer/draw.cpp", "-o", folder / "by_pc", *words)
+        sources = [HERE / "consumer" / name for name in ("draw.cpp", "picture.cpp")]
+        told(CXX, "-std=c++20", *sources, "-o", folder / "by_pc", *words)
         told(folder / "by_pc", folder / "by_pc.ppm")
         check_picture(folder / "by_pc.ppm", wanted)
     print("Installed, moved and used.")
