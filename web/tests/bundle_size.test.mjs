@@ -1,12 +1,14 @@
-// What bundlers make of the package: a page gets of it what it imports and no more, and how much that is.
+// What bundlers and compilers make of the package: a page gets of it what it imports and no more, how much that is,
+// and types.
 
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, extname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { gzipSync } from 'node:zlib';
-import { installIn, missing } from './support/package.mjs';
+import { installIn, missing, modules } from './support/package.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'edgeshade-bundled-'));
 const skip = missing('esbuild', 'vite', 'three');
@@ -15,7 +17,7 @@ after(() => rmSync(folder, { recursive: true }));
 
 /** Where a module is in dist/; '' for others. */
 const place = (path) => path.split('edgeshade/dist/')[1] ?? '';
-const left = (modules, bytes) => Object.keys(modules).filter((path) => modules[path][bytes] > 0).map(place).filter(Boolean);
+const left = (parts, bytes) => Object.keys(parts).filter((path) => parts[path][bytes] > 0).map(place).filter(Boolean);
 
 /** Bundlers: of a page's script, without three.js, {code, modules, files}: of the package what something is left of,
  * and [name, contents] of all that is served. */
@@ -34,8 +36,8 @@ const bundlers = {
     writeFileSync(join(folder, 'page.js'), script);
     const { output } = await build({ root: folder, configFile: false, logLevel: 'error',
       build: { write: false, modulePreload: false, rolldownOptions: { input: join(folder, 'page.js'), external: ['three'] } } });
-    const [{ code, modules }] = output;
-    return { code, modules: left(modules, 'renderedLength'),
+    const [{ code, modules: parts }] = output;
+    return { code, modules: left(parts, 'renderedLength'),
       files: output.map((file) => [basename(file.fileName), file.code ?? file.source]) };
   },
 };
@@ -53,8 +55,8 @@ const entries = {
 for (const [bundler, bundle] of Object.entries(bundlers)) {
   test(`${bundler} takes what is imported, and nothing of the other entries`, { skip }, async () => {
     for (const [name, { script, folders, program }] of Object.entries(entries)) {
-      const { code, modules } = await bundle(script);
-      const others = modules.filter((path) => !folders.includes(path.split('/')[0]));
+      const { code, modules: taken } = await bundle(script);
+      const others = taken.filter((path) => !folders.includes(path.split('/')[0]));
       const shared = [...(folders.includes('element') ? [] : ['element/webassembly.js']), `wasm/${program}.mjs`];
       assert.deepEqual(others.sort(), shared, name);
       for (const [other, { mark }] of Object.entries(entries))
@@ -63,8 +65,8 @@ for (const [bundler, bundle] of Object.entries(bundlers)) {
   });
 
   test(`${bundler} drops what isn't used`, { skip }, async () => {
-    const { code, modules } = await bundle("import { ExactShadows } from 'edgeshade/three'; import { ShadowMasks } from 'edgeshade/masks'; window.used = 1;");
-    assert.deepEqual(modules, []);
+    const { code, modules: taken } = await bundle("import { ExactShadows } from 'edgeshade/three'; import { ShadowMasks } from 'edgeshade/masks'; window.used = 1;");
+    assert.deepEqual(taken, []);
     assert.ok(code.length < 100, code);
   });
 
@@ -78,3 +80,19 @@ for (const [bundler, bundle] of Object.entries(bundlers)) {
     assert.ok(sizes.page.compressed <= 30e3 && sizes.worker.compressed <= 20e3);
   });
 }
+
+test('every entry has its types, by the rules of Node.js', { skip: skip || missing('typescript') }, () => {
+  writeFileSync(join(folder, 'page.ts'), `import { hourColors, type EdgeshadeViewer } from 'edgeshade';
+import { ShadowMasks, type MaskMesh } from 'edgeshade/masks';
+import { ExactShadows } from 'edgeshade/three';
+export const viewer: EdgeshadeViewer = document.createElement('edgeshade-viewer');
+export const mesh: MaskMesh = { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] };
+export const masks: Promise<ShadowMasks> = ShadowMasks.create(document.createElement('canvas').getContext('webgl')!);
+export const bytes = (shadows: ExactShadows): number | undefined => shadows.cost?.bytes;
+// @ts-expect-error: they have types, which are not any
+export const wrong: boolean = [hourColors, new ExactShadows(1 as never).lightSamples];
+`);
+  const { stdout } = spawnSync(process.execPath, [join(modules, 'typescript/bin/tsc'), '--strict', '--noEmit', '--skipLibCheck',
+    '--module', 'nodenext', '--target', 'es2022', '--lib', 'es2022,dom', 'page.ts'], { cwd: folder, encoding: 'utf8' });
+  assert.equal(stdout, '');
+});

@@ -88,7 +88,7 @@ test('every module has a map that holds its source', { skip }, () => {
 });
 
 test('nothing names a server: no address in the page goes elsewhere', () => {
-  for (const folder of ['', 'element', 'masks', 'three', 'page'])
+  for (const folder of ['', 'element', 'examples', 'masks', 'three', 'page'])
     for (const file of readdirSync(join(site, folder)).filter((entry) => /\.(js|css|html)$/.test(entry)))
       assert.doesNotMatch(readFileSync(join(site, folder, file), 'utf8').replaceAll('http://www.w3.org', ''),
         /https?:\/\/(?!localhost)/, `${folder}/${file}`);
