@@ -82,7 +82,7 @@ test('every module has a map that holds its source', { skip }, () => {
     const { sources, sourcesContent, mappings } = JSON.parse(packed.text(`${path}.map`));
     const source = path.replace('dist/', '');
     assert.deepEqual(sources, [`../../${source}`]);
-    assert.equal(sourcesContent[0], readFileSync(join(repository, 'web', source), 'utf8'));
+    assert.equal(sourcesContent[0], readFileSync(join(site, source), 'utf8'));
     assert.ok(mappings.length > 0);
   }
 });
