@@ -10,7 +10,7 @@ function(read_with_includes path result)
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB_RECURSE stages ${SHADER_DIR}/*.vert ${SHADER_DIR}/*.frag)
+file(GLOB_RECURSE stages ${SHADER_DIR}/*.vert ${SHADER_DIR}/*.frag ${SHADER_DIR}/host/*.glsl)
 list(SORT stages)
 set(header "// Generated from shaders_es2/. Do not edit.\n#pragma once\n\n")
 string(APPEND header "namespace edgeshade::shaders {\n\n")

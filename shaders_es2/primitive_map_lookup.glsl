@@ -1,24 +1,38 @@
 // Whether a light reaches a point, by its primitive map (docs/method.md, C34; PrimitiveMap in
-// src/shadow/primitive_map). For any fragment shader: bind the three textures, give the point in
-// map space, and define
+// src/shadow/primitive_map). For any fragment shader: bind its textures, give the point in map
+// space, and define
 //   PRIMITIVE_MAP_DIRECTIONAL  for a directional light, or PRIMITIVE_MAP_TILES for a point light of
 //                              six tiles; neither: one of one tile
+//   PRIMITIVE_MAP_ANY_LIGHT    neither of these: a uniform says which
 //   PRIMITIVE_MAP_LONGEST      entries of the longest list, or more
 //   PRIMITIVE_MAP_CUTOUTS      where some triangles are alpha-tested; there is a fourth texture then
-uniform highp sampler2D u_primitiveHeader; // lowp, the default, may round what is looked up
-uniform highp sampler2D u_primitiveEntries;
-uniform highp sampler2D u_primitiveRecords;
-uniform highp vec3 u_primitiveHeaderSize; // (columns, 1 / columns, 1 / rows); so the next two
-uniform highp vec3 u_primitiveEntriesSize;
-uniform highp vec3 u_primitiveRecordsSize;
+//   PRIMITIVE_MAP_ONE_TABLE    where the map is one texture (primitive_map_table.glsl) instead of
+//                              three (primitive_map_tables.glsl)
+#undef PRIMITIVE_DIRECTIONAL
+#undef PRIMITIVE_TILES
+#ifdef PRIMITIVE_MAP_ANY_LIGHT
+uniform highp float u_primitiveKind; // 0: a directional light; a point light of 1: one tile, 2: six
+#define PRIMITIVE_DIRECTIONAL (u_primitiveKind < 0.5)
+#define PRIMITIVE_TILES (u_primitiveKind > 1.5)
+#else
+#ifdef PRIMITIVE_MAP_DIRECTIONAL
+#define PRIMITIVE_DIRECTIONAL true
+#else
+#define PRIMITIVE_DIRECTIONAL false
+#endif
+#ifdef PRIMITIVE_MAP_TILES
+#define PRIMITIVE_TILES true
+#else
+#define PRIMITIVE_TILES false
+#endif
+#endif
 uniform highp float u_primitiveSize; // texels along a tile's edge
 
-// Texels are counted through the rows. `columns` is a power of 2, so none of this is rounded.
-highp vec4 primitiveTexel(highp sampler2D table, highp vec3 size, highp float index) {
-    highp float row = floor(index * size.y);
-    highp float column = index - row * size.x;
-    return texture2D(table, vec2((column + 0.5) * size.y, (row + 0.5) * size.z));
-}
+#ifdef PRIMITIVE_MAP_ONE_TABLE
+#include "primitive_map_table.glsl"
+#else
+#include "primitive_map_tables.glsl"
+#endif
 
 // How far along the ray the last triangle's plane is: a depth of a directional light, else its
 // inverse, as a share of the point's.
@@ -27,19 +41,15 @@ highp float primitiveBehind;
 // Whether the triangle lies between the light and the point; `ray` is (x, y, 1) of a directional
 // light, else the point.
 bool primitiveBlocks(highp float record, highp vec3 ray, highp vec3 point) {
-    highp vec4 a = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record);
-    highp vec4 b = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 1.0);
-    highp vec4 c = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 2.0);
+    highp vec4 a = primitiveRecord(3.0 * record);
+    highp vec4 b = primitiveRecord(3.0 * record + 1.0);
+    highp vec4 c = primitiveRecord(3.0 * record + 2.0);
     primitiveBehind = a.w * ray.x + b.w * ray.y + c.w * ray.z;
     // Both neighbours compute the same products, but for their sign.
     return a.x * ray.x + a.y * ray.y + a.z * ray.z >= 0.0 &&
            b.x * ray.x + b.y * ray.y + b.z * ray.z >= 0.0 &&
            c.x * ray.x + c.y * ray.y + c.z * ray.z >= 0.0 &&
-#ifdef PRIMITIVE_MAP_DIRECTIONAL
-           point.z > primitiveBehind;
-#else
-           primitiveBehind > 1.0;
-#endif
+           (PRIMITIVE_DIRECTIONAL ? point.z > primitiveBehind : primitiveBehind > 1.0);
 }
 
 #ifdef PRIMITIVE_MAP_CUTOUTS
@@ -77,17 +87,15 @@ highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {
 // Whether the ray, which primitiveBlocks() said meets the alpha-tested triangle, meets what its alpha
 // leaves of it.
 bool primitiveIsSolid(highp float record, highp vec3 ray) {
-    highp vec4 u = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 3.0);
-    highp vec4 v = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 4.0);
-    highp vec4 a = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * record + 5.0);
-    highp vec4 rectangle = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * u.w);
-    highp vec4 how = primitiveTexel(u_primitiveRecords, u_primitiveRecordsSize, 3.0 * u.w + 1.0);
+    highp vec4 u = primitiveRecord(3.0 * record + 3.0);
+    highp vec4 v = primitiveRecord(3.0 * record + 4.0);
+    highp vec4 a = primitiveRecord(3.0 * record + 5.0);
+    highp vec4 rectangle = primitiveRecord(3.0 * u.w);
+    highp vec4 how = primitiveRecord(3.0 * u.w + 1.0);
     highp vec3 at = vec3(u.x * ray.x + u.y * ray.y + u.z * ray.z,
                          v.x * ray.x + v.y * ray.y + v.z * ray.z,
                          a.x * ray.x + a.y * ray.y + a.z * ray.z);
-#ifndef PRIMITIVE_MAP_DIRECTIONAL
-    at = at / primitiveBehind; // where the ray meets the triangle's plane
-#endif
+    if (!PRIMITIVE_DIRECTIONAL) at = at / primitiveBehind; // where the ray meets the plane
     highp float alpha = at.z;
     if (rectangle.z > 0.0) alpha = alpha * cutoutAlpha(vec2(at.x, at.y), rectangle, how);
     return alpha >= how.x;
@@ -104,28 +112,28 @@ bool findPrimitiveTexel(highp vec3 point) {
     highp float tile = 0.0;
     highp vec2 at = vec2(point.x, point.y);
     primitiveDepth = point.z;
-#ifdef PRIMITIVE_MAP_DIRECTIONAL
-    primitiveRay = vec3(point.x, point.y, 1.0);
-#else
-    primitiveRay = point;
-#ifdef PRIMITIVE_MAP_TILES
-    highp vec3 size = abs(point);
-    if (size.x >= size.y && size.x >= size.z) {
-        at = vec2(point.y, point.z);
-        primitiveDepth = size.x;
-        tile = point.x > 0.0 ? 0.0 : 1.0;
-    } else if (size.y >= size.z) {
-        at = vec2(point.z, point.x);
-        primitiveDepth = size.y;
-        tile = point.y > 0.0 ? 2.0 : 3.0;
+    if (PRIMITIVE_DIRECTIONAL) {
+        primitiveRay = vec3(point.x, point.y, 1.0);
     } else {
-        primitiveDepth = size.z;
-        tile = point.z > 0.0 ? 4.0 : 5.0;
+        primitiveRay = point;
+        if (PRIMITIVE_TILES) {
+            highp vec3 size = abs(point);
+            if (size.x >= size.y && size.x >= size.z) {
+                at = vec2(point.y, point.z);
+                primitiveDepth = size.x;
+                tile = point.x > 0.0 ? 0.0 : 1.0;
+            } else if (size.y >= size.z) {
+                at = vec2(point.z, point.x);
+                primitiveDepth = size.y;
+                tile = point.y > 0.0 ? 2.0 : 3.0;
+            } else {
+                primitiveDepth = size.z;
+                tile = point.z > 0.0 ? 4.0 : 5.0;
+            }
+        }
+        if (primitiveDepth <= 0.0) return false;
+        at = at / primitiveDepth;
     }
-#endif
-    if (primitiveDepth <= 0.0) return false;
-    at = at / primitiveDepth;
-#endif
     if (max(abs(at.x), abs(at.y)) > 1.0) return false;
     highp float halfSize = 0.5 * u_primitiveSize;
     at = at * halfSize + vec2(halfSize);
@@ -134,7 +142,7 @@ bool findPrimitiveTexel(highp vec3 point) {
     // Far more turns than texels are divided: a loop that compilers unroll would look up all of
     // them where pixels are shaded in step, as in software.
     for (int level = 0; level < 64; ++level) {
-        primitiveHeader = primitiveTexel(u_primitiveHeader, u_primitiveHeaderSize, texel);
+        primitiveHeader = primitiveHeaderAt(texel);
         if (primitiveHeader.w >= 0.0) break;
         at = (at - cell) * vec2(4.0);
         cell = clamp(floor(at), vec2(0.0), vec2(3.0));
@@ -155,8 +163,7 @@ bool primitiveListIsEmpty(bool casts) {
 float primitiveListLength(bool casts) {
     if (primitiveListIsEmpty(casts)) return 0.0;
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
-        highp vec4 entry = primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize,
-                                          floor(primitiveHeader.w) + float(i));
+        highp vec4 entry = primitiveEntry(floor(primitiveHeader.w) + float(i));
         if (entry.w >= 1e30 || (casts && entry.x > floor(entry.x))) return float(i + 1);
     }
     return float(PRIMITIVE_MAP_LONGEST);
@@ -170,8 +177,7 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
     if (primitiveListIsEmpty(casts)) return true;
     highp float list = floor(primitiveHeader.w);
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
-        highp vec4 entry =
-            primitiveTexel(u_primitiveEntries, u_primitiveEntriesSize, list + float(i));
+        highp vec4 entry = primitiveEntry(list + float(i));
         highp float record = floor(entry.x);
 #ifdef PRIMITIVE_MAP_CUTOUTS
         bool hasAlpha = entry.x < 0.0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "edgeshade/light_lookup.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,10 +23,6 @@ namespace edgeshade {
 /// It draws depth itself. Alpha-tested and see-through casters it doesn't have yet: leave them out.
 /// All calls need the context; textures and buffers are made in it. All throw std::runtime_error
 /// with a full sentence; nothing has changed then.
-
-/// Column-major, as GL has them.
-using Matrix16 = std::array<double, 16>;
-inline constexpr Matrix16 identity16 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 /// Triangles that move together. Nothing is kept of the spans.
 struct MaskMesh {
@@ -143,6 +141,23 @@ class ShadowMasks {
     /// Of the last draw(), likewise.
     const MaskNearness& nearness() const;
     const MaskCost& cost() const;
+
+    using LookupId = std::uint32_t;
+
+    /// Takes down the casters and a light as they are; see light_lookup.hpp. Needs no context.
+    LookupWork lookupWork(const MaskLight& light, const LookupSettings& settings = {}) const;
+    /// Takes the map out of what is done and makes its texture, for uploadLookup() to fill. Throws
+    /// std::runtime_error where it isn't done, or was added before.
+    LookupId addLookup(const LookupWork& work);
+    /// Fills it; up to so many bytes and a row, so that frames needn't wait. Returns whether all is
+    /// there: of what there is none of at once.
+    bool uploadLookup(LookupId id,
+                      std::size_t mostBytes = std::numeric_limits<std::size_t>::max());
+    const LightLookup& lookup(LookupId id) const;
+    /// Whether all that casts is as it was when the work began, and the light, but for what
+    /// shadows don't depend on. False is no harm: what moved may come back.
+    bool isCurrent(LookupId id, const MaskLight& light) const;
+    void removeLookup(LookupId id);
 
   private:
     struct Impl;

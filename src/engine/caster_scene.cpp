@@ -82,14 +82,18 @@ void CasterScene::requireKnown(Id id) const {
 }
 
 void CasterScene::place(std::size_t batch, const glm::dmat4& worldFromBatch) {
+    if (casts(batch) && loaded_.scene.batches[batch].worldFromBatch != worldFromBatch)
+        ++casterState_;
     loaded_.scene.batches[batch].worldFromBatch = worldFromBatch;
     gpu_->batches[batch].worldFromBatch = worldFromBatch;
     changed();
 }
 
 void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
+    const bool cast = loaded_.planePairs[batch] && casts(batch);
     loaded_.scene.batches[batch].geometry = mesh.data()->geometry;
     loaded_.planePairs[batch] = mesh.data()->shadow;
+    if (cast || casts(batch)) ++casterState_;
     uploaded_[batch] = false;
     changed();
 }
@@ -142,6 +146,14 @@ void CasterScene::upload() {
     std::set<const PlanePairBuffers*> owned;
     for (GpuBatch& batch : gpu_->batches)
         batch.owns = owned.insert(batch.volumes.planePairs.get()).second;
+}
+
+std::vector<LookupTask::Caster> CasterScene::casters() const {
+    std::vector<LookupTask::Caster> all;
+    for (std::size_t i = 0; i < taken_.size(); ++i)
+        if (taken_[i] && casts(i))
+            all.push_back({loaded_.planePairs[i], loaded_.scene.batches[i].worldFromBatch});
+    return all;
 }
 
 void CasterScene::fillLayers(std::vector<FrameLight>& lights) {

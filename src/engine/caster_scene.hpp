@@ -1,6 +1,7 @@
 #pragma once
 
 #include "edgeshade/shadow_masks.hpp"
+#include "src/engine/lookup_work.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
@@ -36,6 +37,11 @@ class CasterScene {
     /// The lights' layers, in a scene that is as the picture shows it.
     void fillLayers(std::vector<FrameLight>& lights);
 
+    /// All that casts, where it is.
+    std::vector<LookupTask::Caster> casters() const;
+    /// Another number whenever what casts has changed, or where.
+    std::size_t casterState() const { return casterState_; }
+
     const LoadedScene& loaded() const { return loaded_; }
     GpuScene& gpu() { return *gpu_; }
     const Box& bounds();
@@ -61,12 +67,14 @@ class CasterScene {
     void place(std::size_t batch, const glm::dmat4& worldFromBatch);
     void put(std::size_t batch, const PreparedMesh& mesh);
     void changed();
+    bool casts(std::size_t batch) const { return !loaded_.planePairs[batch]->caps.empty(); }
 
     SidesLayout layout_;
     LoadedScene loaded_;
     std::optional<GpuScene> gpu_;
     std::map<const PlanePairShadow*, Ahead> ahead_;
     std::vector<bool> taken_, uploaded_; ///< by batch
+    std::size_t casterState_ = 0;
     KeptLayers layers_;
     std::optional<Box> bounds_; ///< nothing: something has moved since
 };

@@ -5,10 +5,12 @@
 #include "shaders_es2.hpp"
 #include "src/engine/caster_scene.hpp"
 #include "src/engine/host_lights.hpp"
+#include "src/engine/light_lookups.hpp"
 #include "src/engine/nearness_picture.hpp"
 #include "src/gl/host_state.hpp"
 #include "src/render/accumulation/lit_counter.hpp"
 
+#include <bit>
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
@@ -53,7 +55,7 @@ RenderSettings settingsFor(const gl::Capabilities& capabilities) {
 struct MaskDrawing {
     explicit MaskDrawing(const gl::Capabilities& of)
         : capabilities(of), renderer(settingsFor(of), of), casters(renderer.settings().layout, of),
-          counter(of), channel(shaders::mask_channel_frag) {}
+          counter(of), channel(shaders::mask_channel_frag), lookups(of) {}
 
     void draw(const MaskView& view, const std::vector<Light>& lights);
     void drawLight(const FrameView& view, std::size_t light);
@@ -64,6 +66,7 @@ struct MaskDrawing {
     CasterScene casters;
     LitCounter counter;
     WholePicture channel;
+    LightLookups lookups;
     std::vector<gl::ColorTarget> masks;
     std::vector<unsigned> names;
     std::optional<NearnessPicture> nearness;
@@ -221,6 +224,7 @@ void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) 
     cost.drawMs = 1e3 * watch.lap();
     cost.vertexRuns = drawing.vertexRuns;
     cost.bytes = drawing.casters.bytes() + drawing.renderer.bytes() + drawing.counter.bytes() +
+                 drawing.lookups.bytes() +
                  drawing.masks.size() * channels * static_cast<std::size_t>(view.width) *
                      static_cast<std::size_t>(view.height) +
                  (drawing.nearness ? drawing.nearness->bytes() : 0);
@@ -238,6 +242,42 @@ const MaskNearness& ShadowMasks::nearness() const {
 
 const MaskCost& ShadowMasks::cost() const {
     return impl_->cost;
+}
+
+LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings& settings) const {
+    const MaskDrawing& drawing = *impl_->drawing;
+    if (settings.size < 4 || !std::has_single_bit(static_cast<unsigned>(settings.size)))
+        throw InputError("A map of " + std::to_string(settings.size) +
+                         " texels along its edge can't be made: that is no power of 2, or below 4.");
+    LookupTask task{lightsOf({&light, 1}).front(), settings, drawing.casters.casters(), {}};
+    task.why = drawing.lookups.obstacle(task.light);
+    return workOn(std::move(task), drawing.casters.casterState());
+}
+
+ShadowMasks::LookupId ShadowMasks::addLookup(const LookupWork& work) {
+    LookupId id = 0;
+    impl_->withStateKept([&] { id = impl_->drawing->lookups.add(work); });
+    return id;
+}
+
+bool ShadowMasks::uploadLookup(LookupId id, std::size_t mostBytes) {
+    bool whole = false;
+    impl_->withStateKept([&] { whole = impl_->drawing->lookups.upload(id, mostBytes); });
+    return whole;
+}
+
+const LightLookup& ShadowMasks::lookup(LookupId id) const {
+    return impl_->drawing->lookups.told(id);
+}
+
+bool ShadowMasks::isCurrent(LookupId id, const MaskLight& light) const {
+    const MaskDrawing& drawing = *impl_->drawing;
+    return drawing.lookups.isCurrent(id, lightsOf({&light, 1}).front(),
+                                     drawing.casters.casterState());
+}
+
+void ShadowMasks::removeLookup(LookupId id) {
+    impl_->withStateKept([&] { impl_->drawing->lookups.remove(id); });
 }
 
 } // namespace edgeshade

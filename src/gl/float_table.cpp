@@ -11,19 +11,43 @@ namespace {
 
 constexpr std::size_t mostColumns = 2048;
 constexpr int floatBits = 23;
+constexpr GLint sizedFormat = 0x8814; // GL_RGBA32F
+constexpr char uploading[] = "uploading a table of floats";
+
+GLenum formatOf(std::size_t channels) {
+    return channels == 2 ? GL_LUMINANCE_ALPHA : GL_RGBA;
+}
+
+/// There floats are formats of their own, and the extension needn't be.
+bool isEs3(const Capabilities& capabilities) {
+    return capabilities.version.starts_with("OpenGL ES 3");
+}
 
 } // namespace
 
 FloatTable::FloatTable(std::span<const glm::vec2> texels, const Capabilities& capabilities) {
-    upload(texels.data(), texels.size(), 2, capabilities);
+    allocate(texels.size(), 2, capabilities);
+    fillRows(0, texels.data(), texels.size());
+    requireNoError(uploading);
 }
 
 FloatTable::FloatTable(std::span<const glm::vec4> texels, const Capabilities& capabilities) {
-    upload(texels.data(), texels.size(), 4, capabilities);
+    allocate(texels.size(), 4, capabilities);
+    fillRows(0, texels.data(), texels.size());
+    requireNoError(uploading);
 }
 
-void FloatTable::upload(const void* texels, std::size_t count, std::size_t channels,
-                        const Capabilities& capabilities) {
+FloatTable::FloatTable(std::size_t texels, const Capabilities& capabilities) {
+    allocate(texels, 4, capabilities);
+    requireNoError(uploading);
+}
+
+void FloatTable::fill(std::size_t first, std::span<const glm::vec4> texels) const {
+    fillRows(first, texels.data(), texels.size());
+}
+
+void FloatTable::allocate(std::size_t count, std::size_t channels,
+                          const Capabilities& capabilities) {
     const auto largest = static_cast<std::size_t>(capabilities.largestTexture);
     const std::size_t columns = std::min(
         {std::bit_ceil(std::max<std::size_t>(1, count)), mostColumns, std::bit_floor(largest)});
@@ -36,29 +60,43 @@ void FloatTable::upload(const void* texels, std::size_t count, std::size_t chann
     glGenTextures(1, &name);
     texture_ = Texture(name);
     glBindTexture(GL_TEXTURE_2D, name);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    const GLenum format = channels == 2 ? GL_LUMINANCE_ALPHA : GL_RGBA;
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), static_cast<GLsizei>(columns),
-                 static_cast<GLsizei>(rows), 0, format, GL_FLOAT, nullptr);
-    // Whole rows, then what the last one has: nothing is copied for their sake.
-    const std::size_t whole = count / columns, rest = count % columns;
-    const auto fill = [&](std::size_t row, std::size_t width, std::size_t height) {
-        if (width == 0 || height == 0) return;
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row), static_cast<GLsizei>(width),
-                        static_cast<GLsizei>(height), format, GL_FLOAT,
-                        static_cast<const float*>(texels) + row * columns * channels);
-    };
-    fill(0, columns, whole);
-    fill(whole, rest, 1);
+    const GLenum format = formatOf(channels);
+    const bool sized = channels == 4 && isEs3(capabilities);
+    glTexImage2D(GL_TEXTURE_2D, 0, sized ? sizedFormat : static_cast<GLint>(format),
+                 static_cast<GLsizei>(columns), static_cast<GLsizei>(rows), 0, format, GL_FLOAT,
+                 nullptr);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
-    requireNoError("uploading a table of floats");
+    channels_ = channels;
+    columns_ = columns;
     size_ = {static_cast<float>(columns), 1.0f / static_cast<float>(columns),
              1.0f / static_cast<float>(rows)};
     bytes_ = columns * rows * channels * sizeof(float);
+}
+
+void FloatTable::fillRows(std::size_t first, const void* texels, std::size_t count) const {
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    // Whole rows, then what the last one has: nothing is copied for their sake.
+    const std::size_t whole = count / columns_, rest = count % columns_;
+    const auto rows = [&](std::size_t row, std::size_t width, std::size_t height) {
+        if (width == 0 || height == 0) return;
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(first / columns_ + row),
+                        static_cast<GLsizei>(width), static_cast<GLsizei>(height),
+                        formatOf(channels_), GL_FLOAT,
+                        static_cast<const float*>(texels) + row * columns_ * channels_);
+    };
+    rows(0, columns_, whole);
+    rows(whole, rest, 1);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+bool hasWideTables(const Capabilities& capabilities) {
+    return (isEs3(capabilities) || capabilities.has("GL_OES_texture_float")) &&
+           capabilities.fragmentHighpMantissaBits >= floatBits;
 }
 
 bool hasFloatTables(const Capabilities& capabilities) {

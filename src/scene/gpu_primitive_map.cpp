@@ -9,12 +9,6 @@ namespace {
 
 constexpr std::size_t shortestBound = 8;
 
-GpuPrimitiveMap::Kind kindOf(const LightTiles& tiles) {
-    if (tiles.directional) return GpuPrimitiveMap::Kind::directional;
-    return tiles.tiles.size() == 1 ? GpuPrimitiveMap::Kind::oneTile
-                                   : GpuPrimitiveMap::Kind::sixTiles;
-}
-
 SidedChunk uploadSided(const SidedTriangles& triangles) {
     SidedChunk chunk{triangles.lightSide, {}, {}, {}};
     if (chunk.lightSide != 0.0f) return chunk;

@@ -25,7 +25,7 @@ struct AlphaTexture {
 
 /// A primitive map on the GPU, with what surfaces need to look themselves up in it.
 struct GpuPrimitiveMap {
-    enum class Kind { directional, oneTile, sixTiles };
+    using Kind = PrimitiveMapKind;
 
     Kind kind = Kind::directional;
     glm::dmat4 mapFromWorld{1.0};

@@ -2,7 +2,6 @@
 
 #include "preprocess/base/stopwatch.hpp"
 
-#include <algorithm>
 #ifdef __linux__
 #include <pthread.h>
 #endif
@@ -23,7 +22,7 @@ namespace {
 PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTask& task,
                                  KeptEdges edges)
     : light_(task.light), settings_(task.settings), materials_(&loaded.scene.materials),
-      smallest_(std::max(4, task.settings.size / 8)), edges_(std::move(edges)) {
+      edges_(std::move(edges)) {
     built_.light = light_.position;
     built_.extent = light_.extent;
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
@@ -66,11 +65,8 @@ bool PrimitiveMapJob::advance([[maybe_unused]] double milliseconds) {
 
 void PrimitiveMapJob::finish() {
     Stopwatch watch;
-    while (step()) {
-        if (!builder_ || nextPart_ > 0 || joined_) continue;
-        builder_->buildAllParts();
-        nextPart_ = builder_->partCount();
-    }
+    while (step())
+        if (fitting_) fitting_->buildAllParts();
     built_.milliseconds = 1e3 * watch.lap();
     done_ = true;
 }
@@ -93,21 +89,14 @@ bool PrimitiveMapJob::step() {
             built_.triangles.back() = sidedTriangles(
                 *of.batch, *materials_, shapeOf(light_).in(glm::inverse(of.worldFromBatch)),
                 light_.extent.has_value());
-    } else if (joined_) {
-        return false;
-    } else if (!builder_) {
+    } else if (!fitting_) {
         std::vector<PlacedCasters> casters = solid_;
         casters.insert(casters.end(), cutouts_.begin(), cutouts_.end());
-        builder_ = std::make_unique<PrimitiveMapBuilder>(light_, casters, settings_);
-        nextPart_ = 0;
-        joined_ = built_.tooFar = builder_->isTooFar();
-    } else if (nextPart_ < builder_->partCount()) {
-        builder_->buildPart(nextPart_++);
-    } else {
-        built_.map = builder_->join();
-        builder_.reset();
-        settings_.size /= 2; // should it have been too large
-        joined_ = built_.map || settings_.size < smallest_;
+        fitting_.emplace(light_, std::move(casters), settings_);
+    } else if (!fitting_->step()) {
+        built_.tooFar = fitting_->tooFar();
+        built_.map = std::move(fitting_->map());
+        return false;
     }
     return true;
 }

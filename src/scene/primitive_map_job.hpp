@@ -1,9 +1,9 @@
 #pragma once
 
 #include "src/scene/cutout_atlas.hpp"
+#include "src/scene/fitting_map.hpp"
 #include "src/scene/gpu_primitive_map.hpp"
 #include "src/scene/load.hpp"
-#include "src/shadow/primitive_map/primitive_map_builder.hpp"
 
 #include <atomic>
 #include <functional>
@@ -73,13 +73,10 @@ class PrimitiveMapJob {
     Light light_;
     PrimitiveMapSettings settings_;
     const std::vector<Material>* materials_;
-    int smallest_; ///< size that is tried
     std::vector<Placed> placed_;
     KeptEdges edges_;
     std::vector<PlacedCasters> solid_, cutouts_;
-    std::unique_ptr<PrimitiveMapBuilder> builder_;
-    std::size_t nextPart_ = 0;
-    bool joined_ = false;
+    std::optional<FittingMap> fitting_;
     BuiltPrimitiveMap built_;
     std::atomic<bool> done_ = false;
 #ifndef __EMSCRIPTEN__

@@ -130,22 +130,17 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches, Ma
                          const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
     PrimitiveMapState state{nullptr, "at rest", built.milliseconds};
-    if (built.map && built.map->longestList > longestAsked) {
-        state.why = "a list of its primitive map has " + std::to_string(built.map->longestList) +
-                    " triangles, more than a shader's loops go through";
-    } else if (built.map && choice == MapChoice::thatPay && built.map->meanList > longLists) {
+    const std::string refusal = refusalOf(built.map, built.tooFar, settings.mostBytes);
+    if (!refusal.empty()) {
+        state.why = refusal;
+    } else if (choice == MapChoice::thatPay && built.map->meanList > longLists) {
         state.why = "volumes cost less than lists of " +
                     std::to_string(std::lround(built.map->meanList)) + " triangles";
-    } else if (built.map) {
+    } else {
         auto map = std::make_shared<GpuPrimitiveMap>(
             uploadPrimitiveMap(*built.map, built.triangles, cutouts_, capabilities));
         map->sided.resize(std::max(map->sided.size(), batches));
         state.map = std::move(map);
-    } else if (built.tooFar) {
-        state.why = "the light is too far from its casters for a primitive map";
-    } else {
-        state.why = "a primitive map would take more than " + std::to_string(settings.mostBytes) +
-                    " bytes, or minutes";
     }
     kept_.push_back({built.light, built.extent, std::move(state)});
 }

@@ -93,10 +93,6 @@ std::string extendedMapObstacle(const LoadedScene& loaded, const Light& light,
 /// one cost less.
 inline constexpr double longLists = 100.0;
 
-/// Triangles in one list, up to which a map is used. GLs may end a loop after so many turns, and
-/// light would leak: Mesa's llvmpipe was seen to at 5,699 and not at 4,754, softpipe not at all.
-inline constexpr std::size_t longestAsked = 3072;
-
 /// Places of a light that one pass counts by its map.
 inline constexpr std::size_t placesAtOnce = 16;
 

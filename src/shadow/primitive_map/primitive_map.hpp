@@ -53,6 +53,14 @@ struct PrimitiveMap {
     }
 };
 
+/// How a map's light and tiles are; the values are the shader's.
+enum class PrimitiveMapKind { directional = 0, oneTile = 1, sixTiles = 2 };
+
+inline PrimitiveMapKind kindOf(const LightTiles& tiles) {
+    if (tiles.directional) return PrimitiveMapKind::directional;
+    return tiles.tiles.size() == 1 ? PrimitiveMapKind::oneTile : PrimitiveMapKind::sixTiles;
+}
+
 /// Beyond any depth.
 inline constexpr float neverDark = 1e30f;
 

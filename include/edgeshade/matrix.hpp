@@ -1,0 +1,12 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace edgeshade {
+
+/// Column-major, as GL has them.
+using Matrix16 = std::array<double, 16>;
+inline constexpr Matrix16 identity16 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+} // namespace edgeshade

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "src/engine/lookup_work.hpp"
+#include "src/gl/float_table.hpp"
+
+#include <map>
+#include <utility>
+
+namespace edgeshade {
+
+/// Maps of lights at rest on the GPU, for hosts to look up.
+class LightLookups {
+  public:
+    using Id = std::uint32_t;
+
+    explicit LightLookups(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
+
+    /// Why there can be no map of a light; a clause, or empty.
+    std::string obstacle(const Light& light) const;
+
+    /// Takes the map out of what is done, and makes a texture that is empty as yet. Throws
+    /// InputError if it isn't done, or was taken before.
+    Id add(const LookupWork& work);
+    /// Returns whether all is there.
+    bool upload(Id id, std::size_t mostBytes);
+    void remove(Id id);
+
+    const LightLookup& told(Id id) const { return at(id).told; }
+    bool isCurrent(Id id, const Light& light, std::size_t casterState) const;
+    std::size_t bytes() const;
+
+  private:
+    struct Kept {
+        Light light;
+        std::size_t casterState = 0;
+        std::vector<glm::vec4> texels; ///< until they are uploaded
+        gl::FloatTable table;
+        std::size_t uploaded = 0; ///< texels
+        LightLookup told;
+    };
+
+    const Kept& at(Id id) const;
+    Kept& at(Id id) { return const_cast<Kept&>(std::as_const(*this).at(id)); }
+
+    gl::Capabilities capabilities_;
+    std::map<Id, Kept> kept_;
+    Id next_ = 0;
+};
+
+} // namespace edgeshade

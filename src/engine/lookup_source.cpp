@@ -1,0 +1,74 @@
+#include "edgeshade/light_lookup.hpp"
+#include "preprocess/base/error.hpp"
+#include "shaders_es2.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace edgeshade {
+namespace {
+
+bool isWordCharacter(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// What the source names itself: its words for the map, and of cutouts.
+bool isOwn(std::string_view word) {
+    for (const std::string_view part : {"rimitive", "PRIMITIVE_"})
+        if (word.find(part) != std::string_view::npos) return true;
+    return word.starts_with("cutout") || word == "wrappedTexel";
+}
+
+std::string lowered(std::string_view word) {
+    std::string text(word);
+    text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+/// Uniforms and what is asked are named in short.
+std::string named(const std::string& prefix, std::string_view word) {
+    constexpr std::string_view uniform = "u_primitive", asked = "primitiveLit";
+    if (word.starts_with(uniform)) return prefix + "_" + lowered(word.substr(uniform.size()));
+    if (word.starts_with(asked)) return prefix + "_" + lowered(word.substr(asked.size() - 3));
+    return prefix + "_" + std::string(word);
+}
+
+std::string withoutComments(std::string_view source) {
+    std::string text;
+    while (!source.empty()) {
+        const std::size_t end = std::min(source.find('\n'), source.size());
+        std::string_view line = source.substr(0, std::min(end, source.find("//")));
+        while (!line.empty() && line.back() == ' ')
+            line.remove_suffix(1);
+        if (!line.empty()) text.append(line).push_back('\n');
+        source.remove_prefix(std::min(end + 1, source.size()));
+    }
+    return text;
+}
+
+} // namespace
+
+std::string lookupSource(const std::string& prefix) {
+    if (prefix.empty() || !std::all_of(prefix.begin(), prefix.end(), isWordCharacter) ||
+        std::isdigit(static_cast<unsigned char>(prefix[0])) || prefix.back() == '_' ||
+        prefix.find("__") != std::string::npos || prefix.starts_with("gl_"))
+        throw InputError("'" + prefix + "' is no prefix of names in GLSL.");
+    const std::string source = withoutComments(shaders::lookup_glsl);
+    std::string text;
+    for (std::size_t i = 0; i < source.size();) {
+        std::size_t end = i;
+        while (end < source.size() && isWordCharacter(source[end]))
+            ++end;
+        if (end == i) {
+            text.push_back(source[i++]);
+            continue;
+        }
+        const std::string_view word = std::string_view(source).substr(i, end - i);
+        text += isOwn(word) ? named(prefix, word) : std::string(word);
+        i = end;
+    }
+    return text;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "src/shadow/primitive_map/primitive_map_builder.hpp"
+
+#include <memory>
+
+namespace edgeshade {
+
+/// Triangles in one list, up to which a map is used. GLs may end a loop after so many turns, and
+/// light would leak: Mesa's llvmpipe was seen to at 5,699 and not at 4,754, softpipe not at all.
+inline constexpr std::size_t longestAsked = 3072;
+
+/// A light's primitive map, as large as its settings allow: where it takes more than it may, half
+/// as many texels along an edge are tried, down to an eighth.
+class FittingMap {
+  public:
+    FittingMap(const Light& light, std::vector<PlacedCasters> casters,
+               const PrimitiveMapSettings& settings);
+
+    /// Builds a part. Returns whether there is more to do.
+    bool step();
+    /// Builds all parts of the size that is tried, on as many threads as there are cores.
+    void buildAllParts();
+
+    /// Once there is no more to do.
+    bool tooFar() const { return tooFar_; }
+    std::optional<PrimitiveMap>& map() { return map_; }
+
+  private:
+    Light light_;
+    std::vector<PlacedCasters> casters_;
+    PrimitiveMapSettings settings_;
+    int smallest_; ///< size that is tried
+    std::unique_ptr<PrimitiveMapBuilder> builder_;
+    std::size_t nextPart_ = 0;
+    bool joined_ = false, tooFar_ = false;
+    std::optional<PrimitiveMap> map_;
+};
+
+/// Why a map that was asked for can't be used, a clause; empty: it can. `mostBytes`: what it might
+/// take.
+std::string refusalOf(const std::optional<PrimitiveMap>& map, bool tooFar, std::size_t mostBytes);
+
+} // namespace edgeshade
