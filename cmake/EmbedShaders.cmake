@@ -12,6 +12,7 @@ add_custom_command(
     -DOUTPUT=${EDGESHADE_GENERATED_DIR}/shaders_es2.hpp
     -P ${PROJECT_SOURCE_DIR}/cmake/embed_shaders_script.cmake
   DEPENDS ${EDGESHADE_SHADER_FILES} ${PROJECT_SOURCE_DIR}/cmake/embed_shaders_script.cmake
+    ${PROJECT_SOURCE_DIR}/cmake/shader_text.cmake
   COMMENT "Embedding shaders"
   VERBATIM)
 add_custom_target(edgeshade_shader_header DEPENDS ${EDGESHADE_GENERATED_DIR}/shaders_es2.hpp)

@@ -1,14 +1,5 @@
 # Run by EmbedShaders.cmake: -DSHADER_DIR=... -DOUTPUT=... -P this file.
-function(read_with_includes path result)
-  file(READ ${path} text)
-  string(REGEX MATCH "#include \"([^\"]+)\"" line "${text}")
-  while(line)
-    read_with_includes(${SHADER_DIR}/${CMAKE_MATCH_1} included)
-    string(REPLACE "${line}" "${included}" text "${text}")
-    string(REGEX MATCH "#include \"([^\"]+)\"" line "${text}")
-  endwhile()
-  set(${result} "${text}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/shader_text.cmake)
 
 file(GLOB_RECURSE stages ${SHADER_DIR}/*.vert ${SHADER_DIR}/*.frag ${SHADER_DIR}/host/*.glsl)
 list(SORT stages)

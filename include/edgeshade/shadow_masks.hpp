@@ -154,6 +154,8 @@ class ShadowMasks {
     bool uploadLookup(LookupId id,
                       std::size_t mostBytes = std::numeric_limits<std::size_t>::max());
     const LightLookup& lookup(LookupId id) const;
+    /// Another number whenever what casts has changed, or where: lights rest while it does.
+    std::size_t casterState() const;
     /// Whether all that casts is as it was when the work began, and the light, but for what
     /// shadows don't depend on. False is no harm: what moved may come back.
     bool isCurrent(LookupId id, const MaskLight& light) const;

@@ -35,15 +35,18 @@ bool primitiveLitOn(highp vec3 position, highp vec3 towardsEye, highp vec3 norma
     return primitiveMapLights(point, casts);
 }
 
-#if __VERSION__ >= 300 || defined(EDGESHADE_DERIVATIVES)
-// The same by derivatives: for the beginning of main(), where neighbours are shaded too.
-bool primitiveLit(highp vec3 position, highp vec3 towardsEye, bool casts) {
-    highp vec3 along = dFdx(position), up = dFdy(position);
-    // Rasterisers may reckon what is interpolated from the picture's corner.
+// How far off interpolating may put it, by how it changes from pixel to pixel: rasterisers may reckon
+// from the picture's corner.
+highp float primitiveLitError(highp vec3 position, highp vec3 along, highp vec3 up) {
     highp vec3 change = abs(along) * gl_FragCoord.x + abs(up) * gl_FragCoord.y;
     highp vec3 place = abs(position);
-    highp float far = max(max(place.x, place.y), max(place.z, 1e-36));
-    highp float error = 8.0 * (change.x + change.y + change.z) / far;
-    return primitiveLitOn(position, towardsEye, cross(along, up), error, casts);
+    return 8.0 * (change.x + change.y + change.z) / max(max(place.x, place.y), max(place.z, 1e-36));
+}
+
+#if __VERSION__ >= 300 || defined(EDGESHADE_DERIVATIVES)
+// The same by derivatives: for where a fragment's neighbours ask, too.
+bool primitiveLit(highp vec3 position, highp vec3 towardsEye, bool casts) {
+    highp vec3 along = dFdx(position), up = dFdy(position);
+    return primitiveLitOn(position, towardsEye, cross(along, up), primitiveLitError(position, along, up), casts);
 }
 #endif

@@ -270,6 +270,10 @@ const LightLookup& ShadowMasks::lookup(LookupId id) const {
     return impl_->drawing->lookups.told(id);
 }
 
+std::size_t ShadowMasks::casterState() const {
+    return impl_->drawing->casters.casterState();
+}
+
 bool ShadowMasks::isCurrent(LookupId id, const MaskLight& light) const {
     const MaskDrawing& drawing = *impl_->drawing;
     return drawing.lookups.isCurrent(id, lightsOf({&light, 1}).front(),

@@ -210,6 +210,13 @@ TEST_P(HostStates, AreLeftAsTheyWere) {
             masks.draw(viewOf(corner), asked);
             EXPECT_EQ(stateNow(), before) << "after drawing";
         }
+        LookupWork work = masks.lookupWork(asked[0]);
+        work.finish();
+        const auto lookup = masks.addLookup(work);
+        masks.uploadLookup(lookup);
+        EXPECT_EQ(stateNow(), before) << "after a map was uploaded";
+        masks.removeLookup(lookup);
+        EXPECT_EQ(stateNow(), before) << "after it was removed";
         EXPECT_EQ(glGetError(), 0u);
         glPixelStorei(GL_PACK_ALIGNMENT, 4);
         if (isEs3()) glPixelStorei(0x0D04, 0);

@@ -3,6 +3,7 @@
 
 #include "edgeshade/shadow_masks.hpp"
 #include "preprocess/base/error.hpp"
+#include "web/masks/lookup_maker.hpp"
 #include "web/masks/mesh_transfer.hpp"
 #include "web/masks/web_functions.hpp"
 #include "web/page_bytes.hpp"
@@ -106,6 +107,57 @@ class PageMasks {
                          all);
         });
     }
+
+    /// What LookupMaker takes; empty where it failed.
+    emscripten::val lookupTask(std::uintptr_t light, int size, double mostBytes) {
+        bytes_ = {};
+        done([&] {
+            bytes_ = taskToTransfer(masks().lookupWork(
+                lightAt(at<double>(light)), {size, static_cast<std::size_t>(mostBytes)}));
+        });
+        return viewOf(bytes_);
+    }
+    /// Takes over what LookupMaker gave: `size` bytes that malloc() gave, which it frees.
+    int addLookup(std::uintptr_t address, std::size_t size) {
+        int id = -1;
+        done([&] {
+            const PageBytes bytes(address, size);
+            id = static_cast<int>(masks().addLookup(resultFromTransfer(bytes.view())));
+        });
+        return id;
+    }
+    bool uploadLookup(int id, std::size_t mostBytes) {
+        return done([&] { masks().uploadLookup(idOf(id), mostBytes); });
+    }
+    bool removeLookup(int id) {
+        return done([&] { masks().removeLookup(idOf(id)); });
+    }
+    bool isCurrent(int id, std::uintptr_t light) {
+        bool current = false;
+        done([&] { current = masks().isCurrent(idOf(id), lightAt(at<double>(light))); });
+        return current;
+    }
+    double casterState() const { return masks_ ? static_cast<double>(masks_->casterState()) : -1; }
+    std::string lookupWhy(int id) {
+        std::string why;
+        const bool known = done([&] { why = masks().lookup(idOf(id)).why; });
+        return known ? why : problem_;
+    }
+    /// uploaded, texture, table size (3), begins (2), size, kind, bytes, longest list,
+    /// milliseconds, map from world (16).
+    emscripten::val lookupNumbers(int id) {
+        LightLookup told;
+        done([&] { told = masks().lookup(idOf(id)); });
+        numbers_ = {told.uploaded ? 1.0 : 0.0, static_cast<double>(told.texture)};
+        numbers_.insert(numbers_.end(), told.tableSize.begin(), told.tableSize.end());
+        numbers_.insert(numbers_.end(), told.begins.begin(), told.begins.end());
+        numbers_.insert(numbers_.end(),
+                        {told.size, told.kind, static_cast<double>(told.bytes),
+                         static_cast<double>(told.longestList), told.buildMs});
+        numbers_.insert(numbers_.end(), told.mapFromWorld.begin(), told.mapFromWorld.end());
+        return emscripten::val(emscripten::typed_memory_view(numbers_.size(), numbers_.data()));
+    }
+
     std::string lastProblem() const { return problem_; }
 
     unsigned texture(std::size_t index) const {
@@ -144,6 +196,8 @@ class PageMasks {
     std::map<int, PreparedMesh> meshes_;
     int nextMesh_ = 0;
     std::string problem_;
+    Bytes bytes_;
+    std::vector<double> numbers_;
 };
 
 /// A worker's part: finds a mesh's edges.
@@ -177,6 +231,14 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("move", &PageMasks::move)
         .function("remove", &PageMasks::remove)
         .function("draw", &PageMasks::draw)
+        .function("lookupTask", &PageMasks::lookupTask)
+        .function("addLookup", &PageMasks::addLookup)
+        .function("uploadLookup", &PageMasks::uploadLookup)
+        .function("removeLookup", &PageMasks::removeLookup)
+        .function("isCurrent", &PageMasks::isCurrent)
+        .function("casterState", &PageMasks::casterState)
+        .function("lookupWhy", &PageMasks::lookupWhy)
+        .function("lookupNumbers", &PageMasks::lookupNumbers)
         .function("lastProblem", &PageMasks::lastProblem)
         .function("texture", &PageMasks::texture)
         .function("nearnessTexture", &PageMasks::nearnessTexture)
@@ -186,6 +248,11 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("drawMs", &PageMasks::drawMs)
         .function("vertexRuns", &PageMasks::vertexRuns)
         .function("bytes", &PageMasks::bytes);
+    emscripten::class_<LookupMaker>("LookupMaker")
+        .constructor<>()
+        .function("begin", &LookupMaker::begin)
+        .function("advance", &LookupMaker::advance)
+        .function("result", &LookupMaker::result);
     emscripten::class_<MeshPacker>("MeshPacker")
         .constructor<>()
         .function("pack", &MeshPacker::pack)

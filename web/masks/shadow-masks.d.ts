@@ -69,6 +69,49 @@ export interface MaskCost {
 /** Lights that one draw() can have. */
 export const mostLights: number;
 
+export interface LookupOptions {
+  /** Texels along the map's edge, a power of 2. Default: 512. */
+  size?: number;
+  /** On the GPU; smaller maps are tried first. Default: 64 MiB. */
+  mostBytes?: number;
+  /** Ends the work. */
+  signal?: AbortSignal;
+}
+
+/** What a shader needs of a light at rest, by the names of lookupSource('PREFIX'). */
+export interface LightLookup {
+  /** Why there is none, a clause; '': there is one, once uploaded. */
+  why: string;
+  uploaded: boolean;
+  /** PREFIX_table: of floats. */
+  texture: WebGLTexture | null;
+  /** PREFIX_tableSize, a vec3. */
+  tableSize: number[];
+  /** PREFIX_begins, a vec2. */
+  begins: number[];
+  /** PREFIX_size, a float. */
+  size: number;
+  /** PREFIX_kind, a float. */
+  kind: number;
+  /** Times worldFromView, reckoned in doubles: PREFIX_mapFromHost, a mat4, for positions in the view. */
+  mapFromWorld: number[];
+  /** On the GPU. */
+  bytes: number;
+  /** Triangles that a fragment may have to ask. */
+  longestList: number;
+  buildMs: number;
+}
+
+/**
+ * For any fragment shader, of GLSL ES 1.00 or 3.00, of any light:
+ * `bool PREFIX_lit(highp vec3 position, highp vec3 towardsEye, bool casts)` says whether shadow lets
+ * the light through. `position`: in the space of PREFIX_mapFromHost; `towardsEye`: from there, of any
+ * length; `casts`: all that is drawn there was added with `casts`. It takes derivatives: in GLSL ES
+ * 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, or ask
+ * `PREFIX_litOn(position, towardsEye, normal, 16.0, casts)` with the triangle's own normal.
+ */
+export function lookupSource(prefix: string): string;
+
 /** All methods throw an Error whose message is a sentence. */
 export class ShadowMasks {
   /**
@@ -97,6 +140,20 @@ export class ShadowMasks {
   /** The textures are the engine's to delete, and as they are until the next draw(). */
   draw(view: MaskView, lights: MaskLight[]): Masks;
   readonly cost: MaskCost;
+
+  /**
+   * Has a worker build the map of a light at rest without a radius, of the casters as they are.
+   * Resolves with a lookup's number, or null if `signal` ended it.
+   */
+  buildLookup(light: MaskLight, options?: LookupOptions): Promise<number | null>;
+  /** Uploads up to so many bytes of it, so that frames needn't wait. Whether all is there. */
+  uploadLookup(lookup: number, mostBytes?: number): boolean;
+  lookup(lookup: number): LightLookup;
+  /** Whether the light and all that casts are as they were when the map was asked for. */
+  isCurrent(lookup: number, light: MaskLight): boolean;
+  removeLookup(lookup: number): void;
+  /** Another number whenever what casts has changed, or where. */
+  readonly casterState: number;
 
   /** When the context is lost: nothing can be added or drawn until restore(). */
   forget(): void;

@@ -1,9 +1,12 @@
 // Exact shadows in a WebGL context of one's own: what each light reaches, as textures.
 
 import { HostState } from './host-state.js';
+import { LightLookups } from './light-lookups.js';
 import { MeshPacking } from './mesh-packing.js';
 import { meshNumbers, withCopies } from './numbers.js';
 import { compiledModule, instantiate } from './runtime.js';
+
+export { lookupSource } from './lookup-source.js';
 
 const kinds = ['directional', 'point', 'spot'];
 const lightNumbers = 10;
@@ -25,6 +28,7 @@ export class ShadowMasks {
   #masks;
   #state;
   #packing;
+  #lookups;
   #allocatedFor = ''; // sizes that draw() has pictures of
   #hostError = 0;
 
@@ -33,16 +37,24 @@ export class ShadowMasks {
   /** Resolves when it can draw in the context. `keepsState`: see HostState.keptWhile(). */
   static async create(gl, { keepsState = true } = {}) {
     const module = await compiledModule();
-    return new ShadowMasks(gl, await instantiate(module), new MeshPacking(module), keepsState);
+    return new ShadowMasks(gl, await instantiate(module), module, keepsState);
   }
 
   /** Not for pages: create() is. */
-  constructor(gl, program, packing, keepsState) {
+  constructor(gl, program, module, keepsState) {
     this.#gl = gl;
     this.#program = program;
-    this.#packing = packing;
+    this.#packing = new MeshPacking(module);
     this.#keepsState = keepsState;
     this.#masks = new program.Masks();
+    this.#lookups = new LightLookups(module, {
+      program,
+      masks: this.#masks,
+      inContext: (act) => this.#inContext(act),
+      withLight: (light, use) => withCopies(program, [Float64Array.from(numbersOf(light, 0))], ([address]) => use(address)),
+      require: (done) => this.#require(done),
+      textureOf: (name) => this.#textureOf(name),
+    });
     this.restore();
   }
 
@@ -127,6 +139,35 @@ export class ShadowMasks {
     };
   }
 
+  /** Has a worker build the map of a light at rest, of the casters as they are. Resolves with the lookup's id, or
+   * null if `signal` ended it. */
+  buildLookup(light, options) {
+    return this.#lookups.build(light, options);
+  }
+
+  /** Uploads it, up to so many bytes. Whether all is there. */
+  uploadLookup(id, mostBytes) {
+    return this.#lookups.upload(id, mostBytes);
+  }
+
+  /** What a shader needs of it, by the names of lookupSource(), or why there is none. */
+  lookup(id) {
+    return this.#lookups.of(id);
+  }
+
+  isCurrent(id, light) {
+    return this.#lookups.isCurrent(id, light);
+  }
+
+  removeLookup(id) {
+    this.#lookups.remove(id);
+  }
+
+  /** Another number whenever what casts has changed, or where. */
+  get casterState() {
+    return this.#masks.casterState();
+  }
+
   get cost() {
     return { buildMs: this.#masks.buildMs(), drawMs: this.#masks.drawMs(), vertexRuns: this.#masks.vertexRuns(),
       bytes: this.#masks.bytes(), hostError: this.#hostError };
@@ -134,6 +175,7 @@ export class ShadowMasks {
 
   dispose() {
     this.#packing.dispose();
+    this.#lookups.dispose();
     this.#inContext(() => this.#masks.delete());
     this.#program.GL.deleteContext(this.#handle);
   }

@@ -59,6 +59,11 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number, ahead }) => number === null || ahead).length;
   }
 
+  /** Whether a mesh that is followed casts, all of it. */
+  casts(mesh) {
+    return this.#meshes.get(mesh)?.casts ?? false;
+  }
+
   /** Resolves when none is waited for any more; throws what went wrong since the last call. */
   async settled() {
     while (this.#waiting.length) await Promise.allSettled(this.#waiting.map(({ promise }) => promise));
@@ -103,6 +108,7 @@ export class Casters {
     const roleKey = `${role.casts} ${role.doubleSided} ${role.inward}`;
     let had = this.#meshes.get(mesh);
     if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], shown: null });
+    had.casts = role.casts;
     if (isPosed(mesh)) this.#pose(mesh, role, roleKey, had);
     else this.#prepare(mesh, role, `${mesh.geometry.uuid} ${versionOf(mesh)} ${roleKey}`, had);
     const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};

@@ -11,13 +11,21 @@ export interface ExactShadowsOptions {
    * renderer.resetState() follows them. Default: false.
    */
   keepsState?: boolean;
+  /**
+   * Lights that are looked up at once while they and all casters rest, 0 to 2: no mask is drawn of
+   * them, and see-through surfaces take their shadows. Each takes a texture of a material's. Default:
+   * 2, or what materials have textures for.
+   */
+  lookups?: number;
 }
 
 /**
  * Shadows of what casts (castShadow), on what receives (receiveShadow): standard, physical, Lambert,
  * Phong, toon and shadow materials; of directional, point and spot lights with castShadow. Meshes,
  * instances, skinned and morphed meshes. Until the edges of all meshes are found pictures have no
- * shadows. See-through surfaces and those with alpha tests take and cast none.
+ * shadows. A light that has rested for half a second, with all casters, is
+ * looked up once a worker has built its map, until something moves. See-through surfaces and those
+ * with alpha tests cast no shadow, and take that of lights that are looked up.
  */
 export class ExactShadows {
   /** `renderer`: with WebGL 2. Turn its own shadowMap off. Throws an Error with a sentence. */
@@ -40,8 +48,13 @@ export class ExactShadows {
 
   /** Resolves once all that the last render() asked for has its shadows. Throws what went wrong. */
   ready(): Promise<void>;
-  /** Of the last masks; `pending`: meshes that are waited for. Null before the first. */
-  readonly cost: (MaskCost & { pending: number }) | null;
+  /**
+   * Of the last masks; `pending`: meshes that are waited for; `lookedUp`: lights that are, of which no
+   * mask was drawn. Null before the first.
+   */
+  readonly cost: (MaskCost & { pending: number; lookedUp: number }) | null;
+  /** Why lights that rest are not looked up, where that is known: clauses. */
+  readonly notLookedUp: Map<Light, string>;
 
   /** Gives back all that it holds; materials are as they came. */
   dispose(): void;

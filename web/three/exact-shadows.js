@@ -1,11 +1,21 @@
 // Exact shadows in three.js.
 
-import { Vector3, Vector4 } from 'three';
+import { Matrix4, Vector2, Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
 import { Casters } from './casters.js';
+import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaterialPatches } from './material-patch.js';
+import { RestingLights } from './resting-lights.js';
 import { castingLights } from './scene-lights.js';
+
+/** Among MaskTextures, after nearness and masks. */
+const firstMap = 1 + mostLights / 4;
+
+/** What a slot's map is in shaders. */
+const slotUniforms = (slot) => Object.fromEntries(Object.entries({
+  table: null, tableSize: new Vector3(), begins: new Vector2(), size: 1, kind: 0, mapFromHost: new Matrix4(),
+}).map(([name, value]) => [`${slotName(slot)}_${name}`, { value }]));
 
 /** What the camera sees of the scene, in three.js's order. */
 function visibleOf(scene, camera, roots) {
@@ -33,6 +43,9 @@ export class ExactShadows {
   #renderer;
   #masks = null;
   #casters = null;
+  #resting = null;
+  #lookedUp = 0; // lights, in the last picture
+  #mostLookedUp;
   #starting;
   #problem = null;
   #lost = false;
@@ -51,11 +64,16 @@ export class ExactShadows {
     edgeshadeNearness: { value: null },
     edgeshadeViewport: { value: new Vector4() },
     edgeshadeOwn: { value: new Vector3() },
+    edgeshadeWays: { value: new Int32Array(mostLights) },
+    edgeshadeMasked: { value: 0 },
+    edgeshadeMaps: { value: new Int32Array(mostSlots) },
+    ...Object.assign({}, ...Array.from({ length: mostSlots }, (_, slot) => slotUniforms(slot))),
   };
   #forget = () => {
     this.#lost = true;
     this.#masks?.forget();
     this.#casters?.forget();
+    this.#resting?.forget();
     this.#textures.clear();
   };
   #restore = () => {
@@ -63,7 +81,7 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64, keepsState = false } = {}) {
+  constructor(renderer, { lightSamples = 64, keepsState = false, lookups = mostSlots } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
@@ -71,8 +89,9 @@ export class ExactShadows {
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
     this.#keepsState = keepsState;
+    this.#mostLookedUp = lookups;
     this.#textures = new MaskTextures(renderer);
-    this.#patches = new MaterialPatches(this.#uniforms);
+    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures);
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);
@@ -82,6 +101,7 @@ export class ExactShadows {
         this.#masks = masks;
         this.#resetRenderer();
         this.#casters = new Casters(masks);
+        this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         return undefined;
       },
       (error) => { this.#problem = error; });
@@ -117,7 +137,14 @@ export class ExactShadows {
 
   /** What the last masks cost, or null. */
   get cost() {
-    return this.#masks && { ...this.#masks.cost, pending: this.#casters.pending };
+    if (!this.#masks) return null;
+    return { ...this.#masks.cost, ...(this.#uniforms.edgeshadeMasked.value ? {} : { drawMs: 0, vertexRuns: 0 }),
+      pending: this.#casters.pending, lookedUp: this.#lookedUp };
+  }
+
+  /** Why lights that rest are not looked up, by light, where that is known. */
+  get notLookedUp() {
+    return this.#resting?.whys ?? new Map();
   }
 
   /** In place of renderer.render(). */
@@ -157,11 +184,13 @@ export class ExactShadows {
     canvas.removeEventListener('webglcontextlost', this.#forget);
     canvas.removeEventListener('webglcontextrestored', this.#restore);
     this.#casters = null;
+    this.#resting?.forget();
+    this.#resting = null;
     this.#masks?.dispose();
     this.#masks = null;
   }
 
-  /** Draws the masks of what is to be rendered; false: there are none, and no shadows. */
+  /** Draws the masks of what is to be rendered, of lights that aren't looked up; false: there are no shadows. */
   #draw(scene, camera) {
     if (this.#disposed) throw new Error('These ExactShadows were disposed of.');
     if (this.#lost || camera.isArrayCamera || this.#renderer.xr.isPresenting) return false;
@@ -173,12 +202,21 @@ export class ExactShadows {
     this.#renderer.getCurrentViewport(this.#viewport);
     const { x, y, z: width, w: height } = this.#viewport;
     if (width < 1 || height < 1) return false;
-    this.#show(camera, casting, this.#masks.draw({
-      viewFromWorld: camera.matrixWorldInverse.elements,
-      clipFromView: camera.projectionMatrix.elements,
-      width, height, lightSamples: this.lightSamples,
-    }, casting.lights));
-    this.#resetRenderer();
+    const maps = this.#mapsOf(casting);
+    this.#showMaps(camera, maps);
+    const masked = casting.lights.filter((_, i) => !maps[i]);
+    this.#uniforms.edgeshadeIntensities.value.set(casting.intensities);
+    this.#uniforms.edgeshadeMasked.value = Math.min(masked.length, 1);
+    this.#uniforms.edgeshadeMasks.value = Array.from({ length: Math.ceil(maps.length / 4) }, () => null);
+    this.#uniforms.edgeshadeNearness.value = null;
+    if (masked.length > 0) {
+      this.#showMasks(camera, this.#masks.draw({
+        viewFromWorld: camera.matrixWorldInverse.elements,
+        clipFromView: camera.projectionMatrix.elements,
+        width, height, lightSamples: this.lightSamples,
+      }, masked));
+      this.#resetRenderer();
+    }
     this.#uniforms.edgeshadeViewport.value.set(x, y, 1 / width, 1 / height);
     return true;
   }
@@ -198,17 +236,48 @@ export class ExactShadows {
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const within = ancestorTakesPart(scene, this.#roots);
     const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
-    for (const mesh of meshes)
-      if (mesh.receiveShadow) for (const material of [mesh.material].flat()) if (material) this.#patches.add(material);
     if (!this.#lost) this.#casters?.follow(meshes);
+    const receiving = new Map(); // material: whether all that it is on casts
+    for (const mesh of meshes) {
+      if (!mesh.receiveShadow) continue;
+      const casts = this.#casters?.casts(mesh) ?? false;
+      for (const material of [mesh.material].flat()) if (material) receiving.set(material, casts && (receiving.get(material) ?? true));
+    }
+    for (const [material, casts] of receiving) this.#patches.add(material, casts);
     return lights;
   }
 
-  #show(camera, { intensities }, { textures, nearness }) {
-    const { edgeshadeMasks, edgeshadeIntensities, edgeshadeNearness, edgeshadeOwn } = this.#uniforms;
+  /** What of the lights is looked up, by light. */
+  #mapsOf({ lights, sources }) {
+    this.#resting.most = this.#patches.slots;
+    const maps = this.#resting.follow(lights.map((numbers, i) => ({ light: sources[i], numbers })), this.#casters.pending === 0);
+    this.#lookedUp = maps.filter(Boolean).length;
+    return maps;
+  }
+
+  #showMaps(camera, maps) {
+    const { edgeshadeWays, edgeshadeMaps } = this.#uniforms;
+    let channel = 0;
+    edgeshadeWays.value.set(maps.map((map) => (map ? -1 - map.slot : channel++)));
+    for (let slot = 0; slot < mostSlots; ++slot) {
+      const of = (name) => this.#uniforms[`${slotName(slot)}_${name}`];
+      const map = maps.find((one) => one?.slot === slot);
+      edgeshadeMaps.value[slot] = map ? 1 : 0;
+      of('table').value = map ? this.#textures.at(firstMap + slot, map.texture) : null;
+      if (!map) continue;
+      of('tableSize').value.fromArray(map.tableSize);
+      of('begins').value.fromArray(map.begins);
+      of('size').value = map.size;
+      of('kind').value = map.kind;
+      // In doubles, so that worlds may be large.
+      of('mapFromHost').value.fromArray(map.mapFromWorld).multiply(camera.matrixWorld);
+    }
+  }
+
+  #showMasks(camera, { textures, nearness }) {
+    const { edgeshadeMasks, edgeshadeNearness, edgeshadeOwn } = this.#uniforms;
     edgeshadeNearness.value = this.#textures.at(0, nearness.texture);
-    edgeshadeMasks.value = textures.map((texture, i) => this.#textures.at(i + 1, texture));
-    edgeshadeIntensities.value.set(intensities);
+    for (const [i, texture] of textures.entries()) edgeshadeMasks.value[i] = this.#textures.at(i + 1, texture);
     const { scale, offset } = nearness;
     if (camera.projectionMatrix.elements[15] === 0) {
       edgeshadeOwn.value.set(scale, 0, offset); // gl_FragCoord.w is 1 / depth

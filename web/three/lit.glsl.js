@@ -1,4 +1,12 @@
-// What three.js's fragment shaders ask: how much of a light reaches a fragment, by the masks.
+// What three.js's fragment shaders ask: how much of a light reaches a fragment, by the masks or its map.
+
+import { lookupSource } from '../masks/lookup-source.js';
+
+/** Lights that can be looked up at once: each takes a texture of a material's. */
+export const mostSlots = 2;
+
+/** What the names of a slot's map begin with. */
+export const slotName = (slot) => `edgeshadeMap${slot}`;
 
 /** Which counts three.js writes into shaders: of lights that cast, the first ones of each kind. */
 const counts = { point: 'NUM_POINT_LIGHT_SHADOWS', spot: 'NUM_SPOT_LIGHT_SHADOWS', directional: 'NUM_DIR_LIGHT_SHADOWS' };
@@ -8,18 +16,40 @@ const first = { point: '0', spot: counts.point, directional: `${counts.point} + 
 
 const all = Object.values(counts).join(' + ');
 
+/** A loop, as no branch saves software a map that isn't there. */
+const askMap = (slot) => /* glsl */`
+	for ( int i = 0; i < edgeshadeMaps[ ${slot} ]; i ++ )
+		edgeshadeLooked[ ${slot} ] = ${slotName(slot)}_litOn( position, towardsEye, normal, error, edgeshadeCasts ) ? 1.0 : 0.0;
+`;
+
+/** Of maps, where a material has room for so many. */
+const lookups = (slots) => Array.from({ length: slots }, (_, slot) => lookupSource(slotName(slot))).join('\n') + /* glsl */`
+uniform int edgeshadeMaps[ ${mostSlots} ]; // 1: there is one
+uniform bool edgeshadeCasts; // all that the material is on
+float edgeshadeLooked[ ${mostSlots} ];
+
+void edgeshadeAskMaps( const in highp vec3 position ) {
+	highp vec3 towardsEye = isOrthographic ? vec3( 0.0, 0.0, 1.0 ) : - position;
+	highp vec3 along = dFdx( position ), up = dFdy( position ), normal = cross( along, up );
+	highp float error = ${slots > 0 ? `${slotName(0)}_litError( position, along, up )` : '0.0'};
+	${Array.from({ length: slots }, (_, slot) => askMap(slot)).join('')}
+}
+`;
+
 /** Ahead of main(). A fragment's own texel is that of the masks' pixel; at outlines, where the masks and the
  * picture may show other surfaces there, the texel around whose nearness is closest to the fragment's own. */
-export const declarations = /* glsl */`
+export const declarations = (slots) => /* glsl */`
 #if ${all} > 0
-
+${lookups(slots)}
 uniform mediump sampler2D edgeshadeMasks[ ( ${all} + 3 ) / 4 ];
 uniform float edgeshadeIntensities[ ${all} ];
 uniform highp sampler2D edgeshadeNearness;
-uniform highp vec4 edgeshadeViewport; // x, y, 1 / width, 1 / height; 0: there are no masks
+uniform highp vec4 edgeshadeViewport; // x, y, 1 / width, 1 / height; 0: there are no shadows
 uniform highp vec3 edgeshadeOwn;      // nearness by gl_FragCoord.w, gl_FragCoord.z and as it is
+uniform int edgeshadeWays[ ${all} ];   // a light's channel of the masks, or -1 - the slot of its map
+uniform int edgeshadeMasked;           // 1: there are masks; 0: all lights are looked up
 
-bool edgeshadeHasMasks() {
+bool edgeshadeHasMasks() { // or maps
 	return edgeshadeViewport.z > 0.0;
 }
 
@@ -48,21 +78,46 @@ highp vec2 edgeshadeFindTexel() {
 
 highp vec2 edgeshadeTexel;
 
-#define EDGESHADE_LIT( light ) mix( 1.0, texture2D( edgeshadeMasks[ ( light ) / 4 ], edgeshadeTexel )[ ( light ) - ( light ) / 4 * 4 ], edgeshadeIntensities[ light ] )
+float edgeshadeMaskOf( const in int channel ) {
+#ifdef EDGESHADE_SEE_THROUGH
+	return 1.0; // it isn't in the masks
+#else
+	vec4 found = texture2D( edgeshadeMasks[ 0 ], edgeshadeTexel );
+	${Array.from({ length: 7 }, (_, i) => `
+#if ${all} > ${4 * i + 4}
+	if ( channel >= ${4 * i + 4} ) found = texture2D( edgeshadeMasks[ ${i + 1} ], edgeshadeTexel );
+#endif`).join('')}
+	return found[ channel % 4 ];
+#endif
+}
+
+float edgeshadeLit( const in int light ) {
+	int way = edgeshadeWays[ light ];
+	float lit = 1.0;
+	if ( way < 0 ) lit = edgeshadeLooked[ - 1 - way ];
+	else lit = edgeshadeMaskOf( way );
+	return mix( 1.0, lit, edgeshadeIntensities[ light ] );
+}
+
+void edgeshadeFind( const in highp vec3 position ) {
+	edgeshadeTexel = vec2( 0.0 );
+	for ( int i = 0; i < edgeshadeMasked; i ++ ) edgeshadeTexel = edgeshadeFindTexel();
+	edgeshadeAskMaps( position );
+}
 
 #endif
 `;
 
 /** Before lights are added up. */
-const findTexel = /* glsl */`
+const find = /* glsl */`
 #if ${all} > 0
-	edgeshadeTexel = edgeshadeHasMasks() ? edgeshadeFindTexel() : vec2( 0.0 );
+	if ( edgeshadeHasMasks() ) edgeshadeFind( - vViewPosition );
 #endif
 `;
 
 const litBy = (kind) => /* glsl */`
 		#if UNROLLED_LOOP_INDEX < ${counts[kind]}
-		if ( edgeshadeHasMasks() && receiveShadow ) directLight.color *= EDGESHADE_LIT( ${first[kind]} + UNROLLED_LOOP_INDEX );
+		if ( edgeshadeHasMasks() && receiveShadow ) directLight.color *= edgeshadeLit( ${first[kind]} + UNROLLED_LOOP_INDEX );
 		#endif
 `;
 
@@ -79,7 +134,7 @@ export function lightsWithMasks(chunk) {
     if (begin < 0 || add < 0) throw new Error(`This release of three.js lights surfaces in a way that edgeshade does not know (${kind} lights).`);
     text = text.slice(0, add) + litBy(kind).trimStart() + '\t\t' + text.slice(add);
   }
-  return findTexel + text.replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
+  return find + text.replaceAll('directLight.visible && receiveShadow', 'directLight.visible && receiveShadow && ! edgeshadeHasMasks()');
 }
 
 /** What a ShadowMaterial shows, in place of getShadowMask(). */
@@ -88,21 +143,21 @@ float edgeshadeMask() {
 #if ${all} > 0
 	if ( ! edgeshadeHasMasks() ) return getShadowMask();
 	if ( ! receiveShadow ) return 1.0;
-	edgeshadeTexel = edgeshadeFindTexel();
+	edgeshadeFind( - vViewPosition );
 	float lit = 1.0;
 	#pragma unroll_loop_start
 	for ( int i = 0; i < ${counts.point}; i ++ ) {
-		lit *= EDGESHADE_LIT( ${first.point} + UNROLLED_LOOP_INDEX );
+		lit *= edgeshadeLit( ${first.point} + UNROLLED_LOOP_INDEX );
 	}
 	#pragma unroll_loop_end
 	#pragma unroll_loop_start
 	for ( int i = 0; i < ${counts.spot}; i ++ ) {
-		lit *= EDGESHADE_LIT( ${first.spot} + UNROLLED_LOOP_INDEX );
+		lit *= edgeshadeLit( ${first.spot} + UNROLLED_LOOP_INDEX );
 	}
 	#pragma unroll_loop_end
 	#pragma unroll_loop_start
 	for ( int i = 0; i < ${counts.directional}; i ++ ) {
-		lit *= EDGESHADE_LIT( ${first.directional} + UNROLLED_LOOP_INDEX );
+		lit *= edgeshadeLit( ${first.directional} + UNROLLED_LOOP_INDEX );
 	}
 	#pragma unroll_loop_end
 	return lit;

@@ -1,23 +1,43 @@
 // Materials that take the masks where they would take shadow maps, as long as they are patched.
 
 import { MathUtils, ShaderChunk } from 'three';
-import { declarations, lightsWithMasks, shadowMask } from './lit.glsl.js';
+import { declarations, lightsWithMasks, mostSlots, shadowMask } from './lit.glsl.js';
 
 const lightsBegin = '#include <lights_fragment_begin>';
 const lightsDeclared = '#include <lights_pars_begin>';
 const maskDeclared = '#include <shadowmask_pars_fragment>';
 
-/** Whether a material is lit by lights that cast. See-through ones are not in the masks. */
-export function takesMasks(material) {
-  if (material.isShadowMaterial) return true;
-  const isLit = material.isMeshStandardMaterial || material.isMeshLambertMaterial || material.isMeshPhongMaterial ||
-    material.isMeshToonMaterial;
-  return Boolean(isLit) && !material.transparent;
+/** Textures beside a material's own: of masks, nearness, surroundings and three.js's own maps. */
+const otherTextures = 6;
+
+const isLit = (material) => Boolean(material.isMeshStandardMaterial || material.isMeshLambertMaterial ||
+  material.isMeshPhongMaterial || material.isMeshToonMaterial);
+
+/** Whether masks show a material's surfaces. */
+const isMasked = (material) => Boolean(material.isShadowMaterial) || !material.transparent;
+
+/** Whether a material is lit by lights that cast. */
+export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);
+
+/** Maps of lights that its programs have room for. */
+function slotsOf(material, mostTextures) {
+  const own = Object.values(material).filter((value) => value?.isTexture).length + (material.transmission > 0 ? 1 : 0);
+  return Math.min(Math.max(mostTextures - own - otherTextures, 0), mostSlots);
 }
 
-function withMasks(source, isShadowMaterial) {
-  const text = source.replace(lightsDeclared, (found) => `${found}\n${declarations}`);
-  if (!isShadowMaterial) return text.replace(lightsBegin, () => lightsWithMasks(ShaderChunk.lights_fragment_begin));
+const vertexPlaced = '#include <project_vertex>';
+
+/** What a ShadowMaterial's stages lack: where a fragment is. */
+function withPosition(shader) {
+  const varying = 'varying vec3 vViewPosition;';
+  shader.vertexShader = `${varying}\n${shader.vertexShader.replace(vertexPlaced, (found) => `${found}\n\tvViewPosition = - mvPosition.xyz;`)}`;
+  shader.fragmentShader = `${varying}\n${shader.fragmentShader}`;
+}
+
+function withShadows(source, material, slots) {
+  const seeThrough = isMasked(material) ? '' : '#define EDGESHADE_SEE_THROUGH\n';
+  const text = source.replace(lightsDeclared, (found) => `${found}\n${seeThrough}${declarations(slots)}`);
+  if (!material.isShadowMaterial) return text.replace(lightsBegin, () => lightsWithMasks(ShaderChunk.lights_fragment_begin));
   const main = text.indexOf(maskDeclared) + maskDeclared.length;
   return `${text.slice(0, main)}\n${shadowMask}${text.slice(main).replaceAll('getShadowMask()', 'edgeshadeMask()')}`;
 }
@@ -27,27 +47,42 @@ export class MaterialPatches {
   #key = `edgeshade ${MathUtils.generateUUID()}`; // programs keep the uniforms that they were made with
   #patched = new Map(); // material: what it had
 
-  /** `uniforms`: of declarations, as three.js has them, shared by all materials. */
-  constructor(uniforms) {
+  #mostTextures;
+  #slots = mostSlots;
+
+  /** `uniforms`: of declarations, as three.js has them, shared by all materials; `mostTextures`: of a program. */
+  constructor(uniforms, mostTextures) {
     this.#uniforms = uniforms;
+    this.#mostTextures = mostTextures;
   }
 
-  /** A material that was patched stays so. */
-  add(material) {
-    if (this.#patched.has(material) || !takesMasks(material)) return;
+  /** Maps of lights that all that was added has room for. */
+  get slots() {
+    return this.#slots;
+  }
+
+  /** A material that was patched stays so. `casts`: all that it is on, as the mask engine has it. */
+  add(material, casts) {
+    const known = this.#patched.get(material);
+    if (known) known.casts.value = casts;
+    if (known || !takesShadow(material)) return;
+    const slots = slotsOf(material, this.#mostTextures);
+    this.#slots = Math.min(this.#slots, slots);
     const { onBeforeCompile, customProgramCacheKey } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
-    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, own });
-    const uniforms = this.#uniforms, key = this.#key;
+    const uniforms = { ...this.#uniforms, edgeshadeCasts: { value: casts } };
+    this.#patched.set(material, { onBeforeCompile, customProgramCacheKey, own, casts: uniforms.edgeshadeCasts });
+    const key = `${this.#key} ${slots}`;
     material.onBeforeCompile = function (shader, renderer) {
       onBeforeCompile.call(this, shader, renderer);
       Object.assign(shader.uniforms, uniforms);
-      shader.fragmentShader = withMasks(shader.fragmentShader, this.isShadowMaterial);
+      shader.fragmentShader = withShadows(shader.fragmentShader, this, slots);
+      if (this.isShadowMaterial) withPosition(shader);
     };
     // three.js' own key is the text of onBeforeCompile, which is ours now.
     const before = own ? null : onBeforeCompile.toString();
     material.customProgramCacheKey = function () {
-      return `${key} ${before ?? customProgramCacheKey.call(this)}`;
+      return `${key} ${isMasked(this)} ${before ?? customProgramCacheKey.call(this)}`;
     };
     material.needsUpdate = true;
   }

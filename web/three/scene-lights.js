@@ -26,7 +26,8 @@ function maskLightOf(light, radius) {
 
 /**
  * `lights`: all that the camera sees, in the scene's order; `radiusOf(light)`: of its extent. {lights,
- * intensities}, by channel of the masks: points, then spots, then suns.
+ * intensities, sources}, in the order of their numbers in shaders: points, then spots, then suns; `sources`:
+ * three.js's.
  */
 export function castingLights(lights, radiusOf) {
   const casting = [...lights].sort(byCasting).filter((light) => light.castShadow);
@@ -34,5 +35,6 @@ export function castingLights(lights, radiusOf) {
   return {
     lights: ordered.map((light) => maskLightOf(light, radiusOf(light))),
     intensities: ordered.map((light) => light.shadow.intensity ?? 1),
+    sources: ordered,
   };
 }

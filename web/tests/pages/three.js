@@ -67,6 +67,18 @@ async function drawn(shadows, scene, camera) {
   shadows.render(scene, camera);
 }
 
+const frame = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
+
+/** Draws frames until so many lights are looked up, for half a minute at the most; returns how many there are. */
+async function rested(shadows, scene, camera, lights = 1) {
+  await drawn(shadows, scene, camera);
+  for (const since = performance.now(); shadows.cost.lookedUp !== lights && performance.now() - since < 30000;) {
+    await frame();
+    shadows.render(scene, camera);
+  }
+  return shadows.cost.lookedUp;
+}
+
 /** The canvas' rows from the top, one byte a pixel: its red. */
 function redOf(renderer) {
   const gl = renderer.getContext();
@@ -187,4 +199,4 @@ function rendererName() {
   return gl?.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? '';
 }
 
-window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, redOf, base64Of, yard, changedPicture };
+window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, base64Of, yard, changedPicture };

@@ -1,0 +1,6 @@
+# What hosts' shaders ask, as a module of JavaScript; run by web/CMakeLists.txt:
+# -DSHADER_DIR=... -DOUTPUT=... -P this file.
+include(${CMAKE_CURRENT_LIST_DIR}/shader_text.cmake)
+
+read_with_includes(${SHADER_DIR}/host/lookup.glsl text)
+file(WRITE ${OUTPUT} "// Generated from shaders_es2/host/lookup.glsl.\nexport const text = `${text}`;\n")

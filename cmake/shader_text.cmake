@@ -1,0 +1,11 @@
+# A shader's text with what it includes.
+function(read_with_includes path result)
+  file(READ ${path} text)
+  string(REGEX MATCH "#include \"([^\"]+)\"" line "${text}")
+  while(line)
+    read_with_includes(${SHADER_DIR}/${CMAKE_MATCH_1} included)
+    string(REPLACE "${line}" "${included}" text "${text}")
+    string(REGEX MATCH "#include \"([^\"]+)\"" line "${text}")
+  endwhile()
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()

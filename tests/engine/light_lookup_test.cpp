@@ -1,0 +1,232 @@
+// A host that looks a light up in a shader of its own shows the shadows of `render --mask`.
+#include "src/engine/light_lookups.hpp"
+#include "tests/engine/host_picture.hpp"
+
+#include <GLES2/gl2.h>
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace edgeshade {
+namespace {
+
+using namespace test;
+
+const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
+
+using Mask = std::vector<std::uint8_t>;
+
+/// Pixels that differ, and those of them whose neighbours the expected mask all has as they are.
+struct Wrong {
+    std::size_t all = 0, beyond = 0;
+};
+
+Wrong compared(const Mask& mask, const Mask& expected) {
+    Wrong wrong;
+    for (int y = 0; y < hostHeight; ++y)
+        for (int x = 0; x < hostWidth; ++x) {
+            const auto at = [](int u, int v) {
+                return static_cast<std::size_t>(v * hostWidth + u);
+            };
+            const std::uint8_t here = expected[at(x, y)];
+            if (mask[at(x, y)] == here) continue;
+            ++wrong.all;
+            bool boundary = false;
+            for (int v = std::max(0, y - 1); v <= std::min(hostHeight - 1, y + 1); ++v)
+                for (int u = std::max(0, x - 1); u <= std::min(hostWidth - 1, x + 1); ++u)
+                    boundary |= expected[at(u, v)] != here;
+            wrong.beyond += !boundary;
+        }
+    return wrong;
+}
+
+Mask redOf(const gl::HeadlessContext& context) {
+    const std::vector<std::uint8_t> rgba = context.readPixels();
+    Mask mask;
+    for (std::size_t i = 0; i < rgba.size(); i += 4)
+        mask.push_back(rgba[i]);
+    return mask;
+}
+
+ShadowMasks::LookupId lookedUp(ShadowMasks& masks, const MaskLight& light,
+                               const LookupSettings& settings = {}) {
+    LookupWork work = masks.lookupWork(light, settings);
+    work.finish();
+    const auto id = masks.addLookup(work);
+    while (!masks.uploadLookup(id, 100000)) { // in pieces
+    }
+    return id;
+}
+
+std::vector<HostPicture::Language> languages(const gl::Capabilities& has) {
+    std::vector<HostPicture::Language> known = {{false, true}, {false, false}};
+    if (has.version.starts_with("OpenGL ES 3")) known.push_back({true, true});
+    return known;
+}
+
+Light spot() {
+    Light light = pointLight({0.3, 4, 0.7});
+    light.cone = Cone{glm::normalize(glm::dvec3(-0.1, -1, 0.1)), 0.0, 0.5};
+    return light;
+}
+
+const Geometry& geometryOf(const Scene& scene) {
+    return *scene.batches.front().geometry;
+}
+
+} // namespace
+
+TEST(LightLookup, IsWhatRenderDrawsForEveryKindOfLight) {
+    const std::vector<Light> lights = {sun({0.5, 1, -0.3}), pointLight({0.3, 4, 0.7}), spot(),
+                                       pointLight({-0.4, 1.1, 0.9})};
+    std::vector<Mask> expected;
+    for (const Light& light : lights)
+        expected.push_back(renderedMask(yard().scene(), corner, light));
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = yard().scene();
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(scene)));
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const MaskLight light = hostLight(lights[i]);
+        const auto id = lookedUp(masks, light);
+        EXPECT_TRUE(masks.isCurrent(id, light));
+        EXPECT_GT(masks.lookup(id).bytes, 0u);
+        for (const HostPicture::Language language : languages(context.capabilities())) {
+            HostPicture(masks, id, light, viewOf(corner), language)
+                .draw(geometryOf(scene), identity16, true);
+            const Wrong wrong = compared(redOf(context), expected[i]);
+            EXPECT_EQ(wrong.beyond, 0u) << "light " << i << ", " << language.version3
+                                        << language.derivatives;
+            EXPECT_LE(wrong.all, 20u) << "light " << i << ", " << language.version3
+                                      << language.derivatives;
+        }
+    }
+}
+
+TEST(LightLookup, IsTheSameFarFromTheOrigin) {
+    const Light light = sun({0.5, 1, -0.3});
+    const Mask expected = renderedMask(yard().scene(), corner, light);
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = yard().scene();
+    const glm::dmat4 far = glm::translate(glm::dmat4(1.0), {4.4e6, 530.0, 5.3e6});
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(scene)), numbersOf(far));
+    const MaskLight asked = hostLight(light);
+    const auto id = lookedUp(masks, asked);
+    const glm::dvec3 moved(far[3]);
+    const MaskView view = viewOf({corner.from + moved, corner.to + moved, 50.0});
+    HostPicture(masks, id, asked, view, {}).draw(geometryOf(scene), numbersOf(far), true);
+    EXPECT_EQ(compared(redOf(context), expected).beyond, 0u);
+}
+
+TEST(LightLookup, TellsSurfacesThatOnlyReceive) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = yard().scene();
+    const Scene pane = SceneBuilder().box({-3, 0.6f, 1.2f}, {3, 2.2f, 1.21f}).scene();
+    for (const Light& from : {sun({0.5, 1, -0.3}), sun({0.3, 0.5, 1}), pointLight({0.3, 3, -1})}) {
+        const MaskLight light = hostLight(from);
+        ShadowMasks masks(eglLookUp);
+        masks.add(meshOf(geometryOf(scene)));
+        const auto id = lookedUp(masks, light);
+        MaskMesh receiver = meshOf(geometryOf(pane));
+        receiver.casts = false;
+        masks.add(receiver);
+        EXPECT_TRUE(masks.isCurrent(id, light)) << "it casts nothing";
+        masks.draw(viewOf(corner), {&light, 1});
+        const Mask expected = readMask(masks, 0);
+        HostPicture picture(masks, id, light, viewOf(corner), {});
+        picture.draw(geometryOf(scene), identity16, true);
+        picture.draw(geometryOf(pane), identity16, false);
+        const Wrong wrong = compared(redOf(context), expected);
+        EXPECT_EQ(wrong.beyond, 0u);
+        EXPECT_LE(wrong.all, 20u);
+    }
+}
+
+TEST(LightLookup, ShowsNoFringesUnderMultisampling) {
+    const Light light = sun({0.5, 1, -0.3});
+    const Mask expected = renderedMask(yard().scene(), corner, light);
+    const gl::HeadlessContext context({hostWidth, hostHeight, 4});
+    const Scene scene = yard().scene();
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(scene)));
+    const MaskLight asked = hostLight(light);
+    const auto id = lookedUp(masks, asked);
+    HostPicture(masks, id, asked, viewOf(corner), {}).draw(geometryOf(scene), identity16, true);
+    const Mask drawn = redOf(context);
+    EXPECT_EQ(compared(drawn, expected).beyond, 0u);
+    EXPECT_TRUE(std::any_of(drawn.begin(), drawn.end(), [](std::uint8_t share) {
+        return share > 0 && share < 255;
+    })) << "there should be samples";
+}
+
+TEST(LightLookup, IsOutOfDateOnceACasterOrTheLightIsElsewhere) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = yard().scene(), box = SceneBuilder().box({-1, 2, -1}, {1, 2.5f, 1}).scene();
+    const Matrix16 aside = numbersOf(glm::translate(glm::dmat4(1.0), {0.5, 0, 0}));
+    MaskLight light = hostLight(sun({0.5, 1, -0.3}));
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(scene)));
+    MaskMesh receiver = meshOf(geometryOf(box));
+    receiver.casts = false;
+    const auto caster = masks.add(meshOf(geometryOf(box)), aside), other = masks.add(receiver);
+    auto id = lookedUp(masks, light);
+    const auto renewed = [&] {
+        const bool current = masks.isCurrent(id, light);
+        masks.removeLookup(id);
+        id = lookedUp(masks, light);
+        return !current;
+    };
+    masks.move(caster, aside);
+    masks.move(other, aside);
+    EXPECT_FALSE(renewed()) << "nothing that casts has moved";
+    masks.move(caster, identity16);
+    EXPECT_TRUE(renewed());
+    masks.change(caster, meshOf(geometryOf(scene)));
+    EXPECT_TRUE(renewed());
+    masks.remove(caster);
+    EXPECT_TRUE(renewed());
+    light.range = 3.0;
+    EXPECT_FALSE(renewed()) << "shadows don't depend on it";
+    masks.add(meshOf(geometryOf(box)));
+    EXPECT_TRUE(renewed());
+    light.direction = {0, -1, 0.1};
+    EXPECT_FALSE(masks.isCurrent(id, light));
+}
+
+TEST(LightLookup, SaysWhyThereIsNone) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const auto none = gl::limited(context.capabilities(), gl::Limits::es2Minimum);
+    EXPECT_EQ(LightLookups(none).obstacle(sun({0, 1, 0})), "the GL looks up no floats");
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(yard().scene())));
+    MaskLight light = hostLight(pointLight({0.3, 400, 0.7}));
+    const auto why = [&](const LookupSettings& settings) {
+        return masks.lookup(lookedUp(masks, light, settings)).why;
+    };
+    EXPECT_EQ(why({}), "the light is too far from its casters for a primitive map");
+    light.position = {0.3, 4, 0.7};
+    EXPECT_EQ(why({}), "");
+    EXPECT_EQ(why({512, 1000}), "a primitive map would take more than 1000 bytes, or minutes");
+    light.radius = 0.1;
+    EXPECT_EQ(why({}), "a light with an extent is drawn by masks");
+}
+
+TEST(LightLookup, RefusesWhatIsWrongInASentence) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(yard().scene())));
+    const MaskLight light;
+    EXPECT_THROW(masks.lookupWork(light, {500}), std::runtime_error);
+    EXPECT_THROW(masks.lookup(3), std::runtime_error);
+    LookupWork work = masks.lookupWork(light);
+    EXPECT_THROW(masks.addLookup(work), std::runtime_error) << "not done";
+    while (!work.advance(1.0)) {
+    }
+    masks.addLookup(work);
+    EXPECT_THROW(masks.addLookup(work), std::runtime_error) << "added twice";
+    for (const char* prefix : {"", "1a", "a_", "a__b", "gl_a", "a-b"})
+        EXPECT_THROW(lookupSource(prefix), std::runtime_error) << prefix;
+}
+
+} // namespace edgeshade

@@ -1,0 +1,38 @@
+// The worker that builds the maps of lights at rest, one after the other.
+
+import { putBytes } from '../element/memory.js';
+import { instantiate } from './runtime.js';
+
+/** Milliseconds after which it looks whether it is still asked. */
+const slice = 20;
+
+let ready = null; // a promise of {program, maker}
+let last = Promise.resolve();
+const asked = new Set(); // numbers
+
+const messages = () => new Promise((resolve) => { setTimeout(resolve); });
+
+async function build({ number, module, task }) {
+  ready ??= instantiate(module).then((program) => ({ program, maker: new program.LookupMaker() }));
+  const { program, maker } = await ready;
+  if (!asked.has(number)) return;
+  const problem = maker.begin(...putBytes(program, task));
+  if (problem) throw new Error(problem);
+  while (!maker.advance(slice)) {
+    await messages();
+    if (!asked.has(number)) return;
+  }
+  const bytes = maker.result().slice();
+  if (bytes.length === 0) throw new Error('The map of a light took too much memory.');
+  postMessage({ number, bytes }, [bytes.buffer]);
+}
+
+onmessage = ({ data }) => {
+  if (!data.task) {
+    asked.delete(data.number);
+    return;
+  }
+  asked.add(data.number);
+  last = last.then(() => build(data)).catch((error) => postMessage({ number: data.number, problem: error.message }))
+    .finally(() => asked.delete(data.number));
+};

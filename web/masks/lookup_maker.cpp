@@ -1,0 +1,31 @@
+#include "web/masks/lookup_maker.hpp"
+
+#include "web/page_bytes.hpp"
+#include "web/sentence.hpp"
+
+namespace edgeshade::web {
+
+std::string LookupMaker::begin(std::uintptr_t address, std::size_t size) {
+    return sentenceOfFailure([&] {
+        const PageBytes bytes(address, size);
+        bytes_ = {};
+        failed_ = false;
+        work_ = taskFromTransfer(bytes.view());
+    });
+}
+
+bool LookupMaker::advance(double milliseconds) {
+    bool done = false;
+    failed_ = !sentenceOfFailure([&] { done = work_->advance(milliseconds); }).empty();
+    return done || failed_;
+}
+
+emscripten::val LookupMaker::result() {
+    if (!failed_)
+        failed_ = !sentenceOfFailure([&] { bytes_ = resultToTransfer(*work_); }).empty();
+    work_.reset();
+    if (failed_) bytes_ = {};
+    return viewOf(bytes_);
+}
+
+} // namespace edgeshade::web

@@ -1,0 +1,230 @@
+// Lights at rest in three.js: looked up instead of masked, by themselves, until something moves; with the shadows of
+// `render --mask`, in several releases.
+
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { repository } from './support/server.mjs';
+import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
+
+const shared = useBrowser({ angle: 'gl-egl' }); // the native program's own
+const exporting = [/GLTFExporter/];
+
+/** Runs `act(page, given)` in a page with three.js; what it returns, and the page. */
+async function inPage(context, act, given = {}, release = undefined) {
+  const page = await openThree(shared, release);
+  const name = await page.evaluate(() => window.page.rendererName());
+  if (!/llvmpipe/.test(name)) {
+    context.skip(`Chromium draws with ${name} here`);
+    await page.context().close();
+    return {};
+  }
+  const told = await page.evaluate(({ text, of }) => (0, eval)(`(${text})`)(window.page, of), { text: act.toString(), of: given });
+  return { page, told };
+}
+
+function assertSame({ surfaces, dark, wrong, beyond }, most) {
+  assert.ok(surfaces > 0.2 * size.width * size.height && dark > 200, `${surfaces} pixels of surfaces, ${dark} in shadow`);
+  assert.ok(beyond <= 0.0002 * surfaces, `${beyond} of ${surfaces} pixels, beyond outlines`);
+  assert.ok(wrong <= most * surfaces, `${wrong} of ${surfaces} pixels`);
+}
+
+const lights = [
+  ['a sun', { kind: 'DirectionalLight', position: [-0.62, 0.62, -0.3] }, ['--sun', '-0.62,0.62,-0.30']],
+  ['a lamp', { kind: 'PointLight', position: [1.5, 2.2, 2.0] }, ['--light', '1.5,2.2,2']],
+];
+
+for (const release of releases)
+  test(`the sample in ${release}, a sun and a lamp at rest`, async (context) => {
+    const view = { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 };
+    const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, rested, redOf }, { seen, of, wide }) => {
+      const renderer = rendererOf(wide);
+      const sample = await loaded('/assets/pavilion.glb');
+      const camera = cameraOf(seen, wide.width / wide.height);
+      const pictures = [];
+      for (const lamp of of) {
+        const scene = new three.Scene();
+        scene.add(sample, ...lampOf(lamp));
+        whiten(scene);
+        const shadows = new ExactShadows(renderer).add(scene);
+        const lookedUp = await rested(shadows, scene, camera);
+        pictures.push({ lookedUp, red: redOf(renderer), cost: shadows.cost, whys: [...shadows.notLookedUp.values()] });
+        shadows.dispose();
+      }
+      return pictures;
+    }, { seen: view, of: lights.map(([, options]) => options), wide: size }, release);
+    if (!page) return;
+    for (const [i, [name, , light]] of lights.entries()) {
+      assert.equal(told[i].lookedUp, 1, `${name}: ${told[i].whys}`);
+      assert.equal(told[i].cost.vertexRuns, 0, 'no mask is drawn');
+      const compared = await compareMasks(page, told[i].red, nativeMask(join(repository, 'assets/pavilion.glb'), view, light));
+      console.log(release, name, compared);
+      assertSame(compared, 0.002);
+    }
+    await shared.check(page);
+  });
+
+test('a light or a caster that moves is masked in that very frame, and looked up again once all rests', async (context) => {
+  const view = { from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 };
+  const { page, told } = await inPage(context, async ({ yard, whiten, ExactShadows, cameraOf, rested, redOf, hash }, { seen, wide }) => {
+    const { renderer, scene, box, light } = yard(wide);
+    whiten(scene);
+    const camera = cameraOf(seen, wide.width / wide.height);
+    const shadows = new ExactShadows(renderer).add(scene);
+    const masked = new ExactShadows(renderer, { lookups: 0 }).add(scene);
+    const told = [];
+    for (const move of [() => {}, () => { box.position.x += 0.7; }, () => { light.position.z = 0.4; }]) {
+      move();
+      if (told.length) shadows.render(scene, camera);
+      const atOnce = { lookedUp: shadows.cost?.lookedUp, red: redOf(renderer) };
+      const lookedUp = await rested(shadows, scene, camera);
+      const red = redOf(renderer);
+      await masked.ready();
+      masked.render(scene, camera);
+      await masked.ready();
+      masked.render(scene, camera);
+      const expected = redOf(renderer);
+      const differ = (a) => a.filter((value, i) => Math.abs(value - expected[i]) > 2).length;
+      told.push({ lookedUp, wrong: differ(red), wrongAtOnce: told.length ? differ(atOnce.red) : 0, atOnce: atOnce.lookedUp ?? 0,
+        maskedLookedUp: masked.cost.lookedUp });
+    }
+    return told;
+  }, { seen: view, wide: size });
+  if (!page) return;
+  console.log(told);
+  for (const { lookedUp, wrong, wrongAtOnce, atOnce, maskedLookedUp } of told) {
+    assert.equal(lookedUp, 1);
+    assert.equal(atOnce, 0);
+    assert.equal(maskedLookedUp, 0);
+    assert.ok(wrong <= 20, `${wrong} pixels are others than the mask's`);
+    assert.equal(wrongAtOnce, 0, 'pixels of the frame in which it moved');
+  }
+  await shared.check(page, exporting);
+});
+
+test('two lights at rest are looked up, a third one is masked, see-through surfaces take shadow', async (context) => {
+  const { page, told } = await inPage(context, async ({ three, yard, ExactShadows, cameraOf, lampOf, rested, redAt }) => {
+    const { renderer, scene, box, light } = yard({ width: 200, height: 120 });
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 200 / 120);
+    box.position.y = 2.2;
+    light.position.set(0, 1, 0);
+    // A pane below the box, which three.js blends; black below it, so that its own light is seen.
+    const pane = new three.Mesh(new three.PlaneGeometry(5, 5), new three.MeshLambertMaterial({ transparent: true, opacity: 0.9 }));
+    pane.rotation.x = -Math.PI / 2;
+    pane.position.y = 1;
+    pane.receiveShadow = true;
+    scene.add(pane);
+    const shadows = new ExactShadows(renderer).add(scene);
+    const masked = new ExactShadows(renderer, { lookups: 0 }).add(scene);
+    await rested(masked, scene, camera, 0);
+    const [below, beside] = [[0.3, 1, -0.2], [1.8, 1, 0.3]];
+    const withMasks = [redAt(renderer, camera, below), redAt(renderer, camera, beside)];
+    masked.dispose();
+    const one = await rested(shadows, scene, camera, 1);
+    const lookedUp = [redAt(renderer, camera, below), redAt(renderer, camera, beside)];
+    scene.add(...lampOf({ kind: 'PointLight', position: [3, 3, 3] }), ...lampOf({ kind: 'SpotLight', position: [-3, 4, 2] }));
+    const two = await rested(shadows, scene, camera, 2);
+    const { vertexRuns } = shadows.cost;
+    return { one, two, withMasks, lookedUp, vertexRuns };
+  });
+  if (!page) return;
+  console.log(told);
+  assert.deepEqual([told.one, told.two], [1, 2]);
+  assert.ok(told.vertexRuns > 0, 'the third one is masked');
+  assert.equal(told.withMasks[0], told.withMasks[1], 'masks have no see-through surfaces');
+  assert.ok(told.lookedUp[0] < 0.5 * told.lookedUp[1], `${told.lookedUp}`);
+  assert.equal(told.lookedUp[1], told.withMasks[1]);
+  await shared.check(page);
+});
+
+test('surfaces that only receive, and shadow materials, take the shadows that masks show', async (context) => {
+  const { page, told } = await inPage(context, async ({ three, yard, ExactShadows, cameraOf, rested, redOf }, { wide }) => {
+    const { renderer, scene, ground, light } = yard(wide);
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, wide.width / wide.height);
+    const floor = new three.Mesh(new three.PlaneGeometry(8, 8), new three.ShadowMaterial({ opacity: 1, color: 0xff0000 }));
+    floor.rotation.x = -Math.PI / 2;
+    const wall = new three.Mesh(new three.PlaneGeometry(3, 2), new three.MeshToonMaterial({ color: 0xffffff, side: three.DoubleSide }));
+    wall.position.set(0, 1, -1.2);
+    for (const receiver of [floor, wall]) receiver.receiveShadow = true;
+    scene.remove(ground);
+    scene.add(floor, wall);
+    light.position.set(0.4, 1, 0.9);
+    const shadows = new ExactShadows(renderer).add(scene);
+    const masked = new ExactShadows(renderer, { lookups: 0 }).add(scene);
+    await rested(masked, scene, camera, 0);
+    const expected = redOf(renderer);
+    masked.dispose();
+    const lookedUp = await rested(shadows, scene, camera);
+    const red = redOf(renderer);
+    return { lookedUp, wrong: red.filter((value, i) => Math.abs(value - expected[i]) > 2).length, seen: expected.filter((value) => value > 0).length };
+  }, { wide: size });
+  if (!page) return;
+  assert.equal(told.lookedUp, 1);
+  assert.ok(told.seen > 3000 && told.wrong <= 20, `${told.wrong} pixels of ${told.seen}`);
+  await shared.check(page);
+});
+
+test('maps of lights come and go with the state of the context as it was', async (context) => {
+  const { page, told } = await inPage(context, async ({ yard, ExactShadows, cameraOf, rested, stateOf, frame }) => {
+    const { renderer, scene, box } = yard({ width: 200, height: 120 });
+    const gl = renderer.getContext();
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 200 / 120);
+    const shadows = new ExactShadows(renderer, { keepsState: true }).add(scene);
+    await rested(shadows, scene, camera);
+    const errors = [];
+    const changes = [];
+    for (const moved of [1, 0]) {
+      box.position.x += 0.5 * moved;
+      for (let i = 0; i < 60 && !(shadows.cost.lookedUp && i > 1); ++i) {
+        gl.enable(gl.SAMPLE_ALPHA_TO_COVERAGE);
+        gl.pixelStorei(gl.UNPACK_ROW_LENGTH, 7);
+        gl.depthRange(0.25, 0.75);
+        const before = stateOf(gl);
+        shadows.beginMasks(scene, camera);
+        shadows.endMasks();
+        await frame();
+        await new Promise((resolve) => { setTimeout(resolve, 30); });
+        const after = stateOf(gl);
+        for (const name in before) if (`${after[name]}` !== `${before[name]}`) changes.push(`${name}: ${before[name]}, then ${after[name]}`);
+      }
+    }
+    return { lookedUp: shadows.cost.lookedUp, changes, errors };
+  });
+  if (!page) return;
+  assert.equal(told.lookedUp, 1);
+  assert.deepEqual(told.changes, []);
+  await shared.check(page, [/invalid parameter name/, /too many errors/]);
+});
+
+test('150,000 triangles come to rest without a task longer than 50 ms', async (context) => {
+  const { page, told } = await inPage(context, async ({ three, yard, ExactShadows, cameraOf, rested, drawn, frame }) => {
+    const { renderer, scene, mesh } = yard({ width: 160, height: 90 });
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 16 / 9);
+    const big = mesh(new three.TorusKnotGeometry(0.8, 0.3, 1500, 50));
+    big.position.y = 1.4;
+    scene.add(big);
+    const shadows = new ExactShadows(renderer).add(scene);
+    await drawn(shadows, scene, camera);
+    const calls = [];
+    let lookedUp = 0;
+    for (const since = performance.now(); !lookedUp && performance.now() - since < 60000;) {
+      await frame();
+      const begun = performance.now();
+      shadows.render(scene, camera);
+      calls.push(performance.now() - begun);
+      ({ lookedUp } = shadows.cost);
+    }
+    for (let i = 0; i < 3; ++i) {
+      await frame();
+      const begun = performance.now();
+      shadows.render(scene, camera);
+      calls.push(performance.now() - begun);
+    }
+    return { lookedUp, frames: calls.length, longest: Math.max(...calls), usual: calls.sort((a, b) => a - b)[calls.length >> 1] };
+  });
+  if (!page) return;
+  console.log(`the longest render(): ${told.longest.toFixed(0)} ms of ${told.frames}, half of them take ${told.usual.toFixed(1)} ms`);
+  assert.equal(told.lookedUp, 1);
+  await shared.check(page);
+});

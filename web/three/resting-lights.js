@@ -1,0 +1,120 @@
+// Which lights rest, and whose maps are there to be looked up instead of masks.
+
+/** Milliseconds that a light and all casters have to rest before a worker is asked for its map. */
+const restMilliseconds = 500;
+
+/** Bytes that a frame uploads: some milliseconds. */
+const bytesAFrame = 2 * 2 ** 20;
+
+/** What the shadows of a light depend on, of those that have a map. */
+const keyOf = ({ kind, position, direction }) => (kind === 'directional' ? `${direction}` : `${position}`);
+
+export class RestingLights {
+  #masks;
+  #most;
+  #touched;
+  #entries = new Map(); // three.js's light: {key, since, abort, id, problem}
+  #casterState = -1;
+  #castersSince = 0;
+
+  /** `most`: lights that may be looked up at once. `touched()` is called when the context's state is another. */
+  constructor(masks, most, touched) {
+    this.#masks = masks;
+    this.#most = most;
+    this.#touched = touched;
+  }
+
+  /** `lights`: {light: three.js's, numbers: MaskLight}, all that cast. `settled`: no meshes are waited for. Returns
+   * for each of them what is to be looked up, and in which slot, or null. */
+  follow(lights, settled, now = performance.now()) {
+    const { casterState } = this.#masks;
+    if (casterState !== this.#casterState || !settled) this.#castersSince = now;
+    this.#casterState = casterState;
+    const seen = new Set(lights.map(({ light }) => light));
+    for (const [light, entry] of this.#entries) if (!seen.has(light)) this.#drop(light, entry);
+    for (const { light, numbers } of lights) this.#followOne(light, numbers, now);
+    this.#uploadOne();
+    this.#beginOne(lights, now);
+    return lights.map(({ light }) => this.#entries.get(light).map ?? null);
+  }
+
+  #followOne(light, numbers, now) {
+    const key = keyOf(numbers);
+    const entry = this.#entries.get(light);
+    const stays = entry && entry.key === key;
+    if (stays && entry.casterState === this.#casterState && !(numbers.radius > 0)) return;
+    if (entry) this.#drop(light, entry);
+    this.#entries.set(light, { key, since: stays ? entry.since : now, casterState: this.#casterState });
+  }
+
+  /** One map after the other, so that drawing keeps a core. */
+  #beginOne(lights, now) {
+    const entries = [...this.#entries.values()];
+    if (entries.some(({ abort }) => abort) || entries.filter(({ map, id }) => map || id !== undefined).length >= this.#most) return;
+    const next = lights.find(({ light, numbers }) => {
+      const entry = this.#entries.get(light);
+      return !entry.map && entry.id === undefined && !entry.why && !(numbers.radius > 0) &&
+        now - Math.max(entry.since, this.#castersSince) >= restMilliseconds;
+    });
+    if (next) this.#begin(next.light, next.numbers);
+  }
+
+  async #begin(light, numbers) {
+    const entry = this.#entries.get(light);
+    const abort = new AbortController();
+    entry.abort = abort;
+    try {
+      const id = await this.#masks.buildLookup(numbers, { signal: abort.signal });
+      if (id === null) return;
+      if (this.#entries.get(light) === entry && !abort.signal.aborted) entry.id = id;
+      else this.#masks.removeLookup(id);
+      this.#touched();
+    } catch (error) {
+      entry.why = error.message; // masks do
+    } finally {
+      if (entry.abort === abort) entry.abort = null;
+    }
+  }
+
+  #uploadOne() {
+    const entry = [...this.#entries.values()].find(({ id, map, why }) => id !== undefined && !map && !why);
+    if (!entry) return;
+    if (this.#masks.uploadLookup(entry.id, bytesAFrame)) {
+      const map = this.#masks.lookup(entry.id);
+      if (map.why) entry.why = map.why;
+      else entry.map = { ...map, slot: this.#freeSlot() };
+    }
+    this.#touched();
+  }
+
+  #freeSlot() {
+    const taken = new Set([...this.#entries.values()].map(({ map }) => map?.slot));
+    for (let slot = 0; ; ++slot) if (!taken.has(slot)) return slot;
+  }
+
+  #drop(light, entry) {
+    this.#entries.delete(light);
+    entry.abort?.abort();
+    if (entry.id === undefined) return;
+    this.#masks.removeLookup(entry.id);
+    this.#touched();
+  }
+
+  /** Why lights have none, by light. */
+  get whys() {
+    return new Map([...this.#entries].filter(([, { why }]) => why).map(([light, { why }]) => [light, why]));
+  }
+
+  /** At most so many from now on. */
+  set most(most) {
+    if (most >= this.#most) return;
+    this.#most = most;
+    for (const [light, entry] of [...this.#entries]) if (entry.map?.slot >= most) this.#drop(light, entry);
+  }
+
+  /** The context is lost, and the maps with it. */
+  forget() {
+    for (const { abort } of this.#entries.values()) abort?.abort();
+    this.#entries.clear();
+  }
+}
