@@ -114,6 +114,10 @@ HostPicture::HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup,
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+HostPicture::~HostPicture() {
+    glUseProgram(0); // else it were gone only when another one is used
+}
+
 void HostPicture::draw(const Geometry& geometry, const Matrix16& worldFromObject, bool casts) {
     std::vector<glm::vec3> corners; // and normals of their triangles
     for (std::size_t i = 0; i < geometry.indices.size(); i += 3) {

@@ -16,6 +16,9 @@ class HostPicture {
 
     HostPicture(const ShadowMasks& masks, ShadowMasks::LookupId lookup, const MaskLight& light,
                 const MaskView& view, Language language);
+    ~HostPicture();
+    HostPicture(const HostPicture&) = delete;
+    HostPicture& operator=(const HostPicture&) = delete;
 
     /// Draws a mesh into what is bound. `casts`: as it was added.
     void draw(const Geometry& geometry, const Matrix16& worldFromObject, bool casts);

@@ -146,6 +146,8 @@ TEST(LightLookup, TellsSurfacesThatOnlyReceive) {
 TEST(LightLookup, ShowsNoFringesUnderMultisampling) {
     const Light light = sun({0.5, 1, -0.3});
     const Mask expected = renderedMask(yard().scene(), corner, light);
+    if (!gl::HeadlessContext({1, 1}).capabilities().multisampling)
+        GTEST_SKIP() << "no multisampling here";
     const gl::HeadlessContext context({hostWidth, hostHeight, 4});
     const Scene scene = yard().scene();
     ShadowMasks masks(eglLookUp);
@@ -154,7 +156,8 @@ TEST(LightLookup, ShowsNoFringesUnderMultisampling) {
     const auto id = lookedUp(masks, asked);
     HostPicture(masks, id, asked, viewOf(corner), {}).draw(geometryOf(scene), identity16, true);
     const Mask drawn = redOf(context);
-    EXPECT_EQ(compared(drawn, expected).beyond, 0u);
+    // A corner that samples alone show; masks that are read at pixels have hundreds.
+    EXPECT_LE(compared(drawn, expected).beyond, 2u);
     EXPECT_TRUE(std::any_of(drawn.begin(), drawn.end(), [](std::uint8_t share) {
         return share > 0 && share < 255;
     })) << "there should be samples";

@@ -6,12 +6,10 @@ const isOwn = (word) => /rimitive|PRIMITIVE_|^cutout|^wrappedTexel$/.test(word);
 
 const short = (word) => word[0].toLowerCase() + word.slice(1);
 
-const plain = text.replace(/ *\/\/.*/g, '').replace(/\n{2,}/g, '\n');
-
 /** As lookupSource() in edgeshade/light_lookup.hpp says. `prefix`: of all names. */
 export function lookupSource(prefix) {
   if (!/^(?!gl_)[A-Za-z_]\w*$/.test(prefix) || /__|_$/.test(prefix)) throw new Error(`'${prefix}' is no prefix of names in GLSL.`);
-  return plain.replace(/\w+/g, (word) => {
+  return text.replace(/\w+/g, (word) => {
     if (!isOwn(word)) return word;
     const named = word.replace(/^u_primitive(\w+)|^primitive(Lit\w*)/, (_, uniform, asked) => short(uniform ?? asked));
     return `${prefix}_${named}`;

@@ -9,7 +9,6 @@ import { repository } from './support/server.mjs';
 import { compareMasks, nativeMask, openThree, releases, size } from './support/three.mjs';
 
 const shared = useBrowser({ angle: 'gl-egl' }); // the native program's own
-const exporting = [/GLTFExporter/];
 
 /** Runs `act(page, given)` in a page with three.js; what it returns, and the page. */
 async function inPage(context, act, given = {}, release = undefined) {
@@ -36,8 +35,9 @@ const lights = [
 ];
 
 for (const release of releases)
-  test(`the sample in ${release}, a sun and a lamp at rest`, async (context) => {
+  test(`the sample in ${release}, lights at rest`, async (context) => {
     const view = { from: [-2.6, 3.6, 10.2], to: [0.2, 1.3, -0.2], fov: 45 };
+    const asked = lights.slice(0, release === 'three' ? 2 : 1);
     const { page, told } = await inPage(context, async ({ three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, rested, redOf }, { seen, of, wide }) => {
       const renderer = rendererOf(wide);
       const sample = await loaded('/assets/pavilion.glb');
@@ -53,9 +53,9 @@ for (const release of releases)
         shadows.dispose();
       }
       return pictures;
-    }, { seen: view, of: lights.map(([, options]) => options), wide: size }, release);
+    }, { seen: view, of: asked.map(([, options]) => options), wide: size }, release);
     if (!page) return;
-    for (const [i, [name, , light]] of lights.entries()) {
+    for (const [i, [name, , light]] of asked.entries()) {
       assert.equal(told[i].lookedUp, 1, `${name}: ${told[i].whys}`);
       assert.equal(told[i].cost.vertexRuns, 0, 'no mask is drawn');
       const compared = await compareMasks(page, told[i].red, nativeMask(join(repository, 'assets/pavilion.glb'), view, light));
@@ -67,40 +67,40 @@ for (const release of releases)
 
 test('a light or a caster that moves is masked in that very frame, and looked up again once all rests', async (context) => {
   const view = { from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 };
-  const { page, told } = await inPage(context, async ({ yard, whiten, ExactShadows, cameraOf, rested, redOf, hash }, { seen, wide }) => {
+  const { page, told } = await inPage(context, async ({ yard, whiten, ExactShadows, cameraOf, drawn, rested, redOf }, { seen, wide }) => {
     const { renderer, scene, box, light } = yard(wide);
     whiten(scene);
     const camera = cameraOf(seen, wide.width / wide.height);
-    const shadows = new ExactShadows(renderer).add(scene);
-    const masked = new ExactShadows(renderer, { lookups: 0 }).add(scene);
-    const told = [];
-    for (const move of [() => {}, () => { box.position.x += 0.7; }, () => { light.position.z = 0.4; }]) {
-      move();
-      if (told.length) shadows.render(scene, camera);
-      const atOnce = { lookedUp: shadows.cost?.lookedUp, red: redOf(renderer) };
-      const lookedUp = await rested(shadows, scene, camera);
-      const red = redOf(renderer);
-      await masked.ready();
-      masked.render(scene, camera);
-      await masked.ready();
-      masked.render(scene, camera);
-      const expected = redOf(renderer);
-      const differ = (a) => a.filter((value, i) => Math.abs(value - expected[i]) > 2).length;
-      told.push({ lookedUp, wrong: differ(red), wrongAtOnce: told.length ? differ(atOnce.red) : 0, atOnce: atOnce.lookedUp ?? 0,
-        maskedLookedUp: masked.cost.lookedUp });
-    }
-    return told;
+    const places = [[0.3, -0.3], [1.0, -0.3], [1.0, 0.4]]; // of the box, of the light
+    const pictures = async (shadows, draw) => {
+      const all = [];
+      for (const [x, z] of places) {
+        box.position.x = x;
+        light.position.z = z;
+        shadows.render(scene, camera);
+        const atOnce = { lookedUp: shadows.cost?.lookedUp ?? 0, red: redOf(renderer) };
+        const lookedUp = await draw(shadows, scene, camera);
+        all.push({ atOnce, lookedUp, red: redOf(renderer) });
+      }
+      shadows.dispose();
+      return all;
+    };
+    const masked = await pictures(new ExactShadows(renderer, { lookups: 0 }).add(scene), drawn);
+    const lookedUp = await pictures(new ExactShadows(renderer).add(scene), rested);
+    const differ = (a, b) => a.filter((value, i) => Math.abs(value - b[i]) > 2).length;
+    return lookedUp.map((of, i) => ({ lookedUp: of.lookedUp, wrong: differ(of.red, masked[i].red), atOnce: of.atOnce.lookedUp,
+      wrongAtOnce: i > 0 ? differ(of.atOnce.red, masked[i].red) : 0, moved: i > 0 ? differ(masked[i].red, masked[i - 1].red) : 1000 }));
   }, { seen: view, wide: size });
   if (!page) return;
   console.log(told);
-  for (const { lookedUp, wrong, wrongAtOnce, atOnce, maskedLookedUp } of told) {
+  for (const { lookedUp, wrong, wrongAtOnce, atOnce, moved } of told) {
     assert.equal(lookedUp, 1);
     assert.equal(atOnce, 0);
-    assert.equal(maskedLookedUp, 0);
+    assert.ok(moved > 200, `${moved} pixels changed`);
     assert.ok(wrong <= 20, `${wrong} pixels are others than the mask's`);
     assert.equal(wrongAtOnce, 0, 'pixels of the frame in which it moved');
   }
-  await shared.check(page, exporting);
+  await shared.check(page);
 });
 
 test('two lights at rest are looked up, a third one is masked, see-through surfaces take shadow', async (context) => {
@@ -186,7 +186,10 @@ test('maps of lights come and go with the state of the context as it was', async
         await frame();
         await new Promise((resolve) => { setTimeout(resolve, 30); });
         const after = stateOf(gl);
-        for (const name in before) if (`${after[name]}` !== `${before[name]}`) changes.push(`${name}: ${before[name]}, then ${after[name]}`);
+        for (const name in before) {
+          const gone = name.startsWith('TEXTURE_BINDING') && after[name] === null; // the map of what has moved
+          if (!gone && `${after[name]}` !== `${before[name]}`) changes.push(`${name}: ${before[name]}, then ${after[name]}`);
+        }
       }
     }
     return { lookedUp: shadows.cost.lookedUp, changes, errors };
