@@ -151,8 +151,7 @@ class ShadowMasks {
     LookupId addLookup(const LookupWork& work);
     /// Fills it; up to so many bytes and a row, so that frames needn't wait. Returns whether all is
     /// there: of what there is none of at once.
-    bool uploadLookup(LookupId id,
-                      std::size_t mostBytes = std::numeric_limits<std::size_t>::max());
+    bool uploadLookup(LookupId id, std::size_t mostBytes = std::numeric_limits<std::size_t>::max());
     const LightLookup& lookup(LookupId id) const;
     /// Another number whenever what casts has changed, or where: lights rest while it does.
     std::size_t casterState() const;

@@ -39,11 +39,12 @@ LightLookups::Id LightLookups::add(const LookupWork& work) {
     kept.told.why = data.built.why;
     if (kept.told.why.empty()) {
         try {
-            kept.table = gl::FloatTable(kept.texels.size(), capabilities_);
+            kept.table = gl::FloatTable(data.built.map.count, capabilities_);
             kept.told = toldOf(data.built, kept.table);
+            kept.told.uploaded = kept.texels.empty(); // by whoever has them
         } catch (const Error&) {
             kept.told.why = "the GL has no room for a table of " +
-                            std::to_string(kept.texels.size()) + " texels";
+                            std::to_string(data.built.map.count) + " texels";
         }
     }
     kept.told.buildMs = data.built.milliseconds;

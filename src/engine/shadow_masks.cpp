@@ -247,8 +247,9 @@ const MaskCost& ShadowMasks::cost() const {
 LookupWork ShadowMasks::lookupWork(const MaskLight& light, const LookupSettings& settings) const {
     const MaskDrawing& drawing = *impl_->drawing;
     if (settings.size < 4 || !std::has_single_bit(static_cast<unsigned>(settings.size)))
-        throw InputError("A map of " + std::to_string(settings.size) +
-                         " texels along its edge can't be made: that is no power of 2, or below 4.");
+        throw InputError(
+            "A map of " + std::to_string(settings.size) +
+            " texels along its edge can't be made: that is no power of 2, or below 4.");
     LookupTask task{lightsOf({&light, 1}).front(), settings, drawing.casters.casters(), {}};
     task.why = drawing.lookups.obstacle(task.light);
     return workOn(std::move(task), drawing.casters.casterState());

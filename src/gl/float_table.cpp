@@ -39,7 +39,6 @@ FloatTable::FloatTable(std::span<const glm::vec4> texels, const Capabilities& ca
 
 FloatTable::FloatTable(std::size_t texels, const Capabilities& capabilities) {
     allocate(texels, 4, capabilities);
-    requireNoError(uploading);
 }
 
 void FloatTable::fill(std::size_t first, std::span<const glm::vec4> texels) const {

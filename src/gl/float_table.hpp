@@ -16,7 +16,8 @@ class FloatTable {
     /// of memory.
     FloatTable(std::span<const glm::vec2> texels, const Capabilities& capabilities);
     FloatTable(std::span<const glm::vec4> texels, const Capabilities& capabilities);
-    /// So many of four numbers each, to be filled: where hasWideTables(). Throws likewise.
+    /// So many of four numbers each, to be filled: where hasWideTables(). Throws if they are too
+    /// many; the GL's memory isn't asked for, which would wait for all that it draws.
     FloatTable(std::size_t texels, const Capabilities& capabilities);
 
     /// Whole rows from the given texel on, which begins one; the last one may be shorter. Binds no

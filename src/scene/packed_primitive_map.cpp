@@ -12,13 +12,14 @@ void addPairs(const std::vector<glm::vec2>& pairs, std::vector<glm::vec4>& texel
 
 PackedPrimitiveMap packedPrimitiveMap(const PrimitiveMap& map) {
     PackedPrimitiveMap packed{
-        kindOf(map.tiles), map.tiles.mapFromWorld, map.size, map.longestList, {}, {}};
+        kindOf(map.tiles), map.tiles.mapFromWorld, map.size, map.longestList, {}, 0, {}};
     packed.texels.reserve((map.header.size() + map.entries.size()) / 2 + 2 + map.records.size());
     addPairs(map.header, packed.texels);
     packed.begins[0] = packed.texels.size();
     addPairs(map.entries, packed.texels);
     packed.begins[1] = packed.texels.size();
     packed.texels.insert(packed.texels.end(), map.records.begin(), map.records.end());
+    packed.count = packed.texels.size();
     return packed;
 }
 

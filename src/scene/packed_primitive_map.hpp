@@ -14,7 +14,8 @@ struct PackedPrimitiveMap {
     int size = 0; ///< texels along a tile's edge
     std::size_t longestList = 0;
     std::array<std::size_t, 2> begins{}; ///< texels at which entries and records begin
-    std::vector<glm::vec4> texels;
+    std::size_t count = 0;               ///< of texels
+    std::vector<glm::vec4> texels;       ///< or none: somebody else has them
 };
 
 PackedPrimitiveMap packedPrimitiveMap(const PrimitiveMap& map);

@@ -95,10 +95,10 @@ TEST(LightLookup, IsWhatRenderDrawsForEveryKindOfLight) {
             HostPicture(masks, id, light, viewOf(corner), language)
                 .draw(geometryOf(scene), identity16, true);
             const Wrong wrong = compared(redOf(context), expected[i]);
-            EXPECT_EQ(wrong.beyond, 0u) << "light " << i << ", " << language.version3
-                                        << language.derivatives;
-            EXPECT_LE(wrong.all, 20u) << "light " << i << ", " << language.version3
-                                      << language.derivatives;
+            EXPECT_EQ(wrong.beyond, 0u)
+                << "light " << i << ", " << language.version3 << language.derivatives;
+            EXPECT_LE(wrong.all, 20u)
+                << "light " << i << ", " << language.version3 << language.derivatives;
         }
     }
 }

@@ -117,7 +117,8 @@ class PageMasks {
         });
         return viewOf(bytes_);
     }
-    /// Takes over what LookupMaker gave: `size` bytes that malloc() gave, which it frees.
+    /// Takes over what LookupMaker gave, for the page to upload its texels: `size` bytes that
+    /// malloc() gave, which it frees.
     int addLookup(std::uintptr_t address, std::size_t size) {
         int id = -1;
         done([&] {
@@ -126,8 +127,9 @@ class PageMasks {
         });
         return id;
     }
-    bool uploadLookup(int id, std::size_t mostBytes) {
-        return done([&] { masks().uploadLookup(idOf(id), mostBytes); });
+    /// Sets what uploading by the page takes of the context's state.
+    bool prepareUpload(int id) {
+        return done([&] { masks().uploadLookup(idOf(id)); });
     }
     bool removeLookup(int id) {
         return done([&] { masks().removeLookup(idOf(id)); });
@@ -143,17 +145,16 @@ class PageMasks {
         const bool known = done([&] { why = masks().lookup(idOf(id)).why; });
         return known ? why : problem_;
     }
-    /// uploaded, texture, table size (3), begins (2), size, kind, bytes, longest list,
+    /// Texture, table size (3), begins (2), size, kind, bytes, longest list,
     /// milliseconds, map from world (16).
     emscripten::val lookupNumbers(int id) {
         LightLookup told;
         done([&] { told = masks().lookup(idOf(id)); });
-        numbers_ = {told.uploaded ? 1.0 : 0.0, static_cast<double>(told.texture)};
+        numbers_ = {static_cast<double>(told.texture)};
         numbers_.insert(numbers_.end(), told.tableSize.begin(), told.tableSize.end());
         numbers_.insert(numbers_.end(), told.begins.begin(), told.begins.end());
-        numbers_.insert(numbers_.end(),
-                        {told.size, told.kind, static_cast<double>(told.bytes),
-                         static_cast<double>(told.longestList), told.buildMs});
+        numbers_.insert(numbers_.end(), {told.size, told.kind, static_cast<double>(told.bytes),
+                                         static_cast<double>(told.longestList), told.buildMs});
         numbers_.insert(numbers_.end(), told.mapFromWorld.begin(), told.mapFromWorld.end());
         return emscripten::val(emscripten::typed_memory_view(numbers_.size(), numbers_.data()));
     }
@@ -233,7 +234,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("draw", &PageMasks::draw)
         .function("lookupTask", &PageMasks::lookupTask)
         .function("addLookup", &PageMasks::addLookup)
-        .function("uploadLookup", &PageMasks::uploadLookup)
+        .function("prepareUpload", &PageMasks::prepareUpload)
         .function("removeLookup", &PageMasks::removeLookup)
         .function("isCurrent", &PageMasks::isCurrent)
         .function("casterState", &PageMasks::casterState)
@@ -252,7 +253,8 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .constructor<>()
         .function("begin", &LookupMaker::begin)
         .function("advance", &LookupMaker::advance)
-        .function("result", &LookupMaker::result);
+        .function("result", &LookupMaker::result)
+        .function("texels", &LookupMaker::texels);
     emscripten::class_<MeshPacker>("MeshPacker")
         .constructor<>()
         .function("pack", &MeshPacker::pack)

@@ -10,7 +10,8 @@ const mostBytesAsked = 64 * 2 ** 20;
 
 export class LightLookups {
   #module;
-  #engine; // {program, masks, inContext, withLight, require, textureOf}
+  #texels = new Map(); // by id, what is to be uploaded: {texels, next}
+  #engine; // {gl, program, masks, inContext, withLight, require, textureOf}
   #calls = new WorkerCalls(() => new Worker(new URL('./lookup-worker.js', import.meta.url), { type: 'module' }),
     'builds the maps of lights', idle);
 
@@ -23,27 +24,46 @@ export class LightLookups {
     const { program, masks, inContext, withLight, require } = this.#engine;
     const task = withLight(light, (address) => masks.lookupTask(address, size, mostBytes)).slice();
     require(task.length > 0);
-    const bytes = await this.#calls.ask({ module: this.#module, task }, { transfer: [task.buffer], signal });
-    if (!bytes) return null;
-    const [address, length] = putBytes(program, bytes);
+    const result = await this.#calls.ask({ module: this.#module, task }, { transfer: [task.buffer], signal });
+    if (!result) return null;
+    const [address, length] = putBytes(program, result.bytes);
     const id = inContext(() => masks.addLookup(address, length));
     require(id >= 0);
+    this.#texels.set(id, { texels: result.texels, next: 0 });
     return id;
   }
 
-  upload(id, mostBytes = 2 ** 31) {
-    const { masks, inContext, require } = this.#engine;
-    require(inContext(() => masks.uploadLookup(id, mostBytes)));
-    return this.of(id).uploaded || this.of(id).why !== '';
+  /** From the worker's own memory, so that the program's needn't grow. */
+  upload(id, mostBytes = Infinity) {
+    const { gl, masks, inContext, require } = this.#engine;
+    const left = this.#texels.get(id);
+    const { texture, tableSize: [columns] } = this.of(id);
+    if (!left || !texture) return true;
+    const row = 4 * columns; // numbers
+    inContext(() => {
+      require(masks.prepareUpload(id));
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      const whole = Math.floor((left.texels.length - left.next) / row);
+      const rows = Math.min(whole, Math.max(1, Math.floor(mostBytes / (4 * row))));
+      const [width, height] = rows > 0 ? [columns, rows] : [(left.texels.length - left.next) / 4, 1];
+      const part = left.texels.subarray(left.next, left.next + 4 * width * height);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, left.next / row, width, height, gl.RGBA, gl.FLOAT, part);
+      gl.bindTexture(gl.TEXTURE_2D, null);
+      left.next += part.length;
+    });
+    if (left.next < left.texels.length) return mostBytes === Infinity ? this.upload(id) : false;
+    this.#texels.delete(id);
+    return true;
   }
 
   of(id) {
     const { masks, textureOf } = this.#engine;
     const why = masks.lookupWhy(id);
-    const [uploaded, texture, ...numbers] = masks.lookupNumbers(id);
+    const [texture, ...numbers] = masks.lookupNumbers(id);
     const [size, kind, bytes, longestList, buildMs] = numbers.slice(5, 10);
-    return { why, uploaded: uploaded === 1, texture: why ? null : textureOf(texture), tableSize: numbers.slice(0, 3),
-      begins: numbers.slice(3, 5), size, kind, bytes, longestList, buildMs, mapFromWorld: numbers.slice(10) };
+    return { why, uploaded: why === '' && !this.#texels.has(id), texture: why ? null : textureOf(texture),
+      tableSize: numbers.slice(0, 3), begins: numbers.slice(3, 5), size, kind, bytes, longestList, buildMs,
+      mapFromWorld: numbers.slice(10) };
   }
 
   isCurrent(id, light) {
@@ -51,8 +71,14 @@ export class LightLookups {
   }
 
   remove(id) {
+    this.#texels.delete(id);
     const { masks, inContext, require } = this.#engine;
     require(inContext(() => masks.removeLookup(id)));
+  }
+
+  /** The context is lost, and all that was in it. */
+  forget() {
+    this.#texels.clear();
   }
 
   dispose() {

@@ -24,7 +24,8 @@ async function build({ number, module, task }) {
   }
   const bytes = maker.result().slice();
   if (bytes.length === 0) throw new Error('The map of a light took too much memory.');
-  postMessage({ number, bytes }, [bytes.buffer]);
+  const texels = maker.texels().slice();
+  postMessage({ number, result: { bytes, texels } }, [bytes.buffer, texels.buffer]);
 }
 
 onmessage = ({ data }) => {

@@ -21,11 +21,15 @@ bool LookupMaker::advance(double milliseconds) {
 }
 
 emscripten::val LookupMaker::result() {
-    if (!failed_)
-        failed_ = !sentenceOfFailure([&] { bytes_ = resultToTransfer(*work_); }).empty();
-    work_.reset();
+    if (!failed_) failed_ = !sentenceOfFailure([&] { bytes_ = resultToTransfer(*work_); }).empty();
     if (failed_) bytes_ = {};
     return viewOf(bytes_);
+}
+
+emscripten::val LookupMaker::texels() const {
+    const std::vector<glm::vec4>& texels = work_->data()->built.map.texels;
+    return emscripten::val(emscripten::typed_memory_view(
+        4 * texels.size(), reinterpret_cast<const float*>(texels.data())));
 }
 
 } // namespace edgeshade::web

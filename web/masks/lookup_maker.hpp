@@ -8,15 +8,18 @@
 
 namespace edgeshade::web {
 
-/// A worker's part: builds the maps of lights at rest, one at a time. What fails returns a sentence.
+/// A worker's part: builds the maps of lights at rest, one at a time. What fails returns a
+/// sentence.
 class LookupMaker {
   public:
     /// `size` bytes that malloc() gave, which it frees.
     std::string begin(std::uintptr_t address, std::size_t size);
     /// Goes on for about so long; returns whether all is done.
     bool advance(double milliseconds);
-    /// What ShadowMasks' page takes; once. Empty where memory ran out.
+    /// What the page's masks take. Empty where memory ran out.
     emscripten::val result();
+    /// The table's texels, four floats each; until begin().
+    emscripten::val texels() const;
 
   private:
     std::optional<LookupWork> work_;

@@ -6,7 +6,7 @@ namespace edgeshade::web {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<PackedPrimitiveMap> auto& map) {
-    archive(map.kind, map.mapFromWorld, map.size, map.longestList, map.begins, map.texels);
+    archive(map.kind, map.mapFromWorld, map.size, map.longestList, map.begins, map.count);
 }
 
 template <class Archive>
@@ -73,7 +73,6 @@ LookupWork taskFromTransfer(std::span<const std::uint8_t> bytes) {
 Bytes resultToTransfer(const LookupWork& work) {
     const LookupWork::Data& data = *work.data();
     Bytes bytes;
-    bytes.reserve(4096 + data.built.map.texels.size() * sizeof(glm::vec4));
     Writer writer(bytes);
     transferStart(writer, data);
     writer(data.built);

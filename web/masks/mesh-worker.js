@@ -13,7 +13,7 @@ async function pack({ number, module, mesh }) {
     by.pack(p, positions.length, i, indices.length, mesh.casts, mesh.doubleSided));
   if (problem) throw new Error(problem);
   const bytes = by.bytes().slice();
-  postMessage({ number, bytes }, [bytes.buffer]);
+  postMessage({ number, result: bytes }, [bytes.buffer]);
 }
 
 onmessage = ({ data }) =>

@@ -48,6 +48,7 @@ export class ShadowMasks {
     this.#keepsState = keepsState;
     this.#masks = new program.Masks();
     this.#lookups = new LightLookups(module, {
+      gl,
       program,
       masks: this.#masks,
       inContext: (act) => this.#inContext(act),
@@ -60,6 +61,7 @@ export class ShadowMasks {
 
   /** When the context is lost: nothing can be added or drawn until restore(). Meshes stay prepared. */
   forget() {
+    this.#lookups.forget();
     this.#masks.forget();
   }
 

@@ -1,4 +1,4 @@
-// What is asked of a worker that answers with bytes: {number, bytes} or {number, problem}.
+// What is asked of a worker that answers: {number, result} or {number, problem}.
 
 export class WorkerCalls {
   #start;
@@ -16,7 +16,7 @@ export class WorkerCalls {
     this.#idleMilliseconds = idleMilliseconds;
   }
 
-  /** Resolves with the bytes; throws a sentence. With `signal` it is told to leave it, and null comes of it. */
+  /** Resolves with the result; throws a sentence. With `signal` it is told to leave it, and null comes of it. */
   async ask(message, { transfer = [], signal } = {}) {
     clearTimeout(this.#idle);
     this.#worker ??= this.#started();
@@ -39,8 +39,8 @@ export class WorkerCalls {
 
   #started() {
     const worker = this.#start();
-    worker.onmessage = ({ data: { number, bytes, problem } }) => this.#settle(number, ({ resolve, reject }) =>
-      problem ? reject(new Error(problem)) : resolve(bytes));
+    worker.onmessage = ({ data: { number, result, problem } }) => this.#settle(number, ({ resolve, reject }) =>
+      problem ? reject(new Error(problem)) : resolve(result));
     worker.onerror = (event) => {
       event.preventDefault();
       this.#end(new Error(`The browser stopped the worker that ${this.#does}${event.message ? ` (${event.message})` : ''}.`));
