@@ -1,5 +1,6 @@
 // Exact shadows in a WebGL context of one's own: what each light reaches, as textures.
 
+import { putBytes } from '../element/memory.js';
 import { HostState } from './host-state.js';
 import { LightLookups } from './light-lookups.js';
 import { MeshPacking } from './mesh-packing.js';
@@ -84,10 +85,7 @@ export class ShadowMasks {
     const { casts = true, doubleSided = true } = mesh;
     const [positions, indices] = meshNumbers(mesh);
     const bytes = await this.#packing.pack({ positions, indices, casts, doubleSided });
-    const address = this.#program._malloc(bytes.length);
-    if (!address) throw new Error('That needs more memory than the browser gives a page.');
-    this.#program.HEAPU8.set(bytes, address);
-    return this.#numberOf(this.#masks.take(address, bytes.length));
+    return this.#numberOf(this.#masks.take(...putBytes(this.#program, bytes)));
   }
 
   /** The same at once. */

@@ -57,7 +57,7 @@ for (const [bundler, bundle] of Object.entries(bundlers)) {
     for (const [name, { script, folders, program }] of Object.entries(entries)) {
       const { code, modules: taken } = await bundle(script);
       const others = taken.filter((path) => !folders.includes(path.split('/')[0]));
-      const shared = [...(folders.includes('element') ? [] : ['element/webassembly.js']), `wasm/${program}.mjs`];
+      const shared = [...(folders.includes('element') ? [] : ['element/memory.js', 'element/webassembly.js']), `wasm/${program}.mjs`];
       assert.deepEqual(others.sort(), shared, name);
       for (const [other, { mark }] of Object.entries(entries))
         assert.equal(code.includes(mark), folders.includes(other), `${name}: ${mark} of ${other}`);
