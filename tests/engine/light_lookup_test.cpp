@@ -64,16 +64,6 @@ std::vector<HostPicture::Language> languages(const gl::Capabilities& has) {
     return known;
 }
 
-Light spot() {
-    Light light = pointLight({0.3, 4, 0.7});
-    light.cone = Cone{glm::normalize(glm::dvec3(-0.1, -1, 0.1)), 0.0, 0.5};
-    return light;
-}
-
-const Geometry& geometryOf(const Scene& scene) {
-    return *scene.batches.front().geometry;
-}
-
 } // namespace
 
 TEST(LightLookup, IsWhatRenderDrawsForEveryKindOfLight) {

@@ -52,6 +52,16 @@ MaskLight hostLight(const Light& light) {
     return host;
 }
 
+Light spot() {
+    Light light = pointLight({0.3, 4, 0.7});
+    light.cone = Cone{glm::normalize(glm::dvec3(-0.1, -1, 0.1)), 0.0, 0.5};
+    return light;
+}
+
+const Geometry& geometryOf(const Scene& scene) {
+    return *scene.batches.front().geometry;
+}
+
 std::vector<std::uint8_t> readTexture(unsigned texture) {
     GLuint framebuffer = 0;
     GLint before = 0;

@@ -22,6 +22,9 @@ MaskMesh meshOf(const Geometry& geometry); ///< seen from both sides
 MaskView viewOf(const Camera& camera);
 MaskLight hostLight(const Light& light);
 
+Light spot();                                   ///< above yard()
+const Geometry& geometryOf(const Scene& scene); ///< of its first batch
+
 /// RGBA, rows bottom to top.
 std::vector<std::uint8_t> readTexture(unsigned texture);
 

@@ -12,16 +12,6 @@ using namespace test;
 
 const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 
-Light spot() {
-    Light light = pointLight({0.3, 4, 0.7});
-    light.cone = Cone{glm::normalize(glm::dvec3(-0.1, -1, 0.1)), 0.0, 0.5};
-    return light;
-}
-
-const Geometry& geometryOf(const Scene& scene) {
-    return *scene.batches.front().geometry;
-}
-
 /// Both masks, the host's of some light of several. The rendered one is drawn before, by a context
 /// of its own, so contexts don't get in each other's way.
 struct Expected {
