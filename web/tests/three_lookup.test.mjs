@@ -112,7 +112,7 @@ test('two lights at rest are looked up, a third one is masked, see-through surfa
     pane.position.y = 1;
     pane.receiveShadow = true;
     scene.add(pane);
-    const shadows = new ExactShadows(renderer).add(scene);
+    const shadows = new ExactShadows(renderer, { lookups: 2 }).add(scene);
     const masked = new ExactShadows(renderer, { lookups: 0 }).add(scene);
     await rested(masked, scene, camera, 0);
     const [below, beside] = [[0.3, 1, -0.2], [1.8, 1, 0.3]];

@@ -13,8 +13,8 @@ export interface ExactShadowsOptions {
   keepsState?: boolean;
   /**
    * Lights that are looked up at once while they and all casters rest, 0 to 2: no mask is drawn of
-   * them, and see-through surfaces take their shadows. Each takes a texture of a material's. Default:
-   * 2, or what materials have textures for.
+   * them, and see-through surfaces take their shadows. Each takes a texture of a material's, and makes
+   * its shader longer. Default: 1.
    */
   lookups?: number;
 }

@@ -81,7 +81,7 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64, keepsState = false, lookups = mostSlots } = {}) {
+  constructor(renderer, { lightSamples = 64, keepsState = false, lookups = 1 } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
@@ -89,9 +89,9 @@ export class ExactShadows {
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
     this.#keepsState = keepsState;
-    this.#mostLookedUp = lookups;
+    this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
-    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures);
+    this.#patches = new MaterialPatches(this.#uniforms, renderer.capabilities.maxTextures, this.#mostLookedUp);
     const canvas = renderer.domElement;
     canvas.addEventListener('webglcontextlost', this.#forget);
     canvas.addEventListener('webglcontextrestored', this.#restore);

@@ -1,7 +1,7 @@
 // Materials that take the masks where they would take shadow maps, as long as they are patched.
 
 import { MathUtils, ShaderChunk } from 'three';
-import { declarations, lightsWithMasks, mostSlots, shadowMask } from './lit.glsl.js';
+import { declarations, lightsWithMasks, shadowMask } from './lit.glsl.js';
 
 const lightsBegin = '#include <lights_fragment_begin>';
 const lightsDeclared = '#include <lights_pars_begin>';
@@ -20,9 +20,9 @@ const isMasked = (material) => Boolean(material.isShadowMaterial) || !material.t
 export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);
 
 /** Maps of lights that its programs have room for. */
-function slotsOf(material, mostTextures) {
+function slotsOf(material, mostTextures, most) {
   const own = Object.values(material).filter((value) => value?.isTexture).length + (material.transmission > 0 ? 1 : 0);
-  return Math.min(Math.max(mostTextures - own - otherTextures, 0), mostSlots);
+  return Math.min(Math.max(mostTextures - own - otherTextures, 0), most);
 }
 
 const vertexPlaced = '#include <project_vertex>';
@@ -48,12 +48,15 @@ export class MaterialPatches {
   #patched = new Map(); // material: what it had
 
   #mostTextures;
-  #slots = mostSlots;
+  #most;
+  #slots;
 
-  /** `uniforms`: of declarations, as three.js has them, shared by all materials; `mostTextures`: of a program. */
-  constructor(uniforms, mostTextures) {
+  /** `uniforms`: of declarations, as three.js has them, shared by all materials; `mostTextures`: of a program;
+   * `most`: maps of lights at once. */
+  constructor(uniforms, mostTextures, most) {
     this.#uniforms = uniforms;
     this.#mostTextures = mostTextures;
+    this.#most = this.#slots = most;
   }
 
   /** Maps of lights that all that was added has room for. */
@@ -66,7 +69,7 @@ export class MaterialPatches {
     const known = this.#patched.get(material);
     if (known) known.casts.value = casts;
     if (known || !takesShadow(material)) return;
-    const slots = slotsOf(material, this.#mostTextures);
+    const slots = slotsOf(material, this.#mostTextures, this.#most);
     this.#slots = Math.min(this.#slots, slots);
     const { onBeforeCompile, customProgramCacheKey } = material;
     const own = Object.hasOwn(material, 'customProgramCacheKey');
