@@ -10,7 +10,7 @@ export class MeshPacking {
     this.#module = module;
   }
 
-  /** Resolves with the bytes that Masks.take() takes. Throws a sentence. */
+  /** `mesh`: meshNumbers(). Resolves with the bytes that Masks.take() takes. Throws a sentence. */
   async pack(mesh) {
     this.#worker ??= this.#start();
     return new Promise((resolve, reject) => {

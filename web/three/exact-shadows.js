@@ -2,6 +2,7 @@
 
 import { Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
+import { AlphaTests } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { MaskTextures } from './mask-textures.js';
 import { MaterialPatches } from './material-patch.js';
@@ -63,13 +64,14 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64, keepsState = false } = {}) {
+  constructor(renderer, { lightSamples = 64, alphaTestedCast = true, keepsState = false } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
       throw new Error('ExactShadows needs a renderer that draws with WebGL 2.');
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
+    this.alphaTestedCast = alphaTestedCast;
     this.#keepsState = keepsState;
     this.#textures = new MaskTextures(renderer);
     this.#patches = new MaterialPatches(this.#uniforms);
@@ -81,7 +83,7 @@ export class ExactShadows {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#casters = new Casters(masks);
+        this.#casters = new Casters(masks, new AlphaTests(renderer));
         return undefined;
       },
       (error) => { this.#problem = error; });
@@ -98,7 +100,7 @@ export class ExactShadows {
     return this;
   }
 
-  /** What a light's shadows are soft by: a point light's radius; of a sun half its angle. 0: they are hard. */
+  /** What a light's shadows are soft by: a point light's or spot's radius; of a sun half its angle. 0: they are hard. */
   setRadius(light, radius) {
     this.#radii.set(light, radius);
     return this;
@@ -200,7 +202,7 @@ export class ExactShadows {
     const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
     for (const mesh of meshes)
       if (mesh.receiveShadow) for (const material of [mesh.material].flat()) if (material) this.#patches.add(material);
-    if (!this.#lost) this.#casters?.follow(meshes);
+    if (!this.#lost) this.#casters?.follow(meshes, this.alphaTestedCast);
     return lights;
   }
 

@@ -7,12 +7,12 @@ const lightsBegin = '#include <lights_fragment_begin>';
 const lightsDeclared = '#include <lights_pars_begin>';
 const maskDeclared = '#include <shadowmask_pars_fragment>';
 
-/** Whether a material is lit by lights that cast. See-through ones are not in the masks. */
+/** Whether a material is lit by lights that cast. See-through and dithered ones are not in the masks. */
 export function takesMasks(material) {
   if (material.isShadowMaterial) return true;
   const isLit = material.isMeshStandardMaterial || material.isMeshLambertMaterial || material.isMeshPhongMaterial ||
     material.isMeshToonMaterial;
-  return Boolean(isLit) && !material.transparent;
+  return Boolean(isLit) && !material.transparent && !material.alphaHash;
 }
 
 function withMasks(source, isShadowMaterial) {
