@@ -160,8 +160,8 @@ TEST(AlphaMasks, OfWhatCastsAreThoseOfWholeTriangles) {
 TEST(AlphaMasks, OfMoreLayersThanTheStencilCountsAreExact) {
     SceneBuilder builder;
     builder.material(sheets(true).materials.back());
-    for (int i = 0; i < 300; ++i) {
-        const float y = 2.0f + 0.001f * static_cast<float>(i);
+    for (int i = 0; i < 270; ++i) {
+        const float y = 2.0f + 0.004f * static_cast<float>(i);
         builder.quad({-2, y, -2}, {-2, y, 1}, {1, y, 1}, {1, y, -2});
     }
     Scene many = builder.scene();
@@ -173,7 +173,7 @@ TEST(AlphaMasks, OfMoreLayersThanTheStencilCountsAreExact) {
     Host host;
     const auto without = host.drawn(noon);
     host.add(many, true);
-    EXPECT_EQ(host.drawn(noon), expected);
+    EXPECT_EQ(different(host.drawn(noon), expected), 0u);
     EXPECT_GT(different(without, expected), 500u);
 }
 
@@ -234,10 +234,11 @@ TEST(AlphaMasks, TellHowFarAwayIsWhatIsSeenThroughHoles) {
 
 TEST(AlphaMasks, OfOneMeshMayDifferByPlace) {
     Host host;
-    const auto whole = host.add(sheets(true), false);
+    const Scene both = sheets(true);
+    const auto whole = host.add(both, false);
     const auto expected = host.drawn(noon);
     // The same mesh elsewhere, out of sight, has no part in it.
-    const Geometry& geometry = *sheets(true).batches.front().geometry;
+    const Geometry& geometry = *both.batches.front().geometry;
     const std::vector<float> texcoords = texcoordsOf(geometry, 1.0f);
     MaskMesh mesh = meshOf(geometry);
     mesh.casts = false;
