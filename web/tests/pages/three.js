@@ -111,7 +111,7 @@ function pattern(inGreen = false) {
   for (let i = 0; i < 64; ++i) if ((i % 8 + (i >> 3)) % 3 === 0) texels[4 * i + (inGreen ? 1 : 3)] = 0;
   const texture = new three.DataTexture(texels, 8, 8);
   texture.wrapS = texture.wrapT = three.RepeatWrapping;
-  texture.repeat.set(2, 1.5);
+  texture.repeat.set(2, 2); // as glTF has turns, too, the same both ways
   texture.offset.set(0.1, 0.2);
   texture.rotation = 0.3;
   texture.needsUpdate = true;
