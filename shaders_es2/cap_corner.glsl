@@ -19,6 +19,7 @@ uniform mat4 u_clipFromObject;
 varying vec2 v_clipZW;
 #endif
 #ifdef ALPHA_TEST
+uniform mat3 u_texcoordTransform;
 uniform float u_frontCapAtInfinity; // 1: both caps, the front one at infinity; 0: the front one
                                     // alone, where it is
 varying vec3 v_alphaLookup;
@@ -42,7 +43,8 @@ void emitCap(float v, float facing, vec3 a, vec3 b, vec3 c, vec4 light) {
     bool shifted = front;
     bool drawn = facing != 0.0;
 #ifdef ALPHA_TEST
-    v_alphaLookup = isA ? a_alphaCornerA.xyz : (isC ? a_alphaCornerC.xyz : a_alphaCornerB.xyz);
+    vec3 lookup = isA ? a_alphaCornerA.xyz : (isC ? a_alphaCornerC.xyz : a_alphaCornerB.xyz);
+    v_alphaLookup = vec3((u_texcoordTransform * vec3(lookup.xy, 1.0)).xy, lookup.z);
     v_isBack = front ? 0.0 : 1.0;
     shifted = front && u_frontCapAtInfinity > 0.5;
     drawn = drawn && (front || u_frontCapAtInfinity > 0.5);

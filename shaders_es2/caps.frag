@@ -14,6 +14,7 @@ varying vec2 v_clipZW;
 #endif
 #ifdef ALPHA_TEST
 uniform sampler2D u_texture;
+uniform vec4 u_alphaChannel;  // 1 in the one that has alpha
 uniform float u_alphaScale;
 uniform float u_alphaCutoff; // above any alpha: nothing of the caster is in the depth buffer
 uniform float u_frontCapAtInfinity;
@@ -31,7 +32,8 @@ void main() {
 #endif
 #ifdef ALPHA_TEST
     // Where the caster is solid its front cap counts at infinity, in its cutouts where it is.
-    float alpha = u_alphaScale * v_alphaLookup.z * texture2D(u_texture, v_alphaLookup.xy).a;
+    float alpha = u_alphaScale * v_alphaLookup.z *
+                  dot(texture2D(u_texture, v_alphaLookup.xy), u_alphaChannel);
     bool solid = alpha >= u_alphaCutoff;
     if (v_isBack < 0.5 && solid != (u_frontCapAtInfinity > 0.5)) discard;
 #endif

@@ -1,5 +1,5 @@
 // Surfaces as a coarse mask needs them: depth, and of what plane each texel is. Variants
-// ALPHA_TEST, TEXTURED, COLORED and SLICED: see surface.frag; NEARNESS_ALONE: without the plane, for
+// ALPHA_TEST, ALPHA_LOOKUP, TEXTURED, COLORED and SLICED: see surface.frag; NEARNESS_ALONE: without the plane, for
 // GLs that have no derivatives, too.
 #ifndef NEARNESS_ALONE
 #extension GL_OES_standard_derivatives : enable
@@ -18,6 +18,9 @@ precision mediump float;
 #ifdef ALPHA_TEST
 uniform vec4 u_baseColor;
 uniform float u_alphaCutoff;
+#ifdef ALPHA_LOOKUP
+uniform vec4 u_alphaChannel;
+#endif
 #ifdef TEXTURED
 uniform sampler2D u_texture;
 varying vec2 v_texcoord;
@@ -44,7 +47,11 @@ void main() {
     alpha *= v_color.a;
 #endif
 #ifdef TEXTURED
-    alpha *= texture2D(u_texture, v_texcoord).a;
+    vec4 texel = texture2D(u_texture, v_texcoord);
+#ifdef ALPHA_LOOKUP
+    texel.a = dot(texel, u_alphaChannel);
+#endif
+    alpha *= texel.a;
 #endif
     if (alpha < u_alphaCutoff) discard;
 #endif

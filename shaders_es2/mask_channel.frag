@@ -2,11 +2,11 @@
 // is. The colour mask says which channel is written.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
+uniform highp sampler2D u_visibility; // else what is looked up may be rounded to fewer bits
 #else
 precision mediump float;
-#endif
-
 uniform mediump sampler2D u_visibility;
+#endif
 uniform vec2 u_texel; // 1 / pixels
 
 void main() {

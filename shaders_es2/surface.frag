@@ -4,7 +4,8 @@
 // same with light itself added up, of which the display shows a power; SOFT_TERMINATOR, see
 // terminator.glsl; MASK, the lit mask instead of colours; TEXTURED; COLORED, with colours at
 // vertices; CATCHER, with COLORED, a ground that shows the background and, the more the larger its
-// vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts; BLENDED,
+// vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts, ALPHA_LOOKUP, of
+// a host's texture, which may have alpha in another channel; BLENDED,
 // see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing deeper
 // than u_farthest. Of LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive
 // map's texels hold.
@@ -24,6 +25,9 @@ varying vec4 v_color;
 #ifdef TEXTURED
 uniform sampler2D u_texture;
 varying vec2 v_texcoord;
+#endif
+#ifdef ALPHA_LOOKUP
+uniform vec4 u_alphaChannel; // 1 in the one that has alpha
 #endif
 #ifdef ALPHA_TEST
 uniform float u_alphaCutoff;
@@ -115,7 +119,11 @@ void main() {
     base *= v_color;
 #endif
 #ifdef TEXTURED
-    base *= texture2D(u_texture, v_texcoord);
+    vec4 texel = texture2D(u_texture, v_texcoord);
+#ifdef ALPHA_LOOKUP
+    texel.a = dot(texel, u_alphaChannel);
+#endif
+    base *= texel;
 #endif
 #ifdef ALPHA_TEST
     if (base.a < u_alphaCutoff) discard;

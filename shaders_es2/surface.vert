@@ -2,7 +2,7 @@
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
 // DIRECTIONAL, PLAIN, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see
 // surface.frag and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see
-// material.frag; SOFT_TERMINATOR: see terminator.glsl; PLANE: see coarse_plane.glsl.
+// material.frag; ALPHA_LOOKUP: see surface.frag; SOFT_TERMINATOR: see terminator.glsl; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -12,6 +12,9 @@ attribute vec4 a_color;
 #if defined(TEXTURED) || defined(TEXCOORDS)
 #define FIRST_TEXCOORD
 attribute vec2 a_texcoord;
+#ifdef ALPHA_LOOKUP
+uniform mat3 u_texcoordTransform;
+#endif
 #endif
 #ifdef TEXCOORDS_1
 attribute vec2 a_texcoord1;
@@ -99,7 +102,11 @@ void main() {
     v_color = a_color;
 #endif
 #ifdef FIRST_TEXCOORD
+#ifdef ALPHA_LOOKUP
+    v_texcoord = (u_texcoordTransform * vec3(a_texcoord, 1.0)).xy;
+#else
     v_texcoord = a_texcoord;
+#endif
 #endif
 #ifdef TEXCOORDS_1
     v_texcoord1 = a_texcoord1;

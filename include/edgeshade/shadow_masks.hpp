@@ -20,9 +20,11 @@ namespace edgeshade {
 ///    what reaches a fragment of light i is channel i % 4 of textures()[i / 4] at
 ///    gl_FragCoord.xy / size.
 ///
-/// It draws depth itself. Alpha-tested and see-through casters it doesn't have yet: leave them out.
-/// All calls need the context; textures and buffers are made in it. All throw std::runtime_error
-/// with a full sentence; nothing has changed then.
+/// It draws depth itself. Surfaces that are alpha-tested (MaskMesh::alphaTested) receive shadow
+/// where they are, and what is seen through their holes has its own; they cast whole triangles, or
+/// nothing. See-through surfaces are no part of masks, which have one surface a pixel: leave them
+/// out. All calls need the context; textures and buffers are made in it. All throw
+/// std::runtime_error with a full sentence; nothing has changed then.
 
 /// Triangles that move together. Nothing is kept of the spans.
 struct MaskMesh {
@@ -32,6 +34,25 @@ struct MaskMesh {
     bool doubleSided = true; ///< else it is seen from its front alone, where it is wound
                              ///< counter-clockwise; it casts from either side
     bool bends = false;      ///< another shape comes soon: nothing that takes long is worked out
+    /// Where its alpha (setAlpha()) is below the cutoff it isn't there: it isn't seen, nor does it
+    /// receive. If it `casts`, then whole triangles, as if it had no holes: shadow volumes can't
+    /// follow them.
+    bool alphaTested = false;
+    std::span<const float> texcoords =
+        {}; ///< u, v a vertex, or empty: 0, 0; of what is alpha-tested
+};
+
+/// What an alpha-tested mesh has of alpha: `opacity` times the texture's.
+struct MaskAlpha {
+    enum class Channel { alpha, green };
+    /// GL name of a 2D texture of the host's, which is sampled as it is and never changed; the host
+    /// keeps it for as long as it is set. 0: none, alpha is `opacity` everywhere.
+    unsigned texture = 0;
+    Channel channel = Channel::alpha; ///< of the texture
+    float opacity = 1.0f;
+    float cutoff = 0.5f; ///< alpha below it is a hole
+    /// Column-major; (u, v, 1) times it is where the texture is looked up.
+    std::array<float, 9> texcoordTransform = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
 /// A mesh whose edges are found, which takes time linear in its triangles: on any thread, and
@@ -59,8 +80,9 @@ struct MaskLight {
     double range =
         std::numeric_limits<double>::infinity(); ///< > 0: dark from there on; not a sun's
     double outerAngle = 0.7853981633974483; ///< of a spot, radians, 0..pi/2: dark from there on
-    /// Of its extent: of a point the sphere's, scene units; of a sun its disc's, radians, to pi/4;
-    /// 0: its shadows are hard. A spot has none.
+    /// Of its extent: of a point or spot the sphere's, scene units; of a sun its disc's, radians,
+    /// to pi/4; 0: its shadows are hard. Each of a spot's points shines in a cone like the
+    /// middle's.
     double radius = 0.0;
 };
 
@@ -125,6 +147,9 @@ class ShadowMasks {
     /// Another mesh in the same place.
     void change(Id id, const PreparedMesh& mesh);
     void change(Id id, const MaskMesh& mesh);
+    /// Of an alpha-tested mesh; until it is set, and after change(), it has no holes. Nothing is
+    /// made anew.
+    void setAlpha(Id id, const MaskAlpha& alpha);
     /// Elsewhere, in the same shape.
     void move(Id id, const Matrix16& worldFromObject);
     void remove(Id id);

@@ -28,6 +28,7 @@ CasterScene::CasterScene(SidesLayout layout, const gl::Capabilities& capabilitie
     : layout_(layout) {
     loaded_.scene.materials = maskMaterials();
     loaded_.scene.culls = true;
+    loaded_.settings.castMasked = true; // what of them casts is a matter of its material
     gpu_.emplace(
         uploadScene(loaded_, VolumeRecords{VolumeLayout::planePairs, layout_}, capabilities));
 }
@@ -46,6 +47,7 @@ std::size_t CasterScene::freeBatch() {
     if (free == taken_.end()) {
         loaded_.scene.batches.emplace_back();
         loaded_.planePairs.emplace_back();
+        meshes_.emplace_back();
         gpu_->batches.emplace_back();
         taken_.push_back(false);
         uploaded_.push_back(false);
@@ -62,6 +64,28 @@ void CasterScene::show(std::size_t batch, const glm::dmat4& worldFromBatch) {
 void CasterScene::change(Id id, const PreparedMesh& mesh) {
     requireKnown(id);
     put(id, mesh);
+}
+
+void CasterScene::setAlpha(Id id, const MaskAlpha& alpha) {
+    requireKnown(id);
+    if (!meshes_[id]->alphaTested)
+        throw InputError("Mesh " + std::to_string(id) + " is not alpha-tested.");
+    for (const float number : alpha.texcoordTransform)
+        if (!std::isfinite(number))
+            throw InputError("An alpha's transform has a number that is not finite.");
+    if (!std::isfinite(alpha.opacity) || !std::isfinite(alpha.cutoff))
+        throw InputError("An alpha has an opacity or a cutoff that is not finite.");
+    gpu_->batches[id].alpha = lookupOf(alpha);
+}
+
+AlphaLookup CasterScene::lookupOf(const MaskAlpha& alpha) const {
+    AlphaLookup lookup;
+    lookup.texture = alpha.texture != 0 ? alpha.texture : gpu_->textures.of({});
+    if (alpha.channel == MaskAlpha::Channel::green) lookup.channel = {0.0f, 1.0f, 0.0f, 0.0f};
+    lookup.texcoordTransform = glm::make_mat3(alpha.texcoordTransform.data());
+    lookup.factor = alpha.opacity;
+    lookup.cutoff = alpha.cutoff;
+    return lookup;
 }
 
 void CasterScene::move(Id id, const Matrix16& worldFromObject) {
@@ -93,6 +117,9 @@ void CasterScene::put(std::size_t batch, const PreparedMesh& mesh) {
     const bool cast = loaded_.planePairs[batch] && casts(batch);
     loaded_.scene.batches[batch].geometry = mesh.data()->geometry;
     loaded_.planePairs[batch] = mesh.data()->shadow;
+    meshes_[batch] = mesh.data();
+    gpu_->batches[batch].alpha.reset();
+    if (mesh.data()->alphaTested) gpu_->batches[batch].alpha = lookupOf(MaskAlpha{});
     if (cast || casts(batch)) ++casterState_;
     uploaded_[batch] = false;
     changed();
@@ -104,20 +131,18 @@ void CasterScene::changed() {
     gpu_->groups.clear();
 }
 
-CasterScene::Buffers
-CasterScene::buffersOf(const Batch& batch,
-                       const std::shared_ptr<const PlanePairShadow>& shadow) const {
+CasterScene::Buffers CasterScene::buffersOf(const PreparedMesh::Data& mesh) const {
+    Batch batch;
+    batch.geometry = mesh.geometry;
     return {
         std::make_shared<std::vector<SurfaceChunk>>(uploadSurfaces(batch, loaded_.scene.materials)),
-        std::make_shared<PlanePairBuffers>(shadow, std::vector<glm::vec4>(), layout_)};
+        std::make_shared<PlanePairBuffers>(mesh.shadow, mesh.alphaCorners, layout_)};
 }
 
 void CasterScene::upload(const PreparedMesh& mesh) {
     std::erase_if(ahead_, [](const auto& entry) { return entry.second.mesh.expired(); });
     if (ahead_.contains(mesh.data()->shadow.get())) return;
-    Batch batch;
-    batch.geometry = mesh.data()->geometry;
-    ahead_[mesh.data()->shadow.get()] = {mesh.data(), buffersOf(batch, mesh.data()->shadow)};
+    ahead_[mesh.data()->shadow.get()] = {mesh.data(), buffersOf(*mesh.data())};
 }
 
 void CasterScene::upload() {
@@ -136,9 +161,8 @@ void CasterScene::upload() {
             continue;
         }
         const auto ahead = ahead_.find(loaded_.planePairs[i].get());
-        const Buffers buffers = ahead != ahead_.end()
-                                    ? ahead->second.buffers
-                                    : buffersOf(loaded_.scene.batches[i], loaded_.planePairs[i]);
+        const Buffers buffers =
+            ahead != ahead_.end() ? ahead->second.buffers : buffersOf(*meshes_[i]);
         to.surfaces = buffers.surfaces;
         to.volumes.planePairs = buffers.volumes;
         if (ahead != ahead_.end()) ahead_.erase(ahead);
@@ -157,7 +181,7 @@ std::vector<LookupTask::Caster> CasterScene::casters() const {
 }
 
 void CasterScene::fillLayers(std::vector<FrameLight>& lights) {
-    layers_.fill(loaded_.scene, false, lights);
+    layers_.fill(loaded_.scene, loaded_.settings.castMasked, lights);
 }
 
 const Box& CasterScene::bounds() {

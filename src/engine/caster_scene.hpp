@@ -27,6 +27,7 @@ class CasterScene {
     // As in ShadowMasks. Nothing is uploaded. Throws InputError.
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject);
     void change(Id id, const PreparedMesh& mesh);
+    void setAlpha(Id id, const MaskAlpha& alpha);
     void move(Id id, const Matrix16& worldFromObject);
     void remove(Id id);
 
@@ -58,19 +59,20 @@ class CasterScene {
         Buffers buffers;
     };
 
-    Buffers buffersOf(const Batch& batch,
-                      const std::shared_ptr<const PlanePairShadow>& shadow) const;
+    Buffers buffersOf(const PreparedMesh::Data& mesh) const;
     void requireKnown(Id id) const;
     /// A number that none has, hidden.
     std::size_t freeBatch();
     void show(std::size_t batch, const glm::dmat4& worldFromBatch);
     void place(std::size_t batch, const glm::dmat4& worldFromBatch);
     void put(std::size_t batch, const PreparedMesh& mesh);
+    AlphaLookup lookupOf(const MaskAlpha& alpha) const;
     void changed();
     bool casts(std::size_t batch) const { return !loaded_.planePairs[batch]->caps.empty(); }
 
     SidesLayout layout_;
     LoadedScene loaded_;
+    std::vector<std::shared_ptr<const PreparedMesh::Data>> meshes_; ///< by batch
     std::optional<GpuScene> gpu_;
     std::map<const PlanePairShadow*, Ahead> ahead_;
     std::vector<bool> taken_, uploaded_; ///< by batch

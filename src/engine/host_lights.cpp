@@ -39,12 +39,9 @@ Light lightOf(const MaskLight& from, const std::string& name) {
     require(from.range > 0.0, "has no range above 0");
     light.position = glm::dvec4(position, 1.0);
     light.range = from.range;
-    if (from.kind == MaskLight::Kind::point) {
-        if (from.radius > 0.0)
-            light.extent = LightExtent{.shape = LightExtent::Shape::sphere, .radius = from.radius};
-        return light;
-    }
-    require(from.radius == 0.0, "is a spot with a radius, which there is not yet");
+    if (from.radius > 0.0)
+        light.extent = LightExtent{.shape = LightExtent::Shape::sphere, .radius = from.radius};
+    if (from.kind == MaskLight::Kind::point) return light;
     require(from.outerAngle > 0.0 && from.outerAngle <= std::numbers::pi / 2.0,
             "has an outer angle that is not above 0 and at most pi/2");
     light.cone = Cone{.axis = glm::normalize(shines), .inner = 0.0, .outer = from.outerAngle};

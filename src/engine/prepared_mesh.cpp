@@ -1,14 +1,39 @@
 #include "src/engine/prepared_mesh.hpp"
 
+#include "preprocess/base/error.hpp"
 #include "preprocess/scene/triangle_mesh.hpp"
+#include "src/scene/load.hpp"
 #include "src/shadow/plan/solid_clusters.hpp"
+
+#include <cmath>
+#include <string>
 
 namespace edgeshade {
 namespace {
 
-/// Of maskMaterials().
+// Of the numbers in maskMaterials().
+constexpr std::size_t singleSided = 1, receives = 2, alphaTested = 4;
+
 std::size_t materialOf(const MaskMesh& mesh) {
-    return (mesh.casts ? 0u : 2u) + (mesh.doubleSided ? 0u : 1u);
+    return (mesh.doubleSided ? 0 : singleSided) + (mesh.casts ? 0 : receives) +
+           (mesh.alphaTested ? alphaTested : 0);
+}
+
+std::vector<glm::vec2> texcoordsOf(const MaskMesh& mesh, std::size_t vertices) {
+    std::vector<glm::vec2> texcoords(vertices, glm::vec2(0.0f));
+    const std::span<const float> given = mesh.texcoords;
+    if (given.empty()) return texcoords;
+    if (given.size() != 2 * vertices)
+        throw InputError("A mesh of " + std::to_string(vertices) + " vertices has " +
+                         std::to_string(given.size()) +
+                         " numbers of texture coordinates, not two a vertex.");
+    for (std::size_t i = 0; i < vertices; ++i) {
+        texcoords[i] = {given[2 * i], given[2 * i + 1]};
+        if (!std::isfinite(texcoords[i].x) || !std::isfinite(texcoords[i].y))
+            throw InputError("Vertex " + std::to_string(i) +
+                             " of a mesh has a texture coordinate that is not finite.");
+    }
+    return texcoords;
 }
 
 Geometry geometryOf(const MaskMesh& from) {
@@ -17,7 +42,7 @@ Geometry geometryOf(const MaskMesh& from) {
     const std::size_t vertices = mesh.positions.size();
     geometry.positions = std::move(mesh.positions);
     geometry.normals.resize(vertices, glm::vec3(0.0f));
-    geometry.texcoords.resize(vertices);
+    geometry.texcoords = texcoordsOf(from, vertices);
     geometry.colors.resize(vertices, glm::vec4(1.0f));
     geometry.indices = std::move(mesh.indices);
     if (!geometry.indices.empty())
@@ -26,16 +51,24 @@ Geometry geometryOf(const MaskMesh& from) {
     return geometry;
 }
 
+std::vector<glm::vec4> alphaCornersOf(const MaskMesh& mesh, const Batch& batch,
+                                      const Casters& casters, const PlanePairShadow& shadow) {
+    if (!mesh.casts || !mesh.alphaTested) return {};
+    return alphaCorners(batch, casters, weldForRecords(batch, casters), shadow);
+}
+
 std::shared_ptr<const PreparedMesh::Data> prepared(const MaskMesh& mesh) {
     Batch batch;
     batch.geometry = CopyOnWrite<Geometry>(geometryOf(mesh));
     const std::vector<Material> materials = maskMaterials();
-    auto shadow = std::make_shared<PlanePairShadow>(
-        buildPlanePairs(batch, castersOf(batch, materials, false), materials, 0.0));
+    const Casters casters = castersOf(batch, materials, true);
+    auto shadow =
+        std::make_shared<PlanePairShadow>(buildPlanePairs(batch, casters, materials, 0.0));
     shadow->solids =
         mesh.bends ? std::vector<std::uint8_t>(shadow->clusters.size(), 0) : findSolids(*shadow);
-    return std::make_shared<const PreparedMesh::Data>(
-        PreparedMesh::Data{batch.geometry, std::move(shadow)});
+    std::vector<glm::vec4> corners = alphaCornersOf(mesh, batch, casters, *shadow);
+    return std::make_shared<const PreparedMesh::Data>(PreparedMesh::Data{
+        batch.geometry, std::move(shadow), mesh.alphaTested, std::move(corners)});
 }
 
 } // namespace
@@ -43,12 +76,12 @@ std::shared_ptr<const PreparedMesh::Data> prepared(const MaskMesh& mesh) {
 PreparedMesh::PreparedMesh(const MaskMesh& mesh) : data_(prepared(mesh)) {}
 
 std::vector<Material> maskMaterials() {
-    std::vector<Material> made(4);
-    made[0].doubleSided = made[2].doubleSided = true;
-    for (const std::size_t receiving : {2u, 3u}) {
-        // All of it is seen, and MASK surfaces cast nothing.
-        made[receiving].alphaMode = AlphaMode::mask;
-        made[receiving].alphaCutoff = 0.0f;
+    std::vector<Material> made(8);
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        made[i].doubleSided = (i & singleSided) == 0;
+        // As a ground does it casts nothing, even where MASK surfaces cast.
+        if (i & receives) made[i].ground = GroundMaterial::surface;
+        if (i & alphaTested) made[i].alphaMode = AlphaMode::mask;
     }
     return made;
 }

@@ -199,6 +199,10 @@ void ShadowMasks::change(Id id, const MaskMesh& mesh) {
     change(id, impl_->prepared(mesh));
 }
 
+void ShadowMasks::setAlpha(Id id, const MaskAlpha& alpha) {
+    impl_->drawing->casters.setAlpha(id, alpha);
+}
+
 void ShadowMasks::move(Id id, const Matrix16& worldFromObject) {
     impl_->drawing->casters.move(id, worldFromObject);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/scene/alpha_lookup.hpp"
 #include "src/scene/batch_volumes.hpp"
 #include "src/scene/overflow_groups.hpp"
 #include "src/scene/primitive_maps.hpp"
@@ -20,7 +21,8 @@ struct GpuBatch {
     std::shared_ptr<std::vector<SurfaceChunk>> surfaces;
     bool owns = true;
     BatchVolumes volumes;
-    std::vector<SurfacePart> parts = {}; ///< of `surfaces`, where the batch deforms
+    std::vector<SurfacePart> parts = {};   ///< of `surfaces`, where the batch deforms
+    std::optional<AlphaLookup> alpha = {}; ///< in place of its materials', of a host's mesh
 
     bool mirrored() const { return glm::determinant(glm::dmat3(worldFromBatch)) < 0.0; }
 };
@@ -40,6 +42,11 @@ struct GpuScene {
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);
 
+    /// Where a batch's surfaces of that material find their alpha.
+    AlphaLookup alphaOf(std::size_t batch, std::size_t material) const {
+        const std::optional<AlphaLookup>& own = batches[batch].alpha;
+        return own ? *own : alphaLookupOf(materials[material], textures);
+    }
     /// Whether surfaces of the material cast what is looked up of shadow: in maps.
     bool castsInMaps(const Material& material) const {
         return material.casts(castMasked) || (cutoutsCast && material.alphaMode == AlphaMode::mask);

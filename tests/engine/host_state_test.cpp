@@ -228,6 +228,41 @@ TEST_P(HostStates, AreLeftAsTheyWere) {
     EXPECT_EQ(mask, expected);
 }
 
+TEST_P(HostStates, AreLeftByAlphaTestsWithAHostsTexture) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const gl::Capabilities& has = context.capabilities();
+    const std::vector<std::uint8_t> texels = {255, 0, 0, 255, 0, 255, 0, 0};
+    const gl::Texture texture = gl::makeTexture(texels, 2, 1, {33071, 33071, 9728, 9728});
+    setOddly(gl::HostFunctions::find(has.version, has.extensions, eglLookUp));
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glActiveTexture(GL_TEXTURE0);
+    const State before = stateNow();
+    const MaskLight light = hostLight(sun({0.5, 1, -0.3}));
+    const Scene scene = yard().scene();
+    MaskMesh mesh = meshOf(*scene.batches.front().geometry);
+    mesh.alphaTested = true;
+    {
+        ShadowMasks masks(GetParam());
+        masks.setAlpha(masks.add(mesh), {.texture = texture.name()});
+        EXPECT_EQ(stateNow(), before);
+        masks.draw(viewOf({{5, 4, 6}, {0, 0.5, 0}, 50.0}), {&light, 1});
+        EXPECT_EQ(stateNow(), before);
+        EXPECT_EQ(glGetError(), 0u);
+    }
+    EXPECT_EQ(stateNow(), before);
+    glActiveTexture(GL_TEXTURE1);
+    for (const auto& [name, value] : {std::pair{GL_TEXTURE_MIN_FILTER, 9728},
+                                      {GL_TEXTURE_MAG_FILTER, 9728},
+                                      {GL_TEXTURE_WRAP_S, 33071},
+                                      {GL_TEXTURE_WRAP_T, 33071}}) {
+        GLint now = 0;
+        glGetTexParameteriv(GL_TEXTURE_2D, static_cast<GLenum>(name), &now);
+        EXPECT_EQ(now, value) << name;
+    }
+    EXPECT_TRUE(glIsTexture(texture.name()));
+}
+
 INSTANTIATE_TEST_SUITE_P(Arrays, HostStates, testing::Values(eglLookUp, lookUpWithoutArrays));
 
 TEST(HostErrors, AreTold) {

@@ -44,6 +44,7 @@ MaskLight hostLight(const Light& light) {
     }
     host.kind = MaskLight::Kind::point;
     host.position = {at.x, at.y, at.z};
+    if (light.extent) host.radius = light.extent->radius;
     if (light.cone) {
         host.kind = MaskLight::Kind::spot;
         host.direction = {light.cone->axis.x, light.cone->axis.y, light.cone->axis.z};
@@ -87,10 +88,11 @@ std::vector<std::uint8_t> readMask(const ShadowMasks& masks, std::size_t light) 
     return mask;
 }
 
-std::vector<std::uint8_t> renderedMask(const Scene& scene, const Camera& camera,
-                                       const Light& light) {
-    const std::vector<std::uint8_t> rgba =
-        drawScene(scene, {camera, {light}, hostWidth, hostHeight, true}, {});
+std::vector<std::uint8_t> renderedMask(const Scene& scene, const Camera& camera, const Light& light,
+                                       const SceneImages& images, bool castMasked) {
+    TestView view{camera, {light}, hostWidth, hostHeight, true};
+    view.images = images;
+    const std::vector<std::uint8_t> rgba = drawScene(scene, view, {}, castMasked);
     std::vector<std::uint8_t> mask;
     for (std::size_t i = 0; i < rgba.size(); i += 4)
         mask.push_back(rgba[i + 3] == 0 ? 255 : rgba[i]);

@@ -32,7 +32,7 @@ std::vector<std::uint8_t> readTexture(unsigned texture);
 std::vector<std::uint8_t> readMask(const ShadowMasks& masks, std::size_t light);
 
 /// The same of `render --mask`, 255 where no surface is.
-std::vector<std::uint8_t> renderedMask(const Scene& scene, const Camera& camera,
-                                       const Light& light);
+std::vector<std::uint8_t> renderedMask(const Scene& scene, const Camera& camera, const Light& light,
+                                       const SceneImages& images = {}, bool castMasked = false);
 
 } // namespace edgeshade::test

@@ -1,4 +1,5 @@
 // What the mask engine hands a host equals `render --mask`, whatever came, went or moved before.
+#include "src/shadow/geometry/light_extent.hpp"
 #include "tests/engine/masks_in_a_host.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -209,6 +210,35 @@ TEST(ShadowMasks, OfALightWithAnExtentAreShares) {
     for (const std::uint8_t share : readMask(masks, 0))
         shares.insert(share);
     EXPECT_EQ(shares, (std::set<int>{0, 51, 102, 153, 204, 255}));
+}
+
+TEST(ShadowMasks, OfASpotWithAnExtentAreTheSharesOfItsPoints) {
+    Light light = spot();
+    light.extent = LightExtent{.shape = LightExtent::Shape::sphere, .radius = 0.4};
+    constexpr std::size_t points = 7;
+    std::vector<unsigned> lit(std::size_t{hostWidth} * hostHeight, 0);
+    for (const Light& point : lightPoints(light, points)) {
+        const auto mask = renderedMask(yard().scene(), corner, point);
+        for (std::size_t i = 0; i < lit.size(); ++i)
+            lit[i] += mask[i] != 0;
+    }
+    std::vector<std::uint8_t> expected;
+    for (const unsigned count : lit)
+        expected.push_back(static_cast<std::uint8_t>((255 * count + points / 2) / points));
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(yard().scene())));
+    MaskView view = viewOf(corner);
+    view.lightSamples = points;
+    const MaskLight asked = hostLight(light);
+    masks.draw(view, {&asked, 1});
+    const auto drawn = readMask(masks, 0);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        different += drawn[i] != expected[i];
+    EXPECT_LE(different, 2u) << "points that are counted together share what they are planned by";
+    EXPECT_EQ(std::set<std::uint8_t>(expected.begin(), expected.end()).size(), points + 1)
+        << "there should be all shares";
 }
 
 TEST(ShadowMasks, AreLitWhereNothingIs) {

@@ -39,9 +39,12 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
     const gl::HeadlessContext context(testPicture(test.width, test.height));
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
     const LoadedScene loaded{
-        {}, scene,
-        {}, test.culledCaps ? buildPlanePairs(scene, castMasked) : uncullable(scene, castMasked),
-        {}, {0.0, castMasked}};
+        {},
+        scene,
+        test.images,
+        test.culledCaps ? buildPlanePairs(scene, castMasked) : uncullable(scene, castMasked),
+        {},
+        {0.0, castMasked}};
     FrameView view = makeFrameView(loaded.scene, loaded.settings.castMasked,
                                    {test.seen(), test.width, test.height, test.lights, test.depth});
     view.mask = test.mask;

@@ -29,6 +29,7 @@ struct TestView {
     std::optional<std::vector<std::size_t>> drawnLights = {}; ///< by index; nothing: all of them
     bool nearDiscard = true;          ///< false: front caps are never cut, which is a fault
     std::optional<Frustum> frustum{}; ///< in place of the camera's
+    SceneImages images{};             ///< of the materials' textures
     bool culledCaps = true; ///< false: culled casters count as if they were seen, which is a fault
 
     /// What is seen.

@@ -27,13 +27,25 @@ Matrix16 matrixAt(std::uintptr_t address) {
     return matrix;
 }
 
+/// `flags`: casts, double-sided, bends, alpha-tested, from the lowest bit on.
 MaskMesh meshAt(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
-                std::size_t count, bool casts, bool doubleSided, bool bends) {
-    return {{at<float>(positions), floats},
-            {at<std::uint32_t>(indices), count},
-            casts,
-            doubleSided,
-            bends};
+                std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
+                unsigned flags) {
+    return {.positions = {at<float>(positions), floats},
+            .indices = {at<std::uint32_t>(indices), count},
+            .casts = (flags & 1u) != 0,
+            .doubleSided = (flags & 2u) != 0,
+            .bends = (flags & 4u) != 0,
+            .alphaTested = (flags & 8u) != 0,
+            .texcoords = {at<float>(texcoords), texcoordFloats}};
+}
+
+/// opacity, cutoff, the transform's nine.
+MaskAlpha alphaAt(unsigned texture, bool green, const float* numbers) {
+    MaskAlpha alpha{.texture = texture, .opacity = numbers[0], .cutoff = numbers[1]};
+    if (green) alpha.channel = MaskAlpha::Channel::green;
+    std::copy_n(numbers + 2, alpha.texcoordTransform.size(), alpha.texcoordTransform.begin());
+    return alpha;
 }
 
 /// kind, position, direction, range, outer angle, radius.
@@ -62,10 +74,11 @@ class PageMasks {
 
     /// Meshes have numbers of their own, which are given back by release().
     int prepare(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
-                std::size_t count, bool casts, bool doubleSided, bool bends) {
+                std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
+                unsigned flags) {
         return numberOf([&] {
             return PreparedMesh(
-                meshAt(positions, floats, indices, count, casts, doubleSided, bends));
+                meshAt(positions, floats, indices, count, texcoords, texcoordFloats, flags));
         });
     }
     /// Takes over a mesh from the worker: `size` bytes that malloc() gave, which it frees.
@@ -87,6 +100,10 @@ class PageMasks {
     }
     bool change(int id, int mesh) {
         return done([&] { masks().change(idOf(id), meshes_.at(mesh)); });
+    }
+    bool setAlpha(int id, unsigned texture, bool green, std::uintptr_t numbers) {
+        return done(
+            [&] { masks().setAlpha(idOf(id), alphaAt(texture, green, at<float>(numbers))); });
     }
     bool move(int id, std::uintptr_t matrix) {
         return done([&] { masks().move(idOf(id), matrixAt(matrix)); });
@@ -206,10 +223,11 @@ class MeshPacker {
   public:
     /// Returns "" or what went wrong.
     std::string pack(std::uintptr_t positions, std::size_t floats, std::uintptr_t indices,
-                     std::size_t count, bool casts, bool doubleSided) {
+                     std::size_t count, std::uintptr_t texcoords, std::size_t texcoordFloats,
+                     unsigned flags) {
         return sentenceOfFailure([&] {
-            bytes_ = toTransfer(
-                PreparedMesh(meshAt(positions, floats, indices, count, casts, doubleSided, false)));
+            bytes_ = toTransfer(PreparedMesh(
+                meshAt(positions, floats, indices, count, texcoords, texcoordFloats, flags)));
         });
     }
     emscripten::val bytes() const { return viewOf(bytes_); }
@@ -229,6 +247,7 @@ EMSCRIPTEN_BINDINGS(edgeshade_masks) {
         .function("release", &PageMasks::release)
         .function("add", &PageMasks::add)
         .function("change", &PageMasks::change)
+        .function("setAlpha", &PageMasks::setAlpha)
         .function("move", &PageMasks::move)
         .function("remove", &PageMasks::remove)
         .function("draw", &PageMasks::draw)

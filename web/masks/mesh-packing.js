@@ -10,7 +10,7 @@ export class MeshPacking {
     this.#module = module;
   }
 
-  /** Resolves with the bytes that Masks.take() takes. Throws a sentence. */
+  /** `mesh`: meshNumbers(). Resolves with the bytes that Masks.take() takes. Throws a sentence. */
   pack(mesh) {
     return this.#calls.ask({ module: this.#module, mesh });
   }

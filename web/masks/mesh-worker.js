@@ -1,6 +1,6 @@
 // The worker that finds meshes' edges. It hands the page buffers that only need copying.
 
-import { meshNumbers, withCopies } from './numbers.js';
+import { withMesh } from './numbers.js';
 import { instantiate } from './runtime.js';
 
 let packer = null;
@@ -8,9 +8,7 @@ let packer = null;
 async function pack({ number, module, mesh }) {
   packer ??= instantiate(module).then((program) => ({ program, packer: new program.MeshPacker() }));
   const { program, packer: by } = await packer;
-  const [positions, indices] = meshNumbers(mesh);
-  const problem = withCopies(program, [positions, indices], ([p, i]) =>
-    by.pack(p, positions.length, i, indices.length, mesh.casts, mesh.doubleSided));
+  const problem = withMesh(program, mesh, (...numbers) => by.pack(...numbers));
   if (problem) throw new Error(problem);
   const bytes = by.bytes().slice();
   postMessage({ number, result: bytes }, [bytes.buffer]);

@@ -10,6 +10,7 @@ Bytes toTransfer(const PreparedMesh& mesh) {
     Writer writer(bytes);
     transfer(writer, *mesh.data()->geometry);
     transfer(writer, *mesh.data()->shadow);
+    writer(mesh.data()->alphaTested, mesh.data()->alphaCorners);
     return bytes;
 }
 
@@ -19,8 +20,9 @@ PreparedMesh meshFromTransfer(std::span<const std::uint8_t> bytes) {
     transfer(reader, geometry);
     auto shadow = std::make_shared<PlanePairShadow>();
     transfer(reader, *shadow);
-    return PreparedMesh(std::make_shared<const PreparedMesh::Data>(
-        PreparedMesh::Data{CopyOnWrite<Geometry>(std::move(geometry)), std::move(shadow)}));
+    PreparedMesh::Data data{CopyOnWrite<Geometry>(std::move(geometry)), std::move(shadow)};
+    reader(data.alphaTested, data.alphaCorners);
+    return PreparedMesh(std::make_shared<const PreparedMesh::Data>(std::move(data)));
 }
 
 } // namespace edgeshade::web

@@ -16,9 +16,22 @@ export function withCopies(program, arrays, use) {
   }
 }
 
-/** {positions, indices} as the program wants them: Float32Array, Uint32Array. */
-export function meshNumbers({ positions, indices }) {
-  const floats = positions instanceof Float32Array ? positions : Float32Array.from(positions);
-  if (indices) return [floats, indices instanceof Uint32Array ? indices : Uint32Array.from(indices)];
-  return [floats, Uint32Array.from({ length: floats.length / 3 }, (_, i) => i)];
+const floatsOf = (numbers) => (numbers instanceof Float32Array ? numbers : Float32Array.from(numbers));
+
+/** A mesh as the program wants it: {positions, indices, texcoords} as typed arrays, and flags. */
+export function meshNumbers({ positions, indices, texcoords = [], casts = true, doubleSided = true, bends = false, alphaTested = false }) {
+  const floats = floatsOf(positions);
+  const corners = indices ?? { length: floats.length / 3 };
+  return {
+    positions: floats,
+    indices: corners instanceof Uint32Array ? corners : Uint32Array.from(corners, (corner, i) => corner ?? i),
+    texcoords: floatsOf(texcoords),
+    flags: [casts, doubleSided, bends, alphaTested].reduce((sum, on, bit) => sum + (on ? 1 << bit : 0), 0),
+  };
+}
+
+/** Copies meshNumbers() there and calls use() with what the program takes of them. */
+export function withMesh(program, { positions, indices, texcoords, flags }, use) {
+  return withCopies(program, [positions, indices, texcoords], ([p, i, t]) =>
+    use(p, positions.length, i, indices.length, t, texcoords.length, flags));
 }

@@ -13,6 +13,27 @@ export interface MaskMesh {
   casts?: boolean;
   /** Else it is seen from its front alone, where it is wound counter-clockwise. Default: true. */
   doubleSided?: boolean;
+  /**
+   * Where its alpha (setAlpha()) is below the cutoff it isn't there: it isn't seen, nor does it
+   * receive. If it casts, then whole triangles, as if it had no holes. Default: false.
+   */
+  alphaTested?: boolean;
+  /** u, v a vertex; of what is alpha-tested. Default: 0, 0. */
+  texcoords?: ArrayLike<number>;
+}
+
+/** What an alpha-tested mesh has of alpha: opacity times the texture's. */
+export interface MaskAlpha {
+  /** Yours, 2D: sampled as it is, never changed; keep it for as long as it is set. Default: null. */
+  texture?: WebGLTexture | null;
+  /** Of the texture. Default: 'alpha'. */
+  channel?: 'alpha' | 'green';
+  /** Default: 1. */
+  opacity?: number;
+  /** Alpha below it is a hole. Default: 0.5. */
+  cutoff?: number;
+  /** 9 numbers, column-major: (u, v, 1) times it is where the texture is looked up. */
+  texcoordTransform?: ArrayLike<number> & Iterable<number>;
 }
 
 export interface MaskLight {
@@ -26,7 +47,7 @@ export interface MaskLight {
   range?: number;
   /** Of a spot, radians, to pi / 2: dark from there on. */
   outerAngle?: number;
-  /** A point light's radius; of a sun half its angle, radians. 0: shadows are hard. */
+  /** A point light's or spot's radius; of a sun half its angle, radians. 0: shadows are hard. */
   radius?: number;
 }
 
@@ -134,6 +155,8 @@ export class ShadowMasks {
   add(mesh: number, worldFromObject: Matrix): number;
   /** Another mesh in the same place. */
   change(id: number, mesh: number): void;
+  /** Of an alpha-tested mesh; until it is set, and after change(), it has no holes. */
+  setAlpha(id: number, alpha: MaskAlpha): void;
   move(id: number, worldFromObject: Matrix): void;
   remove(id: number): void;
 

@@ -2,15 +2,17 @@
 
 import { putBytes } from '../element/memory.js';
 import { HostState } from './host-state.js';
+import { HostTextures } from './host-textures.js';
 import { LightLookups } from './light-lookups.js';
 import { MeshPacking } from './mesh-packing.js';
-import { meshNumbers, withCopies } from './numbers.js';
+import { meshNumbers, withCopies, withMesh } from './numbers.js';
 import { compiledModule, instantiate } from './runtime.js';
 
 export { lookupSource } from './lookup-source.js';
 
 const kinds = ['directional', 'point', 'spot'];
 const lightNumbers = 10;
+const channels = ['alpha', 'green'];
 
 /** That one draw() can have. */
 export const mostLights = 32;
@@ -28,6 +30,7 @@ export class ShadowMasks {
   #handle;
   #masks;
   #state;
+  #textures; // of the host, by mesh
   #packing;
   #lookups;
   #allocatedFor = ''; // sizes that draw() has pictures of
@@ -73,6 +76,7 @@ export class ShadowMasks {
     if (this.#handle !== undefined) this.#program.GL.deleteContext(this.#handle);
     this.#handle = this.#program.GL.registerContext(this.#gl, { majorVersion: webGl2 ? 2 : 1, minorVersion: 0,
       enableExtensionsByDefault: !webGl2 });
+    this.#textures = new HostTextures(this.#program.GL);
     // Emscripten numbers what is the program's, and takes the number from what was deleted.
     this.#state = new HostState(this.#gl, (texture) => texture.name === 0);
     this.#allocatedFor = '';
@@ -82,18 +86,13 @@ export class ShadowMasks {
 
   /** Finds a mesh's edges in a worker. Resolves with its number. */
   async prepare(mesh) {
-    const { casts = true, doubleSided = true } = mesh;
-    const [positions, indices] = meshNumbers(mesh);
-    const bytes = await this.#packing.pack({ positions, indices, casts, doubleSided });
+    const bytes = await this.#packing.pack(meshNumbers(mesh));
     return this.#numberOf(this.#masks.take(...putBytes(this.#program, bytes)));
   }
 
   /** The same at once. */
   prepareNow(mesh) {
-    const { casts = true, doubleSided = true, bends = false } = mesh;
-    const [positions, indices] = meshNumbers(mesh);
-    return withCopies(this.#program, [positions, indices], ([p, i]) =>
-      this.#numberOf(this.#masks.prepare(p, positions.length, i, indices.length, casts, doubleSided, bends)));
+    return withMesh(this.#program, meshNumbers(mesh), (...numbers) => this.#numberOf(this.#masks.prepare(...numbers)));
   }
 
   /** Uploads a prepared mesh ahead of add(), so that no draw() takes long. */
@@ -111,6 +110,16 @@ export class ShadowMasks {
 
   change(id, mesh) {
     this.#require(this.#masks.change(id, mesh));
+    this.#textures.drop(id);
+  }
+
+  /** What an alpha-tested mesh has of alpha. */
+  setAlpha(id, { texture = null, channel = 'alpha', opacity = 1, cutoff = 0.5, texcoordTransform = [1, 0, 0, 0, 1, 0, 0, 0, 1] }) {
+    if (!channels.includes(channel)) throw new Error(`Alpha is in the channel '${channel}', which is none of ${channels.join(', ')}.`);
+    const numbers = Float32Array.from([opacity, cutoff, ...texcoordTransform]);
+    if (numbers.length !== 11) throw new Error('A transform of texture coordinates has 9 numbers.');
+    this.#textures.use(id, texture, (name) => withCopies(this.#program, [numbers], ([address]) =>
+      this.#require(this.#masks.setAlpha(id, name, channel === 'green', address))));
   }
 
   move(id, matrix) {
@@ -119,6 +128,7 @@ export class ShadowMasks {
 
   remove(id) {
     this.#require(this.#masks.remove(id));
+    this.#textures.drop(id);
   }
 
   draw({ viewFromWorld, clipFromView, width, height, lightSamples = 64, nearness = true }, lights) {

@@ -60,7 +60,7 @@ for (const release of releases)
  * A yard with a box, which change(world) changes after its first picture, as three.js then draws it against the
  * native mask of what three.js exports. change() is run in the page and may return a camera of its own.
  */
-async function changed(context, change, { view = corner, light = sun } = {}) {
+async function changed(context, change, { view = corner, light = sun, most } = {}) {
   const page = await opened(context);
   if (!page) return;
   const { red, glb } = await page.evaluate(async ({ text, seen, wide }) => {
@@ -68,7 +68,7 @@ async function changed(context, change, { view = corner, light = sun } = {}) {
     return changedPicture(yard(wide), seen, (0, eval)(`(${text})`));
   }, { text: change.toString(), seen: view, wide: size });
   const told = await compareMasks(page, red, nativeMask(Buffer.from(glb, 'base64'), view, light));
-  assertSame(told);
+  assertSame(told, { most });
   await shared.check(page, exporting);
 }
 
@@ -154,3 +154,24 @@ test('a lamp', (context) => changed(context, ({ three, scene, light }) => {
   lamp.castShadow = true;
   scene.add(lamp);
 }, { light: ['--light', '1.6,3,1.2'] }));
+
+test('what is seen through the holes of an alpha-tested sheet', (context) => changed(context, (world) => {
+  const sheet = window.page.fence(world, { map: window.page.pattern() });
+  sheet.castShadow = false;
+  world.scene.add(sheet);
+}, { most: 0.001 }));
+
+test('alpha-tested sheets that cast whole triangles, of one side, instanced', (context) => changed(context, (world) => {
+  const { three, scene } = world;
+  const { geometry, material } = window.page.fence(world, { map: window.page.pattern(), side: three.FrontSide });
+  const many = new three.InstancedMesh(geometry, material, 3);
+  many.castShadow = many.receiveShadow = true;
+  for (let i = 0; i < 3; ++i)
+    many.setMatrixAt(i, new three.Matrix4().makeRotationY(0.5 + 1.1 * i).setPosition(1.6 - 1.7 * i, 1.3 + 0.4 * i, 1.2 - i));
+  scene.add(many);
+}, { light: [...sun, '--cast-masked'], most: 0.001 }));
+
+test('a see-through sheet neither casts nor disturbs', (context) => changed(context, (world) => {
+  const { fence, pattern } = window.page;
+  world.scene.add(Object.assign(fence(world, { map: pattern(), transparent: true, opacity: 0.001 }), { name: 'see-through' }));
+}));

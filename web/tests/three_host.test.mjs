@@ -19,8 +19,10 @@ async function inPage(act, { release, allowed = [] } = {}) {
 const asking = [/invalid parameter name/, /too many errors/];
 
 test('all that a host may have set is as it was, and three.js\' own passes are unharmed', async () => {
-  const { before, after, plainBefore, plainAfter, errors } = await inPage(async ({ three, yard, ExactShadows, cameraOf, drawn, hash, stateOf }) => {
-    const { renderer, scene } = yard({ width: 200, height: 120 });
+  const { before, after, plainBefore, plainAfter, errors } = await inPage(async ({ three, yard, fence, pattern, ExactShadows, cameraOf, drawn, hash, stateOf }) => {
+    const world = yard({ width: 200, height: 120 });
+    const { renderer, scene } = world;
+    scene.add(fence(world, { alphaMap: pattern(true) }));
     const gl = renderer.getContext();
     const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 200 / 120);
     // A pass of three.js' with blending, stencil, scissor, a sampler that repeats and a target with samples.

@@ -1,28 +1,31 @@
 // Keeps the mask engine's meshes as three.js's scene has them.
 
 import { BackSide, DoubleSide, Matrix4 } from 'three';
-import { isPosed, poseOf, shapeOf, versionOf } from './mesh-shape.js';
+import { isAlphaTested, sameAlpha, texcoordsNameOf } from './alpha-tests.js';
+import { isPosed, poseOf, sameNumbers, shapeOf, texcoordsOf, versionOf } from './mesh-shape.js';
 
 /** Triangles up to which edges are found at once: in less time than a frame has to spare. */
 const fewTriangles = 500;
 
 const materialsOf = (mesh) => [mesh.material].flat().filter(Boolean);
-const isCutOut = (material) => material.alphaTest > 0 || material.alphaMap || material.alphaHash;
-/** What masks can show: see-through surfaces show what is behind them too, cut-out ones are none of it yet. */
-const isOpaque = (material) => material.visible && !isCutOut(material) && (!material.transparent || material.isShadowMaterial);
+/** What masks can show: see-through surfaces, dithered ones too, show what is behind them. */
+const isShown = (material) => material.visible && !material.alphaHash && (!material.transparent || material.isShadowMaterial);
 
 const place = new Matrix4(), instance = new Matrix4();
 
-const sameNumbers = (a, b) => a.length === b.length && a.every((number, i) => number === b[i]);
-
-/** How the mask engine has a mesh; null: not at all. */
-function roleOf(mesh) {
+/** How the mask engine has a mesh; null: not at all. Of several materials alpha tests count where all have them. */
+function roleOf(mesh, alphaTestedCast) {
   const materials = materialsOf(mesh);
-  if (!mesh.geometry?.attributes?.position || !materials.some(isOpaque)) return null;
-  if (!mesh.castShadow && !mesh.receiveShadow) return null;
+  const shown = materials.filter(isShown);
+  if (!mesh.geometry?.attributes?.position || shown.length === 0) return null;
+  const tested = shown.every(isAlphaTested) ? shown[0] : null;
+  const casts = Boolean(mesh.castShadow && (alphaTestedCast || !tested));
+  if (!casts && !mesh.receiveShadow) return null;
   const sides = materials.map(({ side }) => side);
   return {
-    casts: Boolean(mesh.castShadow),
+    casts,
+    tested,
+    texcoords: tested ? texcoordsNameOf(tested) : null,
     doubleSided: sides.some((side) => side === DoubleSide) || new Set(sides).size > 1,
     inward: sides[0] === BackSide,
   };
@@ -46,12 +49,14 @@ function placesOf(mesh) {
 
 export class Casters {
   #masks;
+  #alphaTests;
   #prepared = new Map(); // key: {number or null while it is waited for, users, promise; ahead: to be uploaded}
   #meshes = new Map();   // three.js's mesh: what the engine has of it
   #problems = [];
 
-  constructor(masks) {
+  constructor(masks, alphaTests) {
     this.#masks = masks;
+    this.#alphaTests = alphaTests;
   }
 
   /** Meshes whose edges are not found yet, or that are not uploaded. */
@@ -74,11 +79,12 @@ export class Casters {
     return [...this.#prepared.values()].filter(({ number }) => number === null);
   }
 
-  /** The engine has exactly these, as they are now, but for those whose edges are being found. */
-  follow(meshes) {
+  /** The engine has exactly these, as they are now, but for those whose edges are being found. `alphaTestedCast`:
+   * whether alpha tests leave a mesh its castShadow. */
+  follow(meshes, alphaTestedCast) {
     const seen = new Set();
     for (const mesh of meshes) {
-      const role = roleOf(mesh);
+      const role = roleOf(mesh, alphaTestedCast);
       if (!role) continue;
       seen.add(mesh);
       this.#followOne(mesh, role);
@@ -97,7 +103,7 @@ export class Casters {
 
   /** The engine has lost all that was added to it. */
   forget() {
-    for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], shown: null });
+    for (const had of this.#meshes.values()) Object.assign(had, { ids: [], places: [], alphas: [], shown: null });
   }
 
   clear() {
@@ -105,14 +111,16 @@ export class Casters {
   }
 
   #followOne(mesh, role) {
-    const roleKey = `${role.casts} ${role.doubleSided} ${role.inward}`;
+    const roleKey = `${role.casts} ${role.doubleSided} ${role.inward} ${role.texcoords}`;
     let had = this.#meshes.get(mesh);
-    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], shown: null });
+    if (!had) this.#meshes.set(mesh, had = { key: null, ids: [], places: [], alphas: [], shown: null });
     had.casts = role.casts;
     if (isPosed(mesh)) this.#pose(mesh, role, roleKey, had);
-    else this.#prepare(mesh, role, `${mesh.geometry.uuid} ${versionOf(mesh)} ${roleKey}`, had);
+    else this.#prepare(mesh, role, `${mesh.geometry.uuid} ${versionOf(mesh, role.texcoords)} ${roleKey}`, had);
     const { number: found = null, ahead } = this.#prepared.get(had.key) ?? {};
-    if (found !== null && !ahead) this.#place(mesh, found, had);
+    if (found === null || ahead) return;
+    this.#place(mesh, found, had);
+    if (role.tested) this.#setAlpha(role.tested, had);
   }
 
   /** Of a geometry that some meshes may have in common. */
@@ -156,7 +164,7 @@ export class Casters {
   /** Of a mesh that is bent: at once, so that shadow and picture are of the same pose. */
   #pose(mesh, role, roleKey, had) {
     const pose = poseOf(mesh);
-    const version = `${versionOf(mesh)} ${roleKey}`;
+    const version = `${versionOf(mesh, role.texcoords)} ${roleKey}`;
     if (had.key === mesh.uuid && had.version === version && sameNumbers(had.pose, pose)) return;
     this.#release(had.key);
     Object.assign(had, { key: mesh.uuid, version, pose });
@@ -165,25 +173,39 @@ export class Casters {
     this.#prepareNow({ ...this.#shapeOf(mesh, role), bends: true }, entry);
   }
 
-  #shapeOf(mesh, { casts, doubleSided, inward }) {
-    const shape = shapeOf(mesh);
+  #shapeOf(mesh, { casts, tested, texcoords, doubleSided, inward }) {
+    const shape = { ...shapeOf(mesh), casts, doubleSided };
     if (inward) shape.indices.reverse();
-    return { ...shape, casts, doubleSided };
+    return tested ? { ...shape, alphaTested: true, texcoords: texcoordsOf(mesh, texcoords) } : shape;
   }
 
   #place(mesh, number, had) {
     const places = number < 0 ? [] : placesOf(mesh).filter(Boolean);
     const ids = had.ids;
     while (ids.length > places.length) this.#masks.remove(ids.pop());
+    had.alphas.length = Math.min(had.alphas.length, ids.length);
     for (const [i, matrix] of places.entries()) {
       if (i >= ids.length) {
         ids.push(this.#masks.add(number, matrix));
         continue;
       }
-      if (had.shown !== number) this.#masks.change(ids[i], number);
+      if (had.shown !== number) {
+        this.#masks.change(ids[i], number);
+        had.alphas[i] = null;
+      }
       if (!sameNumbers(had.places[i], matrix)) this.#masks.move(ids[i], matrix);
     }
     Object.assign(had, { places, shown: number });
+  }
+
+  /** Of all places, where it is another than it was. */
+  #setAlpha(material, { ids, alphas }) {
+    const alpha = this.#alphaTests.of(material);
+    for (const [i, id] of ids.entries()) {
+      if (alphas[i] && sameAlpha(alphas[i], alpha)) continue;
+      this.#masks.setAlpha(id, alpha);
+      alphas[i] = alpha;
+    }
   }
 
   #drop(mesh) {

@@ -2,6 +2,7 @@
 
 import { Matrix4, Vector2, Vector3, Vector4 } from 'three';
 import { mostLights, ShadowMasks } from '../masks/shadow-masks.js';
+import { AlphaTests } from './alpha-tests.js';
 import { Casters } from './casters.js';
 import { mostSlots, slotName } from './lit.glsl.js';
 import { MaskTextures } from './mask-textures.js';
@@ -81,13 +82,14 @@ export class ExactShadows {
     this.#lost = false;
   };
 
-  constructor(renderer, { lightSamples = 64, keepsState = false, lookups = 1 } = {}) {
+  constructor(renderer, { lightSamples = 64, alphaTestedCast = true, keepsState = false, lookups = 1 } = {}) {
     if (!renderer?.isWebGLRenderer) throw new Error('ExactShadows needs a WebGLRenderer of three.js.');
     const context = renderer.getContext();
     if (typeof WebGL2RenderingContext === 'undefined' || !(context instanceof WebGL2RenderingContext))
       throw new Error('ExactShadows needs a renderer that draws with WebGL 2.');
     this.#renderer = renderer;
     this.lightSamples = lightSamples;
+    this.alphaTestedCast = alphaTestedCast;
     this.#keepsState = keepsState;
     this.#mostLookedUp = Math.min(lookups, mostSlots);
     this.#textures = new MaskTextures(renderer);
@@ -100,7 +102,7 @@ export class ExactShadows {
         if (this.#disposed) return masks.dispose();
         this.#masks = masks;
         this.#resetRenderer();
-        this.#casters = new Casters(masks);
+        this.#casters = new Casters(masks, new AlphaTests(renderer));
         this.#resting = new RestingLights(masks, this.#mostLookedUp, () => this.#resetRenderer());
         return undefined;
       },
@@ -118,7 +120,7 @@ export class ExactShadows {
     return this;
   }
 
-  /** What a light's shadows are soft by: a point light's radius; of a sun half its angle. 0: they are hard. */
+  /** What a light's shadows are soft by: a point light's or spot's radius; of a sun half its angle. 0: they are hard. */
   setRadius(light, radius) {
     this.#radii.set(light, radius);
     return this;
@@ -236,7 +238,7 @@ export class ExactShadows {
     if (camera.parent === null && camera.matrixWorldAutoUpdate !== false) camera.updateMatrixWorld();
     const within = ancestorTakesPart(scene, this.#roots);
     const { lights, meshes } = visibleOf(scene, camera, within ? new Set([scene]) : this.#roots);
-    if (!this.#lost) this.#casters?.follow(meshes);
+    if (!this.#lost) this.#casters?.follow(meshes, this.alphaTestedCast);
     const receiving = new Map(); // material: whether all that it is on casts
     for (const mesh of meshes) {
       if (!mesh.receiveShadow) continue;

@@ -13,8 +13,8 @@ const otherTextures = 6;
 const isLit = (material) => Boolean(material.isMeshStandardMaterial || material.isMeshLambertMaterial ||
   material.isMeshPhongMaterial || material.isMeshToonMaterial);
 
-/** Whether masks show a material's surfaces. */
-const isMasked = (material) => Boolean(material.isShadowMaterial) || !material.transparent;
+/** Whether masks show a material's surfaces: see-through and dithered ones show what is behind them too. */
+const isMasked = (material) => Boolean(material.isShadowMaterial) || !(material.transparent || material.alphaHash);
 
 /** Whether a material is lit by lights that cast. */
 export const takesShadow = (material) => Boolean(material.isShadowMaterial) || isLit(material);

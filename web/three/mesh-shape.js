@@ -4,14 +4,18 @@ import { Vector3 } from 'three';
 
 const vertex = new Vector3();
 
+export const sameNumbers = (a, b) => a.length === b.length && a.every((number, i) => number === b[i]);
+
 /** Whether its shape is other than its geometry's: bent by bones or morphed. */
 export const isPosed = (mesh) => Boolean(mesh.isSkinnedMesh || mesh.geometry.morphAttributes.position?.length);
 
-/** Changes when the triangles do. */
-export function versionOf({ geometry }) {
-  const { index, attributes: { position }, drawRange } = geometry;
+/** Changes when the triangles do, or the texture coordinates of that name, if there is one. */
+export function versionOf({ geometry }, texcoords) {
+  const { index, attributes, drawRange } = geometry;
+  const { position } = attributes;
   const dataVersion = (attribute) => attribute?.data?.version ?? attribute?.version ?? 0;
-  return [position.count, dataVersion(position), index?.count, dataVersion(index), drawRange.start, drawRange.count].join();
+  return [position.count, dataVersion(position), index?.count, dataVersion(index), drawRange.start, drawRange.count,
+    texcoords, dataVersion(attributes[texcoords])].join();
 }
 
 /** Likewise, of what bends it; numbers, to be compared one by one. */
@@ -36,6 +40,14 @@ function positionsOf(mesh) {
     vertex.toArray(positions, 3 * i);
   }
   return positions;
+}
+
+/** u, v a vertex, of three.js' name for them; none where the geometry has none. */
+export function texcoordsOf({ geometry }, name) {
+  const attribute = geometry.attributes[name];
+  const texcoords = new Float32Array(attribute ? 2 * geometry.attributes.position.count : 0);
+  for (let i = 0; 2 * i < texcoords.length; ++i) texcoords.set([attribute.getX(i), attribute.getY(i)], 2 * i);
+  return texcoords;
 }
 
 /** {positions, indices} of what is drawn of a mesh, in its own space. */

@@ -14,13 +14,14 @@ const at = new Vector3(), target = new Vector3();
 function maskLightOf(light, radius) {
   const kind = kindOf(light);
   at.setFromMatrixPosition(light.matrixWorld);
-  const made = { kind, position: at.toArray(), radius: kind === 'spot' ? 0 : radius };
+  const made = { kind, position: at.toArray(), radius };
   if (kind !== 'point') {
     target.setFromMatrixPosition(light.target.matrixWorld).sub(at);
     made.direction = target.lengthSq() > 0 ? target.toArray() : [0, -1, 0];
   }
   if (kind !== 'directional' && light.distance > 0) made.range = 1.01 * light.distance;
-  if (kind === 'spot') made.outerAngle = Math.min(light.angle + 0.02, Math.PI / 2);
+  // Cones of a spot's points are not its middle's, which is what three.js draws.
+  if (kind === 'spot') made.outerAngle = radius > 0 ? Math.PI / 2 : Math.min(light.angle + 0.02, Math.PI / 2);
   return made;
 }
 

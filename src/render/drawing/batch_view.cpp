@@ -13,6 +13,7 @@ BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthS
         glm::mat4(glm::translate(glm::dmat4(1.0), -view.frustum.position()) * batch.worldFromBatch);
     result.normalFromObject = glm::mat3(glm::inverseTranspose(glm::dmat3(batch.worldFromBatch)));
     result.planes = viewPlanes(view, slice, batch.worldFromBatch);
+    result.alpha = batch.alpha ? &*batch.alpha : nullptr;
     result.mirrored = batch.mirrored();
     result.culls = view.culls;
     return result;

@@ -16,6 +16,7 @@ struct BatchView {
     glm::mat4 coneFromObject{1.0f}; ///< see coneFromWorld(); used where the light is a spot
     /// Its chunks' triangles for a primitive map's light; null where there is none.
     const std::vector<SidedChunk>* sided = nullptr;
+    const AlphaLookup* alpha = nullptr; ///< the batch's own; null: its materials' are taken
     bool mirrored = false;
     bool culls = false; ///< see Scene
 };

@@ -9,15 +9,18 @@ constexpr float aboveAnyAlpha = 2.0f;
 
 } // namespace
 
-void setCapAlphaTest(const gl::Program& program, const Material& material,
-                     const Textures& textures) {
+void setCapAlphaTest(const gl::Program& program, const GpuScene& scene, std::size_t batch,
+                     std::size_t material) {
+    const AlphaLookup alpha = scene.alphaOf(batch, material);
     // Nothing of a BLEND surface is in the depth buffer, so all of it counts as cut out.
-    const bool blend = material.alphaMode == AlphaMode::blend;
+    const bool blend = scene.materials[material].alphaMode == AlphaMode::blend;
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, textures.of(material.baseColor()));
+    glBindTexture(GL_TEXTURE_2D, alpha.texture);
     program.setSampler("u_texture", 0);
-    program.set("u_alphaScale", material.baseColorFactor.a);
-    program.set("u_alphaCutoff", blend ? aboveAnyAlpha : material.alphaCutoff);
+    program.set("u_alphaChannel", alpha.channel);
+    program.set("u_texcoordTransform", alpha.texcoordTransform);
+    program.set("u_alphaScale", alpha.factor);
+    program.set("u_alphaCutoff", blend ? aboveAnyAlpha : alpha.cutoff);
 }
 
 } // namespace edgeshade

@@ -169,6 +169,17 @@ void setVisibility(gl::Program& program, const VisibilityLookup& visibility) {
     program.set("u_visibilityTexel", 1.0f / visibility.size);
 }
 
+/// In place of what the material says of it.
+void setAlphaLookup(gl::Program& program, const AlphaLookup& alpha) {
+    program.set("u_baseColor", glm::vec4(1.0f, 1.0f, 1.0f, alpha.factor));
+    program.set("u_alphaCutoff", alpha.cutoff);
+    program.set("u_alphaChannel", alpha.channel);
+    program.set("u_texcoordTransform", alpha.texcoordTransform);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, alpha.texture);
+    program.setSampler("u_texture", 0);
+}
+
 /// What an unlit material draws: all of its colour with ambient light, and black for what adds
 /// light, which of surfaces that coincide is drawn for the first as well.
 SurfaceShading unlitShading(SurfaceShading shading) {
@@ -338,6 +349,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.softTerminator) defines.push_back("SOFT_TERMINATOR");
     if (variant.linear) defines.push_back("LINEAR");
     if (variant.textured) defines.push_back("TEXTURED");
+    if (variant.alphaLookup) defines.push_back("ALPHA_LOOKUP");
     if (variant.colored) defines.push_back("COLORED");
     if (variant.lit) defines.push_back("LIT");
     if (derivatives_) defines.push_back("DERIVATIVES");
@@ -417,6 +429,8 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     const SidedChunk* sided = casts ? sidedOf(chunk, view, shading) : nullptr;
     Variant variant = variantOf(scene, chunk, shading);
     variant.sided = sided && sided->lightSide == 0.0f;
+    variant.alphaLookup = view.alpha != nullptr;
+    variant.textured = variant.textured || variant.alphaLookup;
     gl::Program& used = program(variant);
     used.use();
     setShading(used, shading, eye);
@@ -438,7 +452,9 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     if (shading.full) setFullShading(used, *shading.full);
     if (variant.material)
         setMaterial(used, *variant.material, material, scene.textures, firstUnit(shading, used));
-    if (variant.textured) {
+    if (variant.alphaLookup) {
+        setAlphaLookup(used, *view.alpha);
+    } else if (variant.textured) {
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, scene.textures.of(material.baseColor()));
         used.setSampler("u_texture", 0);

@@ -129,13 +129,14 @@ class SurfacePass {
         bool planes;       ///< draws what such a mask stores of surfaces
         bool nearness;     ///< draws how near they are
         bool orthographic; ///< looks it up or draws it for such a picture
+        bool alphaLookup;  ///< finds its alpha by an AlphaLookup
         bool sided;        ///< its vertices know which side the light is on
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
                             linear, softTerminator, catcher, textured, colored, lit, falloff,
                             withAmbient, directional, ranged, spot, mask, sliced, coarse,
-                            visibility, planes, nearness, orthographic, sided);
+                            visibility, planes, nearness, orthographic, alphaLookup, sided);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

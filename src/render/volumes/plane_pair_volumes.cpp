@@ -288,7 +288,7 @@ void PlanePairVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch)
         drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, false);
         return;
     }
-    setCapAlphaTest(program, batch.scene->materials[*draw.alphaTested], batch.scene->textures);
+    setCapAlphaTest(program, *batch.scene, batch.plan.batch, *draw.alphaTested);
     if (!draw.cutoutsAlone) {
         program.set("u_frontCapAtInfinity", 1.0f);
         drawCapRecords(caps, buffers.copied(), draw.range, draw.faces, true);

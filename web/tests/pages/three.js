@@ -33,14 +33,16 @@ function whiten(scene) {
   const made = new Map();
   scene.traverse((object) => {
     if (!object.isMesh) return;
-    const { side } = object.material;
-    if (!made.has(side)) {
+    const { side, alphaTest, alphaMap, map, opacity, transparent } = object.material;
+    const key = alphaTest > 0 || transparent ? object.material : side;
+    if (!made.has(key)) {
       const material = new three.MeshToonMaterial({ color: 0xffffff, side });
+      if (key === object.material) Object.assign(material, { alphaTest, alphaMap, map, opacity, transparent });
       material.gradientMap = new three.DataTexture(new Uint8Array([255, 255, 255, 255, 255, 255, 255, 255]), 2, 1);
       material.gradientMap.needsUpdate = true;
-      made.set(side, material);
+      made.set(key, material);
     }
-    object.material = made.get(side);
+    object.material = made.get(key);
   });
 }
 
@@ -113,6 +115,28 @@ function yard(size) {
   const [light, target] = lampOf({ kind: 'DirectionalLight', position: [0.5, 1, -0.3] });
   scene.add(ground, box, light, target);
   return { three, renderer, scene, ground, box, light, material, mesh };
+}
+
+/** 8 x 8 white texels of which some have no alpha or, where it is asked for, no green; looked up turned and shifted. */
+function pattern(inGreen = false) {
+  const texels = new Uint8Array(4 * 64).fill(255);
+  for (let i = 0; i < 64; ++i) if ((i % 8 + (i >> 3)) % 3 === 0) texels[4 * i + (inGreen ? 1 : 3)] = 0;
+  const texture = new three.DataTexture(texels, 8, 8);
+  texture.wrapS = texture.wrapT = three.RepeatWrapping;
+  texture.repeat.set(2, 2); // as glTF has turns, too, the same both ways
+  texture.offset.set(0.1, 0.2);
+  texture.rotation = 0.3;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** A sheet with holes between the eye and much of the yard. */
+function fence({ mesh }, settings = {}) {
+  const made = mesh(new three.PlaneGeometry(3.5, 2.5));
+  made.position.set(1, 1.4, 1.8);
+  made.rotation.set(-0.4, 0.6, 0);
+  made.material = new three.MeshStandardMaterial({ alphaTest: 0.5, side: three.DoubleSide, ...settings });
+  return made;
 }
 
 /** Draws, changes, and draws again: {red, glb}, the latter as three.js exports what is seen. */
@@ -199,4 +223,4 @@ function rendererName() {
   return gl?.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER) ?? '';
 }
 
-window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, base64Of, yard, changedPicture };
+window.page = { rendererName, hash, redAt, stateOf, attributesOf, three, ExactShadows, rendererOf, loaded, whiten, cameraOf, lampOf, drawn, rested, frame, redOf, base64Of, yard, pattern, fence, changedPicture };

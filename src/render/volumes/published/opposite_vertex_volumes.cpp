@@ -62,7 +62,7 @@ void OppositeVertexVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch
         caps_.draw(shadow, draw.range, false);
         return;
     }
-    setCapAlphaTest(program, batch.scene->materials[*draw.alphaTested], batch.scene->textures);
+    setCapAlphaTest(program, *batch.scene, batch.plan.batch, *draw.alphaTested);
     for (const float atInfinity : {1.0f, 0.0f}) {
         program.set("u_frontCapAtInfinity", atInfinity);
         caps_.draw(shadow, draw.range, true);

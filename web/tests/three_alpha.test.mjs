@@ -1,0 +1,91 @@
+// Alpha tests of three.js' materials in exact shadows: whatever alpha comes from, and as it changes.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { useBrowser } from './support/browser.mjs';
+import { openThree } from './support/three.mjs';
+
+const shared = useBrowser();
+
+for (const release of ['three-0.152', 'three'])
+  test(`alpha of map, of alphaMap and of other texture coordinates, in ${release}`, async () => {
+    const page = await openThree(shared, release);
+    const told = await page.evaluate(async () => {
+      const { yard, fence, pattern, ExactShadows, cameraOf, drawn, redOf, whiten } = window.page;
+      const world = yard({ width: 240, height: 140 });
+      const { renderer, scene } = world;
+      const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 240 / 140);
+      const shadows = new ExactShadows(renderer).add(scene);
+      const pictures = {};
+      const draw = async (name, sheet) => {
+        if (sheet) scene.add(sheet);
+        whiten(scene);
+        await drawn(shadows, scene, camera);
+        pictures[name] = redOf(renderer);
+        return sheet;
+      };
+      await draw('none');
+      const sheet = await draw('map', fence(world, { map: pattern() }));
+      shadows.alphaTestedCast = false;
+      await draw('castsNothing');
+      shadows.alphaTestedCast = true;
+      sheet.material.opacity = 0.4; // all below 0.5: nothing is seen, but its shadow is there
+      await draw('faded');
+      sheet.material.opacity = 1;
+      await draw('mapAgain');
+      sheet.material.map.offset.x += 0.17;
+      await draw('moved');
+      sheet.material.map.dispose();
+      await draw('movedAgain');
+      scene.remove(sheet);
+      scene.remove(await draw('alphaMap', fence(world, { alphaMap: pattern(true) })));
+      const other = fence(world, { alphaMap: pattern(true) });
+      other.geometry.setAttribute('uv1', other.geometry.attributes.uv.clone());
+      other.geometry.attributes.uv.array.fill(0);
+      other.material.alphaMap.channel = 1;
+      scene.remove(await draw('otherCoordinates', other));
+      const unlike = (a, b) => pictures[a].reduce((sum, value, i) => sum + (Math.abs(value - pictures[b][i]) > 20), 0);
+      const pairs = [['none', 'map'], ['map', 'castsNothing'], ['none', 'faded'], ['map', 'faded'], ['map', 'moved'],
+        ['map', 'mapAgain'], ['moved', 'movedAgain'], ['map', 'alphaMap'], ['map', 'otherCoordinates']];
+      return Object.fromEntries(pairs.map(([a, b]) => [`${a} ${b}`, unlike(a, b)]));
+    });
+    console.log(release, told);
+    for (const other of ['none map', 'map castsNothing', 'none faded', 'map faded', 'map moved'])
+      assert.ok(told[other] > 200, `${other}: ${told[other]}`);
+    for (const same of ['map mapAgain', 'moved movedAgain', 'map alphaMap', 'map otherCoordinates'])
+      assert.equal(told[same], 0, same);
+    await shared.check(page);
+  });
+
+test("a spot's radius softens its shadow, and leaves its cone to three.js", async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { yard, lampOf, ExactShadows, cameraOf, drawn, redOf, whiten } = window.page;
+    const { renderer, scene, light, box } = yard({ width: 240, height: 140 });
+    const camera = cameraOf({ from: [5, 4, 6], to: [0, 0.6, 0], fov: 50 }, 240 / 140);
+    scene.remove(light, light.target);
+    const [spot, aim] = lampOf({ kind: 'SpotLight', position: [1.4, 3, -0.9] });
+    aim.position.set(-0.2, 0, 0.1);
+    scene.add(spot, aim);
+    whiten(scene);
+    const shadows = new ExactShadows(renderer, { lightSamples: 16 }).add(scene);
+    const shades = () => new Set(redOf(renderer)).size;
+    await drawn(shadows, scene, camera);
+    const hard = shades();
+    shadows.setRadius(spot, 0.3);
+    await drawn(shadows, scene, camera);
+    const soft = shades();
+    box.castShadow = false;
+    await drawn(shadows, scene, camera);
+    const unshaded = redOf(renderer);
+    spot.castShadow = false;
+    renderer.render(scene, camera);
+    const plain = redOf(renderer);
+    // Sides of the ground that face away aside: three.js lights them no more than the masks do.
+    return { hard, soft, coneDiffers: plain.reduce((sum, value, i) => sum + (Math.abs(value - unshaded[i]) > 2), 0) };
+  });
+  console.log(told);
+  assert.ok(told.soft > told.hard + 8, `${told.hard} shades, then ${told.soft}`);
+  assert.ok(told.coneDiffers < 20, `${told.coneDiffers} pixels`);
+  await shared.check(page);
+});

@@ -1,0 +1,48 @@
+// Alpha-tested materials of three.js, as the mask engine takes them.
+
+import { sameNumbers } from './mesh-shape.js';
+
+/** Whether alpha decides where a surface is. */
+export const isAlphaTested = (material) => material.alphaTest > 0;
+
+/** Its texture, of which alphaMap has alpha in green; of both this one is taken. */
+const textureOf = ({ alphaMap, map }) => alphaMap ?? map ?? null;
+
+/** three.js' name of the texture coordinates that it takes. */
+export const texcoordsNameOf = (material) => `uv${textureOf(material)?.channel || ''}`;
+
+export const sameAlpha = (a, b) => a.texture === b.texture && a.channel === b.channel && a.opacity === b.opacity &&
+  a.cutoff === b.cutoff && sameNumbers(a.texcoordTransform, b.texcoordTransform);
+
+export class AlphaTests {
+  #renderer;
+
+  constructor(renderer) {
+    this.#renderer = renderer;
+  }
+
+  /** What an alpha-tested material has of alpha, as ShadowMasks.setAlpha() takes it. */
+  of(material) {
+    const texture = textureOf(material);
+    const alpha = { texture: null, channel: 'alpha', opacity: material.opacity, cutoff: material.alphaTest,
+      texcoordTransform: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
+    if (!texture) return alpha;
+    const webGlTexture = this.#uploaded(texture);
+    if (texture === material.alphaMap) {
+      alpha.channel = 'green';
+      if (!webGlTexture) alpha.opacity = 0; // black, as three.js has what isn't loaded yet
+    }
+    if (!webGlTexture) return alpha;
+    if (texture.matrixAutoUpdate) texture.updateMatrix();
+    return { ...alpha, texture: webGlTexture, texcoordTransform: [...texture.matrix.elements] };
+  }
+
+  /** As three.js has it on the GPU for the picture that is drawn next, or null. */
+  #uploaded(texture) {
+    const { image, version } = texture;
+    const kept = this.#renderer.properties.get(texture);
+    const waits = version > 0 && kept.__version !== version && !texture.isRenderTargetTexture;
+    if ((waits || texture.isVideoTexture) && image && image.complete !== false) this.#renderer.initTexture(texture);
+    return kept.__webglTexture ?? null;
+  }
+}
