@@ -39,12 +39,11 @@ export class Measurement {
   /**
    * `asked`: {contenders: [{name, mapSize}], frames: of each motion, in `rounds` turns, width, height, light, eye,
    * biases, softness, ambient, model, loading; warmUp: frames that each turn begins with, not counted; patience:
-   * seconds that a resting light is drawn before frames count, so that what pays only then is there;
-   * onProgress(text)}.
+   * seconds that a resting light is waited for to be looked up; onProgress(text)}.
    */
   constructor(world, asked) {
     this.#world = world;
-    this.#asked = { frames: 30, rounds: 3, warmUp: 2, patience: 0.5, onProgress: () => {}, ...asked };
+    this.#asked = { frames: 30, rounds: 3, warmUp: 2, patience: 5, onProgress: () => {}, ...asked };
     this.#gpu = new GpuTimer(world.context);
   }
 
@@ -89,9 +88,10 @@ export class Measurement {
       moveEye(world, eye, rest ? i : 0, width / height);
       method.draw(this.#frame({ redraws, ...(!rest && { light: movedLight(light, i, world.radius) }) }));
     };
-    // What is made in the first frames, and what comes only after some, isn't counted.
-    const settled = performance.now() + (rest && methods[name].reference === name ? 1000 * patience : 0);
-    for (let i = 0; i < warmUp || performance.now() < settled; ++i) {
+    // What is made in the first frames isn't counted, nor what comes before a resting light is looked up, if it will be.
+    const end = performance.now() + 1000 * patience;
+    const waits = () => rest && name === 'exact' && world.exact.cost?.lookedUp === 0 && performance.now() < end;
+    for (let i = 0; i < warmUp || waits(); ++i) {
       await frameStart();
       draw(from - 1 - (i % 2), i === 0 || !kept);
       finish(world.context);
@@ -108,6 +108,7 @@ export class Measurement {
       times.cpu.push(called - since);
     }
     times.gpu.push(...(await this.#gpu.take()));
+    if (methods[name].reference === name) times.cost = world.exact.cost;
     this.#bytes.set(method, method.bytes());
     method.release();
   }
@@ -135,7 +136,8 @@ export class Measurement {
   #report(rows, accuracy) {
     const { frames, rounds, width, height, light, eye, biases, softness, ambient, model, loading } = this.#asked;
     const world = this.#world;
-    const motionOf = ({ frame, cpu, gpu }) => ({ frame_ms: spreadOf(frame), cpu_ms: spreadOf(cpu), gpu_ms: spreadOf(gpu) });
+    const motionOf = ({ frame, cpu, gpu, cost }) => ({ frame_ms: spreadOf(frame), cpu_ms: spreadOf(cpu), gpu_ms: spreadOf(gpu),
+      ...(cost && { cost }) });
     const results = rows.map(({ contender: { name, mapSize }, method, moves, rests }, i) => {
       const told = accuracy[i];
       return {
