@@ -1,11 +1,11 @@
-// Opens the comparison in a headless Chromium: writes pictures of both to docs/pictures, or figures to results.json
-// beside this file. Needs build/web and `npm ci`.
+// Opens the comparison in a headless Chromium: writes pictures of both to docs/pictures, and figures to results.json
+// beside this file and to the tables of docs/threejs.md. Needs build/web and `npm ci`.
 //
-//   node compare/measure.mjs [--only pictures|times|loading] [--frames N] [--rounds N] [--size WxH]
+//   node compare/measure.mjs [--only pictures|times|loading|tables] [--frames N] [--rounds N] [--size WxH]
 //                            [--angle swiftshader|gl-egl] [--serve]
 //
 // --angle is what Chromium draws with; the pictures were taken with gl-egl, Mesa's software. --only leaves the other
-// figures in results.json as they are. --serve writes nothing and serves the page until Ctrl-C.
+// figures in results.json as they are, `tables` all. --serve writes nothing and serves the page until Ctrl-C.
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,24 +22,25 @@ const { values: options } = parseArgs({ options: {
   serve: { type: 'boolean', default: false },
 } });
 
-const sized = (names) => names.flatMap((name) => [1024, 2048, 4096].map((mapSize) => ({ name, mapSize })));
-
-/** What is measured, by name in results.json. */
+/** What is measured, by name in results.json; lamps have neither cascades nor VSM. */
+const common = [{ name: 'exact' }, ...[1024, 2048, 4096].map((mapSize) => ({ name: 'pcf', mapSize })),
+  { name: 'basic', mapSize: 2048 }, { name: 'pcss', mapSize: 2048 }];
 const scenes = {
-  outdoor_sun: { query: '?model=pavilion', contenders: [{ name: 'exact' }, ...sized(['basic', 'pcf', 'vsm', 'pcss', 'csm']), { name: 'none' }] },
-  indoor_lamp: { query: '?model=room', contenders: [{ name: 'exact' }, ...sized(['basic', 'pcf', 'pcss']), { name: 'none' }] },
+  outdoor_sun: { query: '?model=pavilion', contenders: [...common, { name: 'csm', mapSize: 2048 }, { name: 'vsm', mapSize: 1024 }, { name: 'none' }] },
+  indoor_lamp: { query: '?model=room', contenders: [...common, { name: 'none' }] },
 };
 
 /** Parts of pictures, enlarged: exact; three.js's map as it is by default; a larger one with its best biases. */
 const pictures = {
-  outdoor: { query: '?model=pavilion&camera=-2.9,1.1,6.7,-2.45,0.2,4.7,36', part: { x: 190, y: 60, width: 320, height: 200, scale: 2 } },
+  outdoor: { query: '?model=pavilion&camera=0.8,5.6,6.6,4.2,2.5,1.6,26', part: { x: 150, y: 30, width: 320, height: 200, scale: 2 } },
+  spokes: { query: '?model=pavilion&camera=-2.9,1.1,6.7,-2.45,0.2,4.7,36', part: { x: 190, y: 60, width: 320, height: 200, scale: 2 } },
   indoor: { query: '?model=room&camera=0.35,1.15,0.5,-0.45,0.75,-0.3,36', part: { x: 150, y: 120, width: 320, height: 200, scale: 2 } },
 };
 const pictureSize = { width: 640, height: 400 };
 const pictured = { edgeshade: { name: 'exact' }, map: { name: 'pcf', mapSize: 512 }, tuned: { name: 'pcf', mapSize: 2048 } };
 
 const [width, height] = options.size.split('x').map(Number);
-const file = join(repository, 'web/compare/results.json');
+const [file, page] = ['web/compare/results.json', 'docs/threejs.md'].map((path) => join(repository, path));
 const server = await serve();
 
 async function open(tab, query) {
@@ -78,13 +79,32 @@ async function loadingOf(tab) {
   });
 }
 
-/** Figures of before, with these in place of their own. */
+const whole = (value) => Math.round(value).toLocaleString('en');
+const percent = (value) => (value === null ? '' : value.toFixed(2));
+
+/** Results as docs/threejs.md has them. */
+const tableOf = ({ results }) => [
+  '| | light moves, ms | to exact | light rests, ms | to exact | MB on the GPU | wrong pixels, % | beyond 1 px, % |',
+  '| --- | --- | --- | --- | --- | --- | --- | --- |',
+  ...results.map((result) => `| ${[result.label,
+    ...[result.light_moves, result.light_rests].flatMap(({ frame_ms: { median }, ratio_to_exact: ratio }) => [whole(median), ratio.toFixed(2)]),
+    result.bytes_gpu ? (result.bytes_gpu / 1e6).toFixed(1) : '', percent(result.wrong_percent), percent(result.wrong_beyond_1px_percent)].join(' | ')} |`),
+].join('\n');
+
+/** Figures of before, with these in place of their own; the document's tables of them. */
 function write(figures) {
-  const before = existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
-  writeFileSync(file, `${JSON.stringify({ ...before, ...figures }, null, 2)}\n`);
+  const all = { ...(existsSync(file) && JSON.parse(readFileSync(file, 'utf8'))), ...figures };
+  writeFileSync(file, `${JSON.stringify(all, null, 2)}\n`);
+  let text = readFileSync(page, 'utf8');
+  for (const name of Object.keys(scenes).filter((of) => all[of]))
+    text = text.replace(new RegExp(`(<!-- ${name}: begin -->\\n)[^]*(<!-- ${name}: end -->)`), `$1${tableOf(all[name])}\n$2`);
+  writeFileSync(page, text);
 }
 
-if (options.serve) {
+if (options.only === 'tables') {
+  write({});
+  await server.close();
+} else if (options.serve) {
   console.log(`Open ${server.address}/compare/ in a browser; Ctrl-C ends it.`);
 } else {
   const browser = await launchChromium({ angle: options.angle });
