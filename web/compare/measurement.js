@@ -3,7 +3,7 @@
 import { REVISION, Vector3 } from 'three';
 import { accuracyOf, maskLook } from './accuracy.js';
 import { idOf, labelOf, methods } from './methods.js';
-import { finish, frameStart, GpuTimer, spreadOf } from './timing.js';
+import { finish, frameStart, GpuTimer, median, spreadOf } from './timing.js';
 
 const up = new Vector3(0, 1, 0), turned = new Vector3();
 const degree = Math.PI / 180;
@@ -29,6 +29,12 @@ function moveEye(world, { from, to, fov }, frame, aspect) {
   world.setLens(fov, aspect);
 }
 
+/** Of one motion, in milliseconds; `turns`: of each turn the median. */
+const timesOf = () => ({ frame: [], cpu: [], gpu: [], turns: [] });
+
+/** The median of what turns beside each other took, as a share of the other's. */
+const ratioOf = ({ turns }, other) => Number(median(turns.map((each, i) => each / other.turns[i])).toFixed(3));
+
 const percent = (count, of) => Number(((100 * count) / Math.max(of, 1)).toFixed(4));
 
 export class Measurement {
@@ -44,16 +50,18 @@ export class Measurement {
   constructor(world, asked) {
     this.#world = world;
     this.#asked = { frames: 30, rounds: 3, warmUp: 2, patience: 5, onProgress: () => {}, ...asked };
+    this.#asked.rounds = Math.min(this.#asked.rounds, this.#asked.frames); // at least a frame each
     this.#gpu = new GpuTimer(world.context);
   }
 
   /** The results, as they are saved. */
   async run() {
     const { rounds, width, height, contenders, onProgress } = this.#asked;
+    if (contenders.length === 0) throw new Error('There is nothing to measure: tick a method, and a size if it is a map.');
     const world = this.#world;
     world.setWholeView(width, height);
     const rows = contenders.map((contender) => ({ contender, method: world.method(contender.name, contender.mapSize),
-      bytes: 0, moves: { frame: [], cpu: [], gpu: [] }, rests: { frame: [], cpu: [], gpu: [] } }));
+      moves: timesOf(), rests: timesOf() }));
     await this.#prepareExact();
     for (let round = 0; round < rounds; ++round)
       for (const motion of ['moves', 'rests'])
@@ -79,9 +87,9 @@ export class Measurement {
   }
 
   /** Frames of one method, one motion and one round. */
-  async #turn({ contender: { name }, method, ...timesOf }, motion, round) {
+  async #turn({ contender: { name }, method, ...motions }, motion, round) {
     const { frames, rounds, warmUp, patience, light, width, height, eye } = this.#asked;
-    const world = this.#world, times = timesOf[motion];
+    const world = this.#world, times = motions[motion];
     const rest = motion === 'rests', kept = rest && methods[name].keepsMap === true;
     const [from, to] = [Math.floor((frames * round) / rounds), Math.floor((frames * (round + 1)) / rounds)];
     const draw = (i, redraws) => {
@@ -107,6 +115,7 @@ export class Measurement {
       times.frame.push(performance.now() - since);
       times.cpu.push(called - since);
     }
+    times.turns.push(median(times.frame.slice(from - to)));
     times.gpu.push(...(await this.#gpu.take()));
     if (methods[name].reference === name) times.cost = world.exact.cost;
     this.#bytes.set(method, method.bytes());
@@ -136,27 +145,27 @@ export class Measurement {
   #report(rows, accuracy) {
     const { frames, rounds, width, height, light, eye, biases, softness, ambient, model, loading } = this.#asked;
     const world = this.#world;
-    const motionOf = ({ frame, cpu, gpu, cost }) => ({ frame_ms: spreadOf(frame), cpu_ms: spreadOf(cpu), gpu_ms: spreadOf(gpu),
-      ...(cost && { cost }) });
-    const results = rows.map(({ contender: { name, mapSize }, method, moves, rests }, i) => {
-      const told = accuracy[i];
+    const ours = rows.find(({ contender: { name } }) => name === 'exact');
+    const motionOf = (row, motion) => {
+      const { frame, cpu, gpu, cost } = row[motion];
+      return { frame_ms: spreadOf(frame), cpu_ms: spreadOf(cpu), gpu_ms: spreadOf(gpu),
+        ratio_to_exact: ours ? ratioOf(row[motion], ours[motion]) : null, ...(cost && { cost }) };
+    };
+    const results = rows.map((row, i) => {
+      const { contender: { name, mapSize }, method } = row, told = accuracy[i];
       return {
         id: idOf(name, mapSize),
         label: labelOf(name, mapSize),
         map_size: methods[name].sized ? mapSize : null,
         bytes_gpu: this.#bytes.get(method) ?? 0,
-        light_moves: motionOf(moves),
-        light_rests: { ...motionOf(rests), map_kept: methods[name].keepsMap ?? null },
+        light_moves: motionOf(row, 'moves'),
+        light_rests: { ...motionOf(row, 'rests'), map_kept: methods[name].keepsMap ?? null },
         reference: told && methods[name].reference,
         wrong_percent: told && percent(told.wrong, told.surfaces),
         wrong_beyond_1px_percent: told && percent(told.beyond, told.surfaces),
         mean_difference_percent: told && percent(told.apart, told.surfaces),
       };
     });
-    const ours = results.find(({ id }) => id === 'exact');
-    for (const result of results)
-      for (const motion of ['light_moves', 'light_rests'])
-        result[motion].ratio_to_exact = ours ? Number((result[motion].frame_ms.median / ours[motion].frame_ms.median).toFixed(3)) : null;
     return {
       date: new Date().toISOString().slice(0, 10),
       model,
