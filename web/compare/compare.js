@@ -95,11 +95,13 @@ async function alone(act) {
   if (busy) throw new Error('This page is busy: it measures or loads.');
   busy = true;
   $('panel').inert = true;
+  orbit.enabled = false;
   try {
     return await act();
   } finally {
     busy = false;
     $('panel').inert = false;
+    orbit.enabled = true;
     redraw();
   }
 }
@@ -129,13 +131,15 @@ async function showModel({ name, object }, view) {
 
 /** Loads and shows; what goes wrong is told, and what was shown stays. Whether it is shown. */
 const open = (load, view) => alone(async () => {
+  const before = $('scene-name').textContent;
   tell('');
+  $('scene-name').textContent = 'Loading …';
   try {
     await showModel(await load(), view);
     return true;
   } catch (error) {
     tell(error.message);
-    if (!world.skins) $('scene-name').textContent = 'No model yet: drop one here, or open one.';
+    $('scene-name').textContent = world.skins ? before : 'No model yet: drop one here, or open one.';
     return false;
   }
 }).finally(() => change({}));

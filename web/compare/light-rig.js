@@ -2,7 +2,7 @@
 
 import { DirectionalLight, Group, Matrix4, PointLight, Vector3 } from 'three';
 
-const corner = new Vector3(), sunSpace = new Matrix4(), origin = new Vector3();
+const corner = new Vector3(), sunSpace = new Matrix4();
 
 /** How bright a white surface is that faces the light; of masks that is what is written. */
 const brightness = { shown: 3, mask: Math.PI };
@@ -75,7 +75,7 @@ export class LightRig {
   /** Width, height and depth of what the sun's map holds. */
   get sunExtent() {
     const { left, right, top, bottom, near, far } = this.#sun.shadow.camera;
-    return origin.set(right - left, top - bottom, far - near);
+    return new Vector3(right - left, top - bottom, far - near);
   }
 
   /** Whether every frame draws the map anew. */

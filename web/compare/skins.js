@@ -69,10 +69,12 @@ export class Skins {
     }
   }
 
+  /** The model isn't shown any more: its textures go, too. */
   dispose() {
     for (const made of this.#worn.values()) for (const copy of made.values()) copy.dispose();
     this.#worn.clear();
-    for (const { mesh, material } of this.#meshes) mesh.material = material;
+    for (const { material } of this.#meshes)
+      for (const texture of [material].flat().flatMap(Object.values)) if (texture?.isTexture) texture.dispose();
     this.#gradientMap.dispose();
   }
 }
