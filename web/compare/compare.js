@@ -1,18 +1,15 @@
 // The page: a scene with two methods' shadows beside each other, and what all of them take and how right they are.
-//
-// The address says what is shown first: ?model=…&camera=…&light=…, as the viewer's page has them, or model=pavilion or
-// room; left=pcf-1024 and right=…, layout=side, bias=…, normal-bias=…, antialias=off.
 
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { acceptFiles } from '../page/drop.js';
 import { connectHandle, showHandle } from '../page/handle.js';
 import { connectSheet } from '../page/sheet.js';
-import { anglesOf, directionOf } from '../page/sun.js';
-import { readHash } from '../page/url-state.js';
+import { directionOf } from '../page/sun.js';
+import { readAddress } from './address.js';
 import { cutOut } from './cut-out.js';
 import { watchLoading } from './loading.js';
 import { Measurement } from './measurement.js';
-import { labelOf, mapSizes, methods } from './methods.js';
+import { labelOf, methods } from './methods.js';
 import { modelAmong, modelAt } from './model.js';
 import { connectPanel } from './panel.js';
 import { Picture } from './picture.js';
@@ -22,13 +19,11 @@ import { bestBiases } from './tuning.js';
 import { World } from './world.js';
 
 const $ = (id) => document.getElementById(id);
-const words = new URLSearchParams(location.search);
+const asked = readAddress(location.search);
 const canvas = $('picture');
 
 const state = {
-  layout: words.get('layout') === 'side' ? 'side' : 'split', splitAt: 0.5,
-  left: sideOf('left', { name: 'exact', mapSize: 2048 }), right: sideOf('right', { name: 'pcf', mapSize: 2048 }),
-  biases: { bias: Number(words.get('bias')) || 0, normalBias: Number(words.get('normal-bias')) || 0 },
+  layout: asked.layout, splitAt: 0.5, left: asked.left, right: asked.right, biases: asked.biases,
   light: 'sun', azimuth: 296, elevation: 42, lamp: [0, 0, 0], softness: 1, ambient: 1, fov: 45,
   box: { min: [0, 0, 0], max: [1, 1, 1] },
 };
@@ -37,13 +32,6 @@ let world, orbit, picture, panel;
 let model = null, loading = null, results = null;
 let busy = false; // measuring or loading: nothing else draws
 let wanted = 0; // the frame that was asked for
-
-/** 'pcf-1024' of the address. */
-function sideOf(side, otherwise) {
-  const [, name, size] = /^([a-z-]+?)(?:-(\d+))?$/.exec(words.get(side) ?? '') ?? [];
-  if (!methods[name]) return otherwise;
-  return { name, mapSize: mapSizes.includes(Number(size)) ? Number(size) : otherwise.mapSize };
-}
 
 function tell(sentence) {
   $('problem').textContent = sentence;
@@ -148,16 +136,9 @@ const openSample = (name) => open(samples[name].load, samples[name].view);
 
 /** What the address asks for. */
 function openAddress() {
-  const { model: asked, changes, problems } = readHash(location.search.replace('?', '#'));
-  const sample = samples[asked?.url ?? 'pavilion'];
-  const view = { ...sample?.view };
-  if (changes.camera) view.camera = changes.camera;
-  if (changes.lights) {
-    const [x, y, z, w] = changes.lights[0];
-    Object.assign(view, w === 0 ? { light: 'sun', sun: anglesOf([x, y, z]) } : { light: 'lamp', lamp: [x, y, z] });
-  }
-  return open(sample?.load ?? (() => modelAt(asked.url)), view).then(() => {
-    if (problems.length) tell(problems.join(' '));
+  const sample = samples[asked.model ?? 'pavilion'];
+  return open(sample?.load ?? (() => modelAt(asked.model)), { ...sample?.view, ...asked.view }).then(() => {
+    if (asked.problems.length) tell(asked.problems.join(' '));
   });
 }
 
@@ -215,7 +196,7 @@ const cutOutOf = ({ name, mapSize, biases = state.biases }, size, part) => alone
 
 async function start() {
   try {
-    world = new World(canvas, { antialias: words.get('antialias') !== 'off' });
+    world = new World(canvas, { antialias: asked.antialias });
   } catch {
     tell('This page needs WebGL 2, which this browser does not have or has switched off.');
     throw new Error('There is no WebGL 2.');
@@ -235,8 +216,11 @@ async function start() {
   $('save').addEventListener('click', () => save(results));
   new ResizeObserver(redraw).observe(canvas);
   await openAddress();
-  return { world, state, change, measure, tune: () => alone(tune), cutOutOf, frameOf,
-    show: (shown) => open(async () => shown), get loading() { return loading; } };
+  return {
+    world, state, change, measure, cutOutOf, frameOf, tune: () => alone(tune),
+    show: (shown) => open(async () => shown),
+    get loading() { return loading; },
+  };
 }
 
 /** For scripts: a promise of what start() returns. */

@@ -5,14 +5,14 @@ import { sizeText } from '../element/files.js';
 const milliseconds = (value) => value.toFixed(value < 10 ? 2 : 1);
 const none = '–';
 
-const spread = (times) => (times ? [milliseconds(times.median), `${milliseconds(times.least)}–${milliseconds(times.most)}`] : [none]);
+const spread = (times, more = '') => (times ? [milliseconds(times.median), `${milliseconds(times.least)}–${milliseconds(times.most)}${more}`] : [none]);
 const times = (ratio) => (ratio === null ? none : `${ratio.toFixed(2)} ×`);
 const percent = (value) => (value === null ? none : `${value.toFixed(value < 0.1 && value > 0 ? 3 : 2)} %`);
 
 /** Columns: a heading, and the cell of a result, a text or [text, smaller text]. */
 const columnsOf = ({ gpu_timer: gpuTimer }) => {
   const motion = (title, key) => [
-    { title: `Light ${title}, ms`, cell: (result) => spread(result[key].frame_ms) },
+    { title: `Light ${title}, ms`, cell: ({ [key]: { frame_ms: frame, cost } }) => spread(frame, cost?.lookedUp ? ', looked up' : '') },
     ...(gpuTimer ? [{ title: 'of it GPU', cell: (result) => spread(result[key].gpu_ms)[0] }] : []),
     { title: 'to exact', cell: (result) => times(result[key].ratio_to_exact) },
   ];

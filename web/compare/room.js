@@ -46,14 +46,16 @@ function addBlind({ box }) {
 }
 
 function addTable({ add, box }) {
-  const [wood, white, metal] = [paint(0xb98a5a, 0.6), paint(0xf3f0ea, 0.35), new MeshStandardMaterial({ color: 0x8d9196, roughness: 0.35, metalness: 0.8 })];
+  const [wood, white] = [paint(0xb98a5a, 0.6), paint(0xf3f0ea, 0.35)];
+  const metal = new MeshStandardMaterial({ color: 0x8d9196, roughness: 0.35, metalness: 0.8 });
   box(wood, [1.5, 0.035, 0.8], [-0.3, 0.74, -0.35]);
   for (const x of [-0.98, 0.38]) for (const z of [-0.7, 0]) box(wood, [0.05, 0.72, 0.05], [x, 0.36, z]);
   const profile = [[0, 0], [0.05, 0], [0.07, 0.02], [0.085, 0.09], [0.08, 0.09], [0.06, 0.02], [0, 0.01]];
   add(new LatheGeometry(profile.map(([r, y]) => new Vector2(r, y)), 48), white, [-0.75, 0.7575, -0.25]);
   const cup = add(new CylinderGeometry(0.035, 0.03, 0.09, 40), white, [0, 0.8025, -0.15]);
   add(new TorusGeometry(0.025, 0.006, 12, 32), white, [cup.position.x + 0.04, 0.8025, -0.15]);
-  for (const [i, color] of [0x7a3b32, 0x33516b, 0x5f6d44].entries()) box(paint(color, 0.7), [0.2 - 0.01 * i, 0.022, 0.28], [-0.25 + 0.01 * i, 0.7685 + 0.022 * i, -0.5]).rotation.y = 0.2 * i - 0.3;
+  for (const [i, color] of [0x7a3b32, 0x33516b, 0x5f6d44].entries())
+    box(paint(color, 0.7), [0.2 - 0.01 * i, 0.022, 0.28], [-0.25 + 0.01 * i, 0.7685 + 0.022 * i, -0.5]).rotation.y = 0.2 * i - 0.3;
   const apple = add(new SphereGeometry(0.04, 40, 24), paint(0xb5412f, 0.45), [-0.45, 0.7975, -0.12]);
   add(new CylinderGeometry(0.003, 0.003, 0.03, 8), wood, [apple.position.x, 0.85, -0.12]);
   add(new CylinderGeometry(0.002, 0.002, 0.75, 8), metal, [-0.3, 2.225, -0.35]); // the lamp's cord
@@ -83,7 +85,8 @@ function addShelf({ box }) {
   for (let shelf = 0; shelf < 3; ++shelf)
     for (let i = 0, at = -0.55; at < 0.35 - 0.2 * shelf; ++i) {
       const thick = 0.025 + 0.012 * ((7 * i + 3 * shelf) % 4), high = 0.2 + 0.03 * ((5 * i + shelf) % 5);
-      box(paint(colors[(i + 2 * shelf) % colors.length], 0.8), [thick, high, 0.19], [x + at + thick / 2, 0.411 + 0.45 * shelf + high / 2, z - 0.02]);
+      box(paint(colors[(i + 2 * shelf) % colors.length], 0.8), [thick, high, 0.19],
+        [x + at + thick / 2, 0.411 + 0.45 * shelf + high / 2, z - 0.02]);
       at += thick + 0.004;
     }
 }

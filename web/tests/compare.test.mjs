@@ -118,6 +118,7 @@ for (const [light, names] of [['sun', ['exact', 'exact-soft', 'basic', 'pcf', 'v
     await page.evaluate(async (kind) => (await window.comparison).change({ light: kind, softness: 5 }), light);
     const told = await evaluated(page, async ({ world, frameOf, pixelsOf, size }, asked) => {
       const { accuracyOf } = await import('/compare/accuracy.js');
+      world.exact.lightSamples = 16;
       const masks = asked.map((name) => pixelsOf(name, { look: 'mask' }));
       const [bare, exact] = [pixelsOf('none'), pixelsOf('exact')];
       return asked.map((name, m) => {
