@@ -28,7 +28,7 @@ const columnsOf = ({ gpu_timer: gpuTimer }) => {
 /** What the table's figures are of. */
 export function notesOf({ device, browser, processors, model, triangles, size, antialias, three_revision: revision, settings, gpu_timer: gpuTimer }) {
   return `Median of ${settings.frames} frames of ${size.width} × ${size.height} pixels until they are finished, and the ` +
-    `fastest and slowest; ${settings.rounds} turns of each, whose ratios beside each other have the median that is shown. ${model}, ${triangles.toLocaleString('en')} triangles, ` +
+    `fastest and slowest; to exact: the median of the ratios in ${settings.rounds} turns beside each other. ${model}, ${triangles.toLocaleString('en')} triangles, ` +
     `${settings.light.kind === 'sun' ? 'a sun' : 'a lamp'}; antialiasing ${antialias ? 'on' : 'off'}; bias ${settings.bias}, normal bias ` +
     `${settings.normal_bias}. three.js r${revision}; ${browser}; ${device}${processors ? `; ${processors} processors` : ''}. ` +
     'Where the light rests the camera moves, and three.js keeps its map, but for cascades, which follow the camera. ' +
