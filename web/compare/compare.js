@@ -74,7 +74,7 @@ function change(part) {
 function ownView() {
   const { center, radius } = world;
   const from = [0.55, 0.45, 1].map((share, i) => center.toArray()[i] + 1.9 * radius * share / 1.23);
-  return { camera: { from, to: center.toArray(), fov: 45 }, sun: { azimuth: 300, elevation: 45 },
+  return { camera: { from, to: center.toArray(), fov: 45 }, sun: { azimuth: 215, elevation: 45 },
     lamp: [center.x + 0.2 * radius, world.box.max.y + 0.3 * radius, center.z + 0.2 * radius], light: 'sun' };
 }
 
