@@ -1,106 +1,186 @@
-// Frame times of both sides in one run of the page, with a light that moves and one that stands.
+// Frame times and wrong pixels of several methods in one run, with a light that moves and one that rests.
 
-import { REVISION } from './cube-map-scene.js';
-import { median, timeFrames } from './timing.js';
+import { REVISION, Vector3 } from 'three';
+import { accuracyOf, maskLook } from './accuracy.js';
+import { idOf, labelOf, methods } from './methods.js';
+import { finish, frameStart, GpuTimer, median, spreadOf } from './timing.js';
 
-const round = (value) => Number(value.toFixed(2));
-
-function figuresOf(times) {
-  return { median_ms: round(median(times)), least_ms: round(Math.min(...times)),
-    most_ms: round(Math.max(...times)) };
-}
+const up = new Vector3(0, 1, 0), turned = new Vector3();
+const degree = Math.PI / 180;
 
 function rendererOf(context) {
   const extension = context.getExtension('WEBGL_debug_renderer_info');
   return context.getParameter(extension ? extension.UNMASKED_RENDERER_WEBGL : context.RENDERER);
 }
 
-/** Small steps back and forth, so that every frame is another picture of nearly the same work. */
-const step = (i) => 0.002 * ((i % 7) - 3);
+const browserOf = (agent) => /Edg\/[\d.]+|OPR\/[\d.]+|Chrom\w+\/[\d.]+|Firefox\/[\d.]+|Version\/[\d.]+/.exec(agent)?.[0] ?? agent;
 
-const moveLight = ({ lights: [[x, ...rest]] }) => (i) => ({ lights: [[x + step(i), ...rest]] });
-const moveEye = ({ camera }) => (i) => {
-  const [x, ...rest] = camera.from;
-  return { camera: { ...camera, from: [x + step(i), ...rest] } };
-};
-
-/** Waits until the light, which rests, is looked up, if it will be within so many seconds; says how it is drawn. */
-async function settle(viewer, seconds) {
-  const end = performance.now() + 1000 * seconds;
-  const method = () => viewer.stats.lights[0].method;
-  while (method() !== 'primitive-map' && performance.now() < end)
-    await new Promise((resolve) => setTimeout(resolve, 50));
-  return method();
+/** A light after so many frames of moving: a sun turns a quarter of a degree each, a lamp goes along. */
+function movedLight(light, frame, radius) {
+  if (light.kind === 'sun') return { ...light, direction: turned.set(...light.direction).applyAxisAngle(up, 0.25 * degree * frame).toArray() };
+  const [x, y, z] = light.position;
+  return { ...light, position: [x + 0.003 * radius * frame, y, z] };
 }
 
-/**
- * Measures edgeshade's side, then three.js's, each with a moving light and with a moving camera.
- * three.js draws its map in every frame where the light moves, and keeps it where it stands;
- * edgeshade counts volumes where the light moves, and looks it up once it has rested.
- */
-export async function measure({ viewer, sides, scene, shadow, model, triangles, frames = 30, warmUp = 5, patience = 20 }) {
-  const state = viewer.state;
-  const run = async (side, move) => figuresOf(
-    await timeFrames({ frames, warmUp }, (i, started) => side.frame(move(i), started)));
-  viewer.change({ show_lights: false });
-  try {
-    const { width, height } = sides.edgeshade.canvas;
-    const results = {
+/** The camera goes around what it looks at, a tenth of a degree each frame. */
+function moveEye(world, { from, to, fov }, frame, aspect) {
+  world.camera.position.set(...from).sub(turned.set(...to)).applyAxisAngle(up, 0.1 * degree * frame).add(turned);
+  world.camera.lookAt(...to);
+  world.setLens(fov, aspect);
+}
+
+/** Of one motion, in milliseconds; `turns`: of each turn the median. */
+const timesOf = () => ({ frame: [], cpu: [], gpu: [], turns: [] });
+
+/** The median of what turns beside each other took, as a share of the other's. */
+const ratioOf = ({ turns }, other) => Number(median(turns.map((each, i) => each / other.turns[i])).toFixed(3));
+
+const percent = (count, of) => Number(((100 * count) / Math.max(of, 1)).toFixed(4));
+
+export class Measurement {
+  #world;
+  #asked;
+  #gpu;
+
+  /**
+   * `asked`: {contenders: [{name, mapSize}], frames: of each motion, in `rounds` turns, width, height, light, eye,
+   * biases, softness, ambient, model, loading; warmUp: frames that each turn begins with, not counted; patience:
+   * seconds that a resting light is waited for to be looked up; onProgress(text)}.
+   */
+  constructor(world, asked) {
+    this.#world = world;
+    this.#asked = { frames: 30, rounds: 3, warmUp: 2, patience: 5, onProgress: () => {}, ...asked };
+    this.#asked.rounds = Math.min(this.#asked.rounds, this.#asked.frames); // at least a frame each
+    this.#gpu = new GpuTimer(world.context);
+  }
+
+  /** The results, as they are saved. */
+  async run() {
+    const { rounds, width, height, contenders, onProgress } = this.#asked;
+    if (contenders.length === 0) throw new Error('There is nothing to measure: tick a method, and a size if it is a map.');
+    const world = this.#world;
+    world.setWholeView(width, height);
+    const rows = contenders.map((contender) => ({ contender, method: world.method(contender.name, contender.mapSize),
+      moves: timesOf(), rests: timesOf() }));
+    await this.#prepareExact();
+    for (let round = 0; round < rounds; ++round)
+      for (const motion of ['moves', 'rests'])
+        for (const row of rows) {
+          onProgress(`Round ${round + 1} of ${rounds}: ${labelOf(row.contender.name, row.contender.mapSize)}, light ${motion} …`);
+          await this.#turn(row, motion, round);
+        }
+    const accuracy = this.#accuracyOf(rows);
+    return this.#report(rows, accuracy);
+  }
+
+  /** All that casts has exact shadows from here on. */
+  async #prepareExact() {
+    const { width, height, eye } = this.#asked;
+    moveEye(this.#world, eye, 0, width / height);
+    this.#world.method('exact').draw(this.#frame());
+    await this.#world.exact.ready();
+  }
+
+  #frame(changes) {
+    const { light, biases, softness } = this.#asked;
+    return { light, biases, softness, look: 'shown', redraws: true, ...changes };
+  }
+
+  /** Frames of one method, one motion and one round. */
+  async #turn({ contender: { name }, method, ...motions }, motion, round) {
+    const { frames, rounds, warmUp, patience, light, width, height, eye } = this.#asked;
+    const world = this.#world, times = motions[motion];
+    const rest = motion === 'rests', kept = rest && methods[name].keepsMap === true;
+    const [from, to] = [Math.floor((frames * round) / rounds), Math.floor((frames * (round + 1)) / rounds)];
+    const draw = (i, redraws) => {
+      moveEye(world, eye, rest ? i : 0, width / height);
+      method.draw(this.#frame({ redraws, ...(!rest && { light: movedLight(light, i, world.radius) }) }));
+    };
+    // What is made in the first frames isn't counted, nor what comes before a resting light is looked up, if it will be.
+    const end = performance.now() + 1000 * patience;
+    const waits = () => rest && name === 'exact' && world.exact.cost?.lookedUp === 0 && performance.now() < end;
+    for (let i = 0; i < warmUp || waits(); ++i) {
+      await frameStart();
+      draw(from - 1 - (i % 2), i === 0 || !kept);
+      finish(world.context);
+    }
+    for (let i = from; i < to; ++i) {
+      await frameStart();
+      const since = performance.now();
+      this.#gpu.begin();
+      draw(i, !kept);
+      this.#gpu.end();
+      const called = performance.now();
+      finish(world.context);
+      times.frame.push(performance.now() - since);
+      times.cpu.push(called - since);
+    }
+    times.turns.push(median(times.frame.slice(from - to)));
+    times.gpu.push(...(await this.#gpu.take()));
+    if (methods[name].reference === name) times.cost = world.exact.cost;
+    this.#bytes.set(method, method.bytes());
+    method.release();
+  }
+
+  #bytes = new Map();
+
+  /** By contender: what accuracyOf() tells. */
+  #accuracyOf(rows) {
+    const { width, height, eye } = this.#asked;
+    const world = this.#world, references = new Map();
+    moveEye(world, eye, 0, width / height);
+    const maskOf = (method) => {
+      const pixels = world.pixelsOf(method, this.#frame({ look: maskLook }), width, height);
+      method.release();
+      return pixels;
+    };
+    return rows.map(({ contender: { name }, method }) => {
+      const { reference } = methods[name];
+      if (!reference || reference === name) return null;
+      if (!references.has(reference)) references.set(reference, maskOf(world.method(reference)));
+      return accuracyOf(references.get(reference), maskOf(method), width, height);
+    });
+  }
+
+  #report(rows, accuracy) {
+    const { frames, rounds, width, height, light, eye, biases, softness, ambient, model, loading } = this.#asked;
+    const world = this.#world;
+    const ours = rows.find(({ contender: { name } }) => name === 'exact');
+    const motionOf = (row, motion) => {
+      const { frame, cpu, gpu, cost } = row[motion];
+      return { frame_ms: spreadOf(frame), cpu_ms: spreadOf(cpu), gpu_ms: spreadOf(gpu),
+        ratio_to_exact: ours ? ratioOf(row[motion], ours[motion]) : null, ...(cost && { cost }) };
+    };
+    const results = rows.map((row, i) => {
+      const { contender: { name, mapSize }, method } = row, told = accuracy[i];
+      return {
+        id: idOf(name, mapSize),
+        label: labelOf(name, mapSize),
+        map_size: methods[name].sized ? mapSize : null,
+        bytes_gpu: this.#bytes.get(method) ?? 0,
+        light_moves: motionOf(row, 'moves'),
+        light_rests: { ...motionOf(row, 'rests'), map_kept: methods[name].keepsMap ?? null },
+        reference: told && methods[name].reference,
+        wrong_percent: told && percent(told.wrong, told.surfaces),
+        wrong_beyond_1px_percent: told && percent(told.beyond, told.surfaces),
+        mean_difference_percent: told && percent(told.apart, told.surfaces),
+      };
+    });
+    return {
       date: new Date().toISOString().slice(0, 10),
       model,
-      width,
-      height,
-      frames,
-      triangles,
-      renderer: rendererOf(sides.edgeshade.context),
-      browser: /Chrom\w+\/[\d.]+|Firefox\/[\d.]+|Version\/[\d.]+/.exec(navigator.userAgent)?.[0] ?? navigator.userAgent,
+      triangles: world.triangles,
+      meshes_without_shadows: world.skins.without,
+      device: rendererOf(world.context),
+      browser: browserOf(navigator.userAgent),
+      processors: navigator.hardwareConcurrency ?? null,
       three_revision: REVISION,
-      map_size: shadow.mapSize,
-      pcf: shadow.pcf,
-      bias: shadow.bias,
-      normal_bias: shadow.normalBias,
-      camera: state.camera,
-      light: state.lights[0].slice(0, 3),
-      edgeshade: {},
-      cube_map: {},
+      size: { width, height },
+      antialias: world.context.getContextAttributes().antialias,
+      gpu_timer: this.#gpu.there,
+      settings: { frames, rounds, light, softness, camera: eye, ambient, bias: biases.bias, normal_bias: biases.normalBias },
+      loading,
+      results,
     };
-    results.edgeshade.light_moves = await run(sides.edgeshade, moveLight(state));
-    viewer.change({ lights: state.lights });
-    results.edgeshade.at_rest = await settle(viewer, patience);
-    results.edgeshade.camera_moves = await run(sides.edgeshade, moveEye(state));
-    viewer.change({ camera: state.camera, left: { shadows: 'volumes' } });
-    results.edgeshade.camera_moves_counted = await run(sides.edgeshade, moveEye(state));
-    viewer.change({ camera: state.camera, left: state.left });
-    results.cube_map.light_moves = await run(sides.cubeMap, moveLight(state));
-    await sides.cubeMap.frame({}, () => {}); // the map that is kept
-    scene.drawsMap = false;
-    results.cube_map.camera_moves = await run(sides.cubeMap, moveEye(state));
-    return results;
-  } finally {
-    scene.drawsMap = true;
-    viewer.change({ lights: state.lights, camera: state.camera, left: state.left, show_lights: state.show_lights });
   }
-}
-
-/** The results as a table of the page. */
-export function tableOf(results) {
-  const table = document.createElement('table');
-  const row = (cells, tag = 'td') => {
-    const line = table.insertRow();
-    cells.forEach((text, i) => {
-      const cell = document.createElement(i ? tag : 'th');
-      cell.textContent = text;
-      line.append(cell);
-    });
-  };
-  const shown = ({ median_ms: middle, least_ms: least, most_ms: most }) => `${middle} ms (${least} to ${most})`;
-  table.createCaption().textContent = `Median of ${results.frames} frames of ${results.width} × ` +
-    `${results.height}, fastest and slowest; ${results.triangles.toLocaleString('en')} triangles; ` +
-    `three.js r${results.three_revision}, map ${results.map_size}, PCF ${results.pcf ? 'on' : 'off'}; ` +
-    results.renderer;
-  row(['', 'edgeshade', 'three.js'], 'th');
-  row(['light moves', shown(results.edgeshade.light_moves), shown(results.cube_map.light_moves)]);
-  row(['camera moves', `${shown(results.edgeshade.camera_moves)}, ${results.edgeshade.at_rest}`, `${shown(results.cube_map.camera_moves)}, map kept`]);
-  row(['camera moves, counted', shown(results.edgeshade.camera_moves_counted), '']);
-  return table;
 }

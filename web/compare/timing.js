@@ -1,6 +1,6 @@
 // Frame times, each until the picture is finished.
 
-const frameStart = () => new Promise((resolve) => requestAnimationFrame(resolve));
+export const frameStart = () => new Promise((resolve) => { requestAnimationFrame(resolve); });
 
 /** Returns when the context has drawn everything: a pixel can be read only then. */
 export function finish(context) {
@@ -13,17 +13,53 @@ export function median(values) {
   return sorted.length % 2 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
-/**
- * Milliseconds of `frames` frames after `warmUp` more. `drawOne(i, started)` draws frame i, calls
- * started() when it begins to, or later with when it did, and its promise resolves when the picture is finished.
- */
-export async function timeFrames({ frames, warmUp }, drawOne) {
-  const times = [];
-  for (let i = 0; i < warmUp + frames; ++i) {
-    let since = 0;
-    await frameStart();
-    await drawOne(i, (at = performance.now()) => { since = at; });
-    if (i >= warmUp) times.push(performance.now() - since);
+const round = (value) => Number(value.toFixed(3));
+
+/** {median, least, most} of milliseconds; null: there are none. */
+export const spreadOf = (times) => (times.length === 0 ? null
+  : { median: round(median(times)), least: round(Math.min(...times)), most: round(Math.max(...times)) });
+
+/** What the GPU itself took, where the context has timer queries; else every method does nothing. */
+export class GpuTimer {
+  #gl;
+  #extension;
+  #running = [];
+  #times = [];
+
+  constructor(gl) {
+    this.#gl = gl;
+    this.#extension = gl.getExtension('EXT_disjoint_timer_query_webgl2');
   }
-  return times;
+
+  get there() {
+    return this.#extension !== null;
+  }
+
+  begin() {
+    if (!this.there) return;
+    const query = this.#gl.createQuery();
+    this.#gl.beginQuery(this.#extension.TIME_ELAPSED_EXT, query);
+    this.#running.push(query);
+  }
+
+  end() {
+    if (this.there) this.#gl.endQuery(this.#extension.TIME_ELAPSED_EXT);
+  }
+
+  /** Milliseconds of each begin() since the last call; without those that the GPU was disturbed in. */
+  async take() {
+    const gl = this.#gl;
+    for (let tries = 0; this.#running.length && tries < 100; ++tries) {
+      await frameStart(); // results come between tasks
+      const disturbed = gl.getParameter(this.#extension.GPU_DISJOINT_EXT);
+      this.#running = this.#running.filter((query) => {
+        if (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE)) return true;
+        if (!disturbed) this.#times.push(gl.getQueryParameter(query, gl.QUERY_RESULT) / 1e6);
+        gl.deleteQuery(query);
+        return false;
+      });
+    }
+    for (const query of this.#running.splice(0)) gl.deleteQuery(query);
+    return this.#times.splice(0);
+  }
 }

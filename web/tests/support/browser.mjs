@@ -84,8 +84,8 @@ export async function waitForNotice(page, pattern) {
   [pattern.source, pattern.flags]);
 }
 
-/** Drops files on the page: [{name, bytes}]. */
-export async function drop(page, files) {
+/** Drops files on the page: [{name, bytes}]; `at`: the element that they are dropped on. */
+export async function drop(page, files, at = '#viewer') {
   const transfer = await page.evaluateHandle((list) => {
     const data = new DataTransfer();
     for (const { name, base64 } of list) {
@@ -95,5 +95,5 @@ export async function drop(page, files) {
     return data;
   }, files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString('base64') })));
   for (const type of ['dragenter', 'dragover', 'drop'])
-    await page.dispatchEvent('#viewer', type, { dataTransfer: transfer });
+    await page.dispatchEvent(at, type, { dataTransfer: transfer });
 }

@@ -115,3 +115,30 @@ export function texturedGltf(image, material = {}, { animated = false } = {}) {
   const uri = `data:application/octet-stream;base64,${all.toString('base64')}`;
   return Buffer.from(JSON.stringify({ ...json, buffers: [{ byteLength: all.length, uri }] }));
 }
+
+/** A square as meshoptimizer's encoder packs its positions and indices, and as Draco's packs both. */
+const packedSquare = {
+  meshopt: ['oAAAAAEzAAAA//8AAAAAAAAAAQwAAAD/AAAAAAAAAAAAAAAAAAAAAAAAAAAAAIC/AAAAAAAAgL8=', '4f4u8AQAdodWZ3iphmWJaJgBaQAA'],
+  draco: ['RFJBQ08CAgEBAAAABAIAAgAAAS//AREB/wAAAQAJAwAAAAAAgD8AAAAAAACAPwAAgL8AAAAAAACAvwAAgL8AAAAAAACAPwAAgD8AAAAAAACAvw=='],
+};
+
+/** The square as .gltf; `packing`: meshopt or draco. */
+export function packedGltf(packing) {
+  const blobs = packedSquare[packing].map((base64) => Buffer.from(base64, 'base64'));
+  const uriOf = (bytes) => `data:application/octet-stream;base64,${bytes.toString('base64')}`;
+  const views = blobs.map(({ length }, buffer) => ({ buffer, byteOffset: 0, byteLength: length }));
+  const unpacked = [{ byteLength: 48, byteStride: 12, count: 4, mode: 'ATTRIBUTES' }, { byteLength: 12, byteStride: 2, count: 6, mode: 'TRIANGLES' }];
+  const name = packing === 'draco' ? 'KHR_draco_mesh_compression' : 'EXT_meshopt_compression';
+  const viewOf = (i) => (packing === 'draco' ? {} : { bufferView: i });
+  return Buffer.from(JSON.stringify({
+    asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
+    extensionsUsed: [name], extensionsRequired: [name],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1,
+      ...(packing === 'draco' && { extensions: { [name]: { bufferView: 0, attributes: { POSITION: 0 } } } }) }] }],
+    accessors: [{ ...viewOf(0), componentType: 5126, count: 4, type: 'VEC3', min: [-1, 0, -1], max: [1, 0, 1] },
+      { ...viewOf(1), componentType: 5123, count: 6, type: 'SCALAR' }],
+    buffers: blobs.map((bytes) => ({ byteLength: bytes.length, uri: uriOf(bytes) })),
+    bufferViews: packing === 'draco' ? views : unpacked.map(({ byteLength, byteStride, count, mode }, i) => ({
+      buffer: i, byteLength, ...(i === 0 && { byteStride }), extensions: { [name]: { ...views[i], byteStride, count, mode } } })),
+  }));
+}
