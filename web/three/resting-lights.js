@@ -4,7 +4,7 @@
 const restMilliseconds = 500;
 
 /** Bytes that a frame uploads: some milliseconds. */
-const bytesAFrame = 2 * 2 ** 20;
+const bytesAFrame = 4 * 2 ** 20;
 
 /** What the shadows of a light depend on, of those that have a map. */
 const keyOf = ({ kind, position, direction }) => (kind === 'directional' ? `${direction}` : `${position}`);

@@ -75,7 +75,7 @@ const frame = () => new Promise((resolve) => { requestAnimationFrame(resolve); }
 async function rested(shadows, scene, camera, lights = 1) {
   await drawn(shadows, scene, camera);
   for (const since = performance.now(); shadows.cost.lookedUp !== lights && performance.now() - since < 30000;) {
-    await new Promise((resolve) => { setTimeout(resolve, 50); }); // or drawing takes what building needs
+    await new Promise((resolve) => { setTimeout(resolve, 150); }); // or drawing takes what building needs
     shadows.render(scene, camera);
   }
   return shadows.cost.lookedUp;
