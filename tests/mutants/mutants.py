@@ -229,4 +229,13 @@ MUTANTS = (
      "shaders_es2/primitive_map_points.glsl",
      "abs(abovePlane) > pointError * (terms.x + terms.y + terms.z)", "abs(abovePlane) > 0.0",
      "point_counts_test", "PointCounts.*"),
+    ("caps of a host's alpha-tested meshes find alpha in one channel alone",
+     "src/render/drawing/cap_alpha_test.cpp",
+     'program.set("u_alphaChannel", alpha.channel);',
+     'program.set("u_alphaChannel", glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));',
+     "shadow_masks_test", "AlphaMasks.FindAlphaInGreen*"),
+    ("a mesh's holes are lost where another of its places is told of its alpha",
+     "src/engine/caster_scene.cpp",
+     "gpu_->batches[id].alpha = lookupOf(alpha);", "gpu_->batches[0].alpha = lookupOf(alpha);",
+     "shadow_masks_test", "AlphaMasks.*"),
 )

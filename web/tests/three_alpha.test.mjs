@@ -89,3 +89,57 @@ test("a spot's radius softens its shadow, and leaves its cone to three.js", asyn
   assert.ok(told.coneDiffers < 20, `${told.coneDiffers} pixels`);
   await shared.check(page);
 });
+
+test('alpha in a WebGL 1 host of its own: seen through, changed, refused in a sentence', async () => {
+  const page = await openThree(shared);
+  const told = await page.evaluate(async () => {
+    const { ShadowMasks } = await import('/masks/shadow-masks.js');
+    const gl = document.createElement('canvas').getContext('webgl');
+    const masks = await ShadowMasks.create(gl);
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, 2, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array([0, 255, 0, 0, 0, 0, 0, 255]));
+    for (const name of ['TEXTURE_MIN_FILTER', 'TEXTURE_MAG_FILTER']) gl.texParameteri(gl.TEXTURE_2D, gl[name], gl.NEAREST);
+    for (const name of ['TEXTURE_WRAP_S', 'TEXTURE_WRAP_T']) gl.texParameteri(gl.TEXTURE_2D, gl[name], gl.CLAMP_TO_EDGE);
+    const square = (z) => ({ positions: [-1, -1, z, 1, -1, z, 1, 1, z, -1, 1, z], indices: [0, 1, 2, 0, 2, 3] });
+    const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    const wall = masks.add(await masks.prepare(square(0)), identity);
+    const sheet = masks.add(await masks.prepare({ ...square(1), alphaTested: true, texcoords: [0, 0, 1, 0, 1, 1, 0, 1] }), identity);
+    // A lamp between them: the wall is lit, the sheet shows its dark side.
+    const rowOf = () => {
+      const view = { viewFromWorld: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -4, 1], clipFromView: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -0.1, 0, 0, 0, 0, 1], width: 8, height: 8 };
+      const { textures } = masks.draw(view, [{ kind: 'point', position: [0.1, 0.2, 0.5] }]);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, textures[0], 0);
+      const pixels = new Uint8Array(4 * 8);
+      gl.readPixels(0, 4, 8, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+      return [...pixels].filter((_, i) => i % 4 === 0).map((red) => (red > 127 ? 'l' : 'd')).join('');
+    };
+    const rows = [rowOf()];
+    masks.setAlpha(sheet, { texture });
+    rows.push(rowOf());
+    masks.setAlpha(sheet, { texture, channel: 'green' });
+    rows.push(rowOf());
+    masks.setAlpha(sheet, { texture, cutoff: 2 });
+    rows.push(rowOf());
+    masks.setAlpha(sheet, {});
+    rows.push(rowOf());
+    const sentences = [[sheet, { channel: 'red' }], [wall, { texture }], [sheet, { texcoordTransform: [1, 0] }]].map(([id, alpha]) => {
+      try {
+        masks.setAlpha(id, alpha);
+        return 'nothing';
+      } catch (error) {
+        return error.message;
+      }
+    });
+    masks.remove(sheet);
+    return { rows, sentences, error: gl.getError() };
+  });
+  assert.deepEqual(told.rows, ['dddddddd', 'lllldddd', 'ddddllll', 'llllllll', 'dddddddd']);
+  assert.match(told.sentences[0], /channel 'red'/);
+  assert.match(told.sentences[1], /not alpha-tested/);
+  assert.match(told.sentences[2], /9 numbers/);
+  assert.equal(told.error, 0);
+  await shared.check(page);
+});
