@@ -4,5 +4,5 @@ include(${CMAKE_CURRENT_LIST_DIR}/shader_text.cmake)
 
 read_with_includes(${SHADER_DIR}/host/lookup.glsl text)
 string(REGEX REPLACE " *//[^\n]*" "" text "${text}")
-string(REGEX REPLACE "\n\n+" "\n" text "${text}")
+string(REGEX REPLACE "\n[\n ]+" "\n" text "${text}")
 file(WRITE ${OUTPUT} "// Generated from shaders_es2/host/lookup.glsl.\nexport const text = `${text}`;\n")
