@@ -35,7 +35,7 @@ TEST(Help, EveryVerbNamesItsOptions) {
           "--instancing",  "--depth-slices", "--samples",    "--report",
           "--silhouette",  "--explain",      "--debug",      "--primitive-map-memory",
           "--ground",      "--cast-cutouts", "--cull",       "--place",
-          "--time-of-day", "--north"})
+          "--time-of-day", "--north",        "--volume-ends"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);
