@@ -25,13 +25,14 @@ struct Needs {
     std::optional<VolumeRecords> volumes; ///< nothing: draws none
     bool proposed = false;                ///< most records never reach the GPU
     bool primitiveMaps = false;
+    bool culledCasters = false;
 
     auto operator<=>(const Needs&) const = default;
 };
 
 Needs needsOf(const RenderSettings& settings) {
     return {settings.records(), settings.silhouette == SilhouetteChoice::proposed,
-            settings.looksUpPrimitives()};
+            settings.looksUpPrimitives(), settings.casterCulling};
 }
 
 /// A scene that some of the contenders draw, with what they share of it.
@@ -271,8 +272,8 @@ class Course {
         }
         const GpuScene& scene =
             contender.stage.sceneFor(contender.needs, contender.renderer.settings());
-        result.sideBytes = scene.groups.sideBytes();
-        result.capBytes = scene.groups.capBytes();
+        result.sideBytes = scene.groups.sideBytes() + scene.culled.sideBytes();
+        result.capBytes = scene.groups.capBytes() + scene.culled.capBytes();
         for (const GpuBatch& batch : scene.batches) {
             if (!batch.owns) continue;
             result.sideBytes += batch.volumes.sideBytes();

@@ -27,6 +27,7 @@ const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::planePairs}
                                            {"published", VolumeLayout::oppositeVertices}};
 const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
                                                    {"all", SilhouetteChoice::all}};
+const Choices<bool> onOffNames = {{"on", true}, {"off", false}};
 const Choices<VolumeEnds> endNames = {{"cost", VolumeEnds::byCost},
                                       {"planes", VolumeEnds::atPlanes},
                                       {"infinity", VolumeEnds::atInfinity}};
@@ -120,6 +121,9 @@ void addEnvironment(CLI::App& verb, DrawSettings& settings) {
 }
 
 void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
+    addChoice(verb, "--caster-culling", settings.render.casterCulling, onOffNames,
+              "Casters that are wholly in the shadow of others are left out of volumes, exactly, "
+              "where a light rests and all is seen from both sides (off)");
     addChoice(verb, "--volume-ends", settings.render.ends, endNames,
               "Where volumes end whose end is not seen: beyond all that is visible or at "
               "infinity, by what filling is estimated to cost, or always one of these (cost)");
@@ -127,7 +131,7 @@ void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
         verb, "--mask-scale", settings.render.maskScale, maskScaleNames,
         "Resolution at which volumes are counted, as a share of the picture's; less is faster "
         "and less exact (1)");
-    for (const char* option : {"--volume-ends", "--mask-scale"})
+    for (const char* option : {"--caster-culling", "--volume-ends", "--mask-scale"})
         noted(verb.get_option(option), settings.volumeOptions);
 }
 
@@ -311,6 +315,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"layout", nameIn(layoutNames, volumeLayoutOf(render.multiplicity))},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
         {"silhouette", nameIn(silhouetteNames, render.silhouette)},
+        {"caster-culling", nameIn(onOffNames, render.casterCulling)},
         {"volume-ends", nameIn(endNames, render.ends)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)

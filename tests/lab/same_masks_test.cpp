@@ -1,6 +1,7 @@
-// What is filled otherwise changes no mask, but for single pixels at boundaries of shadows, where
-// another corner of a side has it on another step of the rasteriser's grid (docs/method.md, C14):
-// of extremes, of the scenes that ship and of models of ../shared/scenes, where they are there.
+// What is filled otherwise, or left out, changes no mask, but for single pixels at boundaries of
+// shadows, where another corner of a side has it on another step of the rasteriser's grid
+// (docs/method.md, C14): of extremes, of the scenes that ship and of models of ../shared/scenes,
+// where they are there.
 #include "src/gl/headless_context.hpp"
 #include "src/lab/views.hpp"
 #include "src/render/frame/prepare_scene.hpp"
@@ -37,6 +38,7 @@ class Masks {
     std::vector<std::uint8_t> of(const View& view, const RenderSettings& settings) {
         FrameRequest request{view.frustum, width, height, {view.light}, {}};
         FrameView frame = makeFrameView(loaded_.scene, loaded_.settings.castMasked, request);
+        frame.culls = false;
         frame.mask = true;
         prepareScene(scene_, loaded_, frame, settings, context_.capabilities());
         Renderer(settings, context_.capabilities()).draw(scene_, frame);
@@ -79,7 +81,9 @@ void expectAlike(const Pixels& a, const Pixels& b) {
 std::vector<std::pair<const char*, RenderSettings>> ways() {
     RenderSettings planes;
     planes.ends = VolumeEnds::atPlanes;
-    return {{"ends at planes", planes}};
+    RenderSettings culled;
+    culled.casterCulling = true;
+    return {{"ends at planes", planes}, {"casters culled", culled}};
 }
 
 void expectSame(const LoadedScene& loaded, const std::vector<View>& views) {

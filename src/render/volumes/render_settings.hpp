@@ -34,6 +34,7 @@ struct RenderSettings {
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
     VolumeEnds ends = VolumeEnds::byCost;                     ///< likewise
     SidesLayout layout = SidesLayout::instanced;
+    bool casterCulling = false;        ///< of lights at rest, casters wholly in shadow cast nothing
     ShadowMapSettings map;             ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
