@@ -7,6 +7,7 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
+#include "src/shadow/plan/volume_fill.hpp"
 
 #include <algorithm>
 #include <map>
@@ -24,13 +25,14 @@ struct Needs {
     std::optional<VolumeRecords> volumes; ///< nothing: draws none
     bool proposed = false;                ///< most records never reach the GPU
     bool primitiveMaps = false;
+    bool culledCasters = false;
 
     auto operator<=>(const Needs&) const = default;
 };
 
 Needs needsOf(const RenderSettings& settings) {
     return {settings.records(), settings.silhouette == SilhouetteChoice::proposed,
-            settings.looksUpPrimitives()};
+            settings.looksUpPrimitives(), settings.casterCulling};
 }
 
 /// A scene that some of the contenders draw, with what they share of it.
@@ -94,6 +96,7 @@ struct Contender {
     ExtendedLights extendedLights;
     Needs needs;
     std::vector<double> frameMs, planMs, vertexRuns, repeatMs;
+    std::vector<FillCost> fills;
     std::vector<StageMs> stages;
 };
 
@@ -128,6 +131,7 @@ class Course {
             contender.frameMs.push_back(frameMs(contender));
             contender.planMs.push_back(contender.stage.planMs(contender.needs.volumes.has_value()));
             contender.vertexRuns.push_back(static_cast<double>(contender.renderer.vertexRuns()));
+            addFill(contender);
         });
         if (index % framesPerStageFrame != 0) return;
         look(shareOf(index + 0.5));
@@ -189,13 +193,29 @@ class Course {
             use(*contenders_[(static_cast<std::size_t>(index) + i) % contenders_.size()]);
     }
 
-    void draw(Contender& contender, StageClock* clock) {
-        Stage& stage = contender.stage;
-        FrameView view = stage.view();
+    /// What a contender draws.
+    static FrameView viewFor(const Contender& contender) {
+        FrameView view = contender.stage.view();
         view.divide(contender.setting.depthSlices);
         for (FrameLight& of : view.lights)
             of.points.resize(
                 std::min(of.points.size(), contender.renderer.settings().countedPoints()));
+        return view;
+    }
+
+    /// Of the frame that was drawn last.
+    static void addFill(Contender& contender) {
+        const VolumeRenderer* volumes = contender.renderer.volumes();
+        const FrameView view = viewFor(contender);
+        if (!volumes || volumes->layout() != VolumeLayout::planePairs ||
+            contender.renderer.settings().maskScale != 1 || ExtendedLights::points(view) > 0)
+            return;
+        contender.fills.push_back(fillOf(contender.renderer.plan(), view));
+    }
+
+    void draw(Contender& contender, StageClock* clock) {
+        Stage& stage = contender.stage;
+        const FrameView view = viewFor(contender);
         drawWithExtents(contender.renderer, contender.extendedLights,
                         stage.sceneFor(contender.needs, contender.renderer.settings()),
                         stage.loaded(), view, clock);
@@ -244,10 +264,16 @@ class Course {
                           stage(&StageMs::lit)};
         result.planMs = median(contender.planMs);
         result.vertexRuns = static_cast<std::size_t>(median(contender.vertexRuns));
+        if (!contender.fills.empty()) {
+            FillCost sum;
+            for (const FillCost& fill : contender.fills)
+                sum += fill;
+            result.fill = sum.times(1.0 / static_cast<double>(contender.fills.size()));
+        }
         const GpuScene& scene =
             contender.stage.sceneFor(contender.needs, contender.renderer.settings());
-        result.sideBytes = scene.groups.sideBytes();
-        result.capBytes = scene.groups.capBytes();
+        result.sideBytes = scene.groups.sideBytes() + scene.culled.sideBytes();
+        result.capBytes = scene.groups.capBytes() + scene.culled.capBytes();
         for (const GpuBatch& batch : scene.batches) {
             if (!batch.owns) continue;
             result.sideBytes += batch.volumes.sideBytes();

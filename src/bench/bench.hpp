@@ -6,6 +6,7 @@
 
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/timing/stage_timer.hpp"
+#include "src/shadow/plan/fill_cost.hpp"
 
 #include <functional>
 #include <memory>
@@ -47,7 +48,10 @@ struct Result {
     StageMs stageMs;            ///< medians, over a quarter of the frames, drawn apart for it
     double planMs = 0.0;        ///< median, on the CPU before drawing; not in frameMs
     std::size_t vertexRuns = 0; ///< a frame's, of shadows alone; median
-    std::size_t sideBytes = 0;  ///< on the GPU, of shadows alone
+    /// A frame's, of shadow volumes from plane-pair records counted at the picture's resolution,
+    /// for lights without an extent; mean. Else nothing.
+    std::optional<FillCost> fill;
+    std::size_t sideBytes = 0; ///< on the GPU, of shadows alone
     std::size_t capBytes = 0;
     std::size_t mapBytes = 0;
     std::size_t maskBytes = 0;       ///< of masks of lower resolution

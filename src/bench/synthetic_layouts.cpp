@@ -50,14 +50,20 @@ glm::vec4 planeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, a)));
 }
 
+RenderSettings settingsFor(SidesLayout layout) {
+    RenderSettings settings;
+    settings.silhouette = SilhouetteChoice::all;
+    settings.layout = layout;
+    return settings;
+}
+
 /// Records of one plane or two (preprocess/volumes/plane_pair_data.hpp), with no flat edges among
 /// them.
 class PlanePairSubject : public SyntheticSubject {
   public:
     PlanePairSubject(const SyntheticMesh& mesh, SidesLayout layout,
                      const gl::Capabilities& capabilities)
-        : volumes_(SilhouetteChoice::all, layout, capabilities.instancing,
-                   capabilities.vertexHighpMantissaBits, {}, {"DEGENERATE"}) {
+        : volumes_(settingsFor(layout), capabilities, {}, {"DEGENERATE"}) {
         PlanePairShadow shadow;
         for (const Edge& edge : mesh.edges.edges)
             addRecords(mesh, edge, shadow);

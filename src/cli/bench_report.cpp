@@ -38,6 +38,16 @@ std::string fixed(double value, int digits) {
     return text.str();
 }
 
+/// Null where nothing is known.
+Json fillJson(const std::optional<FillCost>& fill) {
+    if (!fill) return nullptr;
+    return {{"triangles", std::llround(fill->triangles)},
+            {"tile_pairs", std::llround(fill->tilePairs)},
+            {"blocks", std::llround(fill->blocks)},
+            {"fragments", std::llround(fill->fragments)},
+            {"llvmpipe_ms", 1e-6 * FillWeights().of(*fill)}};
+}
+
 Json resultJson(const bench::Task& task, const BenchSetting& setting, const bench::Result& result,
                 const bench::Report& measured, const CasterSettings& casters, const Json& scene) {
     DrawSettings settings = setting.settings;
@@ -65,6 +75,7 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
               {"lit", stages.lit}}},
             {"plan_ms", result.planMs},
             {"vertex_runs", result.vertexRuns},
+            {"fill", fillJson(result.fill)},
             {"bytes_gpu", result.bytes()},
             {"bytes",
              {{"sides", result.sideBytes},
@@ -172,7 +183,8 @@ std::string BenchReport::table() const {
     for (const char* head :
          {"median ms", "p95", "max", "ambient", "silhouette", "rasterise", "map", "lit"})
         text << std::setw(11) << head;
-    text << std::setw(14) << "vertex runs" << std::setw(10) << "MB on GPU"
+    text << std::setw(14) << "vertex runs" << std::setw(12) << "tile pairs" << std::setw(12)
+         << "Mfragments" << std::setw(10) << "MB on GPU"
          << "  own time / this: median (min..max)";
     for (const Row& row : rows_) {
         const bench::Result& result = row.result;
@@ -184,7 +196,9 @@ std::string BenchReport::table() const {
         for (const double value : {spread.median, spread.p95, spread.max, stages.ambient,
                                    stages.silhouette, stages.rasterise, stages.map, stages.lit})
             text << std::setw(11) << milliseconds(value);
-        text << std::setw(14) << result.vertexRuns << std::setw(10)
+        text << std::setw(14) << result.vertexRuns << std::setw(12)
+             << (result.fill ? fixed(result.fill->tilePairs, 0) : "-") << std::setw(12)
+             << (result.fill ? fixed(1e-6 * result.fill->fragments, 2) : "-") << std::setw(10)
              << fixed(static_cast<double>(result.bytes()) / (1 << 20), 2);
         if (!row.first)
             text << "  " << fixed(row.ratios.median, 3) << " (" << fixed(row.ratios.min, 3) << ".."

@@ -27,6 +27,10 @@ const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::planePairs}
                                            {"published", VolumeLayout::oppositeVertices}};
 const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
                                                    {"all", SilhouetteChoice::all}};
+const Choices<bool> onOffNames = {{"on", true}, {"off", false}};
+const Choices<VolumeEnds> endNames = {{"cost", VolumeEnds::byCost},
+                                      {"planes", VolumeEnds::atPlanes},
+                                      {"infinity", VolumeEnds::atInfinity}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
@@ -116,12 +120,19 @@ void addEnvironment(CLI::App& verb, DrawSettings& settings) {
         ->type_name("FILE.hdr");
 }
 
-void addMaskScale(CLI::App& verb, DrawSettings& settings) {
+void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
+    addChoice(verb, "--caster-culling", settings.render.casterCulling, onOffNames,
+              "Casters that are wholly in the shadow of others are left out of volumes, exactly, "
+              "where a light rests and all is seen from both sides (off)");
+    addChoice(verb, "--volume-ends", settings.render.ends, endNames,
+              "Where volumes end whose end is not seen: beyond all that is visible or at "
+              "infinity, by what filling is estimated to cost, or always one of these (cost)");
     addChoice(
         verb, "--mask-scale", settings.render.maskScale, maskScaleNames,
         "Resolution at which volumes are counted, as a share of the picture's; less is faster "
         "and less exact (1)");
-    noted(verb.get_option("--mask-scale"), settings.volumeOptions);
+    for (const char* option : {"--caster-culling", "--volume-ends", "--mask-scale"})
+        noted(verb.get_option(option), settings.volumeOptions);
 }
 
 } // namespace
@@ -146,6 +157,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
         verb, "--silhouette", settings.silhouette, silhouetteNames,
         "Which plane-pair records reach the vertex shader: those that can be silhouettes in this "
         "light, or all of them (proposed)");
+    addVolumeOptions(verb, settings);
     addChoice(
         verb, "--instancing", settings.instancing, instancingNames,
         "A record an instance, a copy for every vertex, or one draw a side, as plane-pair records "
@@ -172,7 +184,6 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
           settings.extentOptions)
         ->check(CLI::Range(std::size_t{1}, mostLightPoints))
         ->type_name("N");
-    addMaskScale(verb, settings);
     addPrimitiveMapMemory(verb, settings);
     addShadingOptions(verb, settings);
     addEnvironment(verb, settings);
@@ -204,6 +215,9 @@ void resolve(DrawSettings& settings) {
     const bool planes = volumeLayoutOf(method) == VolumeLayout::planePairs;
     if (!planes && settings.silhouette == SilhouetteChoice::proposed)
         throw Error(ExitStatus::usage, "--silhouette proposed needs --layout adapted.");
+    for (const std::string& option : settings.volumeOptions)
+        if (!planes && option != "--mask-scale")
+            throw Error(ExitStatus::usage, option + " needs --layout adapted.");
     settings.render.silhouette =
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
@@ -301,6 +315,8 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"layout", nameIn(layoutNames, volumeLayoutOf(render.multiplicity))},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
         {"silhouette", nameIn(silhouetteNames, render.silhouette)},
+        {"caster-culling", nameIn(onOffNames, render.casterCulling)},
+        {"volume-ends", nameIn(endNames, render.ends)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},

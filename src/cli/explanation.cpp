@@ -16,7 +16,7 @@ std::string methodsOf(const GpuScene& scene, const FrameView& view,
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const LightMethod& of = methods[i];
         text += "light " + std::to_string(i) + ": ";
-        if (of.bytes > 0)
+        if (of.method == "primitive-map")
             text += "looked up in a primitive map of " + std::to_string(of.bytes) +
                     " bytes, built in " + std::to_string(std::lround(of.buildMs)) + " ms\n";
         else
@@ -40,6 +40,7 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
         methods = methodsOf(scene, view, settings);
         break;
     case ShadowMethod::volumes:
+        if (settings.casterCulling) methods = methodsOf(scene, view, settings);
         break;
     }
     if (renderer.volumes()->layout() == VolumeLayout::oppositeVertices)

@@ -2,6 +2,7 @@
 
 #include "src/scene/alpha_lookup.hpp"
 #include "src/scene/batch_volumes.hpp"
+#include "src/scene/culled_casters.hpp"
 #include "src/scene/overflow_groups.hpp"
 #include "src/scene/primitive_maps.hpp"
 #include "src/scene/surface_buffers.hpp"
@@ -32,6 +33,7 @@ struct GpuScene {
     std::vector<GpuBatch> batches;
     OverflowGroups groups;       ///< of its casters, for lights that need them
     PrimitiveMaps primitiveMaps; ///< of lights at rest
+    CulledCasters culled;        ///< for such lights
     std::vector<Material> materials;
     Textures textures;
     bool castMasked = false;  ///< MASK and BLEND surfaces cast too

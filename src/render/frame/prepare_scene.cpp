@@ -31,6 +31,15 @@ bool receivesSeeThrough(const GpuScene& scene, const FrameView& view,
            scene.seeThrough && view.drawBlended && !view.mask;
 }
 
+/// Not where some triangles aren't seen that cast, or may have holes: they are counted by other
+/// rules.
+bool mayCullCasters(const LoadedScene& loaded, const FrameView& view,
+                    const RenderSettings& settings) {
+    const auto records = settings.records();
+    return settings.casterCulling && records && records->volumes == VolumeLayout::planePairs &&
+           !view.culls && !loaded.settings.castMasked;
+}
+
 const char* nameOf(ShadowMethod method) {
     switch (method) {
     case ShadowMethod::map:
@@ -53,7 +62,13 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
         scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
                                  capabilities);
     }
-    if (const auto records = settings.records()) scene.groups.upload(loaded, view.lights, *records);
+    const auto records = settings.records();
+    if (records) scene.groups.upload(loaded, view.lights, *records);
+    if (mayCullCasters(loaded, view, settings))
+        scene.culled.make(loaded, view.lights, records->layout,
+                          capabilities.vertexHighpMantissaBits);
+    else
+        scene.culled.clear();
 }
 
 bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
@@ -75,12 +90,25 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
     for (const FrameLight& of : view.lights) {
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
+        if (const CulledCasters::Kept* kept = scene.culled.of(of)) {
+            method.why = std::to_string(kept->gone) + " of " + std::to_string(kept->casters) +
+                         " casting triangles are left out, wholly in the shadow of others";
+            method.buildMs = kept->buildMs;
+            method.bytes = scene.culled.sideBytes() + scene.culled.capBytes();
+        } else if (settings.casterCulling) {
+            method.why = view.culls         ? "the scene culls, so no casters are left out"
+                         : scene.castMasked ? "casters have holes, so none are left out"
+                         : of.atRest ? "the light has an extent or is counted in groups, so no "
+                                       "casters are left out"
+                                     : "it moves, so no casters are left out";
+        }
         if (!settings.looksUpPrimitives()) continue;
         const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
-        method.why = state             ? state->why
-                     : of.light.extent ? "it has an extent"
-                     : of.atRest       ? "its primitive map is not built"
-                                       : "it moves";
+        if (state || method.why.empty())
+            method.why = state             ? state->why
+                         : of.light.extent ? "it has an extent"
+                         : of.atRest       ? "its primitive map is not built"
+                                           : "it moves";
         if (!state) continue;
         method.buildMs = state->buildMs;
         if (!state->map) continue;

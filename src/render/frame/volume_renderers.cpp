@@ -17,9 +17,7 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
     if (records->volumes == VolumeLayout::oppositeVertices)
         return std::make_unique<OppositeVertexVolumes>(settings.multiplicity, settings.layout,
                                                        capabilities.instancing, tints);
-    return std::make_unique<PlanePairVolumes>(settings.silhouette, settings.layout,
-                                              capabilities.instancing,
-                                              capabilities.vertexHighpMantissaBits, tints);
+    return std::make_unique<PlanePairVolumes>(settings, capabilities, tints);
 }
 
 } // namespace edgeshade

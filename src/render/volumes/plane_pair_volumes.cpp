@@ -116,19 +116,23 @@ gl::Program makePlanePairCapsProgram(const PlanePairCapsVariant& variant,
             joined(std::move(attributes), extraAttributes)};
 }
 
-PlanePairVolumes::PlanePairVolumes(SilhouetteChoice choice, SidesLayout layout,
-                                   std::optional<gl::Instancing> instancing, int mantissaBits,
+PlanePairVolumes::PlanePairVolumes(const RenderSettings& settings,
+                                   const gl::Capabilities& capabilities,
                                    std::optional<VolumeTints> tints,
                                    std::vector<std::string> defines)
-    : instancing_(instancing), mantissaBits_(mantissaBits), tints_(tints),
-      defines_(std::move(defines)), gathered_(layout) {
+    : instancing_(capabilities.instancing), tints_(tints), defines_(std::move(defines)),
+      gathered_(settings.layout) {
+    planning_.mantissaBits = capabilities.vertexHighpMantissaBits;
+    planning_.ends = settings.ends;
+    if (!capabilities.isSoftware()) planning_.weights = FillWeights::ofHardware();
     if (tints_) defines_.insert(defines_.end(), {"UNIFORM_TINT", "TINT u_tint"});
-    if (choice == SilhouetteChoice::proposed) silhouettes_.emplace(mantissaBits);
-    const std::uint32_t quads = layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
+    if (settings.silhouette == SilhouetteChoice::proposed)
+        silhouettes_.emplace(planning_.mantissaBits);
+    const std::uint32_t quads = settings.layout == SidesLayout::notInstanced ? quadsPerDraw : 1;
     // The published order: rasterisers round a triangle's depths by which corner comes first.
     quadIndices_ = indexBuffer(std::array<std::uint16_t, 6>{2, 1, 0, 1, 2, 3}, quads);
     triangleIndices_ = indexBuffer(std::array<std::uint16_t, 3>{2, 1, 0}, quads);
-    if (layout == SidesLayout::notInstanced) return;
+    if (settings.layout == SidesLayout::notInstanced) return;
     quadCorners_ = gl::vertexBuffer<float>(std::array<float, 4>{0, 1, 2, 3});
     capCorners_ = gl::vertexBuffer<float>(std::array<float, 6>{0, 1, 2, 3, 4, 5});
 }
@@ -145,8 +149,10 @@ CountPlan PlanePairVolumes::plan(const GpuScene& scene, const CasterGroupInSlice
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
         placed.push_back({i, volumes.planePairs->shadow(), scene.batches[i].worldFromBatch});
     }
-    return planCount(placed, scene.materials, casters.view, casters.slice, casters.light,
-                     {mantissaBits_, silhouettes_ ? &*silhouettes_ : nullptr, &solids_});
+    PlanSettings planning = planning_;
+    planning.silhouettes = silhouettes_ ? &*silhouettes_ : nullptr;
+    planning.solids = &solids_;
+    return planCount(placed, scene.materials, casters.view, casters.slice, casters.light, planning);
 }
 
 void PlanePairVolumes::prepare(const CountPlan& plan, GpuScene& scene,

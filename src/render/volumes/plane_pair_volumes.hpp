@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/gl/capabilities.hpp"
 #include "src/gl/instancing.hpp"
 #include "src/gl/program.hpp"
 #include "src/render/volumes/render_settings.hpp"
@@ -42,10 +43,9 @@ gl::Program makePlanePairCapsProgram(const PlanePairCapsVariant& variant,
 /// Draws shadow volumes from plane-pair records: edges with the planes of their triangles.
 class PlanePairVolumes : public VolumeRenderer {
   public:
-    /// `instancing` must be there unless the layout is notInstanced. `mantissaBits`: of the vertex
-    /// shader's floats. `tints`: for debug views; `defines`: of all shaders, for measuring.
-    PlanePairVolumes(SilhouetteChoice choice, SidesLayout layout,
-                     std::optional<gl::Instancing> instancing, int mantissaBits,
+    /// Of `settings`: silhouette, layout and ends. `tints`: for debug views; `defines`: of all
+    /// shaders, for measuring. The layout must be one that the GL can.
+    PlanePairVolumes(const RenderSettings& settings, const gl::Capabilities& capabilities,
                      std::optional<VolumeTints> tints = {}, std::vector<std::string> defines = {});
 
     void beginFrame(const GpuScene& scene) override;
@@ -78,7 +78,7 @@ class PlanePairVolumes : public VolumeRenderer {
                         CapFaces faces, bool alphaTested) const;
 
     std::optional<gl::Instancing> instancing_;
-    int mantissaBits_;
+    PlanSettings planning_; ///< but for what is kept here: silhouettes and solids
     std::optional<VolumeTints> tints_;
     std::vector<std::string> defines_;
     std::optional<PotentialSilhouettes> silhouettes_;

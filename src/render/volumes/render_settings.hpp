@@ -4,6 +4,7 @@
 #include "src/environment/environment.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/render/volumes/multiplicity_method.hpp"
+#include "src/shadow/plan/end_choice.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
 
 #include <memory>
@@ -31,7 +32,9 @@ struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
+    VolumeEnds ends = VolumeEnds::byCost;                     ///< likewise
     SidesLayout layout = SidesLayout::instanced;
+    bool casterCulling = false;        ///< of lights at rest, casters wholly in shadow cast nothing
     ShadowMapSettings map;             ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold

@@ -10,6 +10,7 @@ namespace edgeshade {
 /// What of one batch is drawn. The eye and the last three are those of plane-pair records.
 struct BatchPlan {
     std::size_t batch = 0; ///< its index in the scene
+    glm::dmat4 worldFromBatch{1.0};
     glm::vec4 light{0.0f}; ///< in its space
     glm::vec4 eye{0.0f};   ///< likewise, homogeneous
     std::shared_ptr<const PlanePairShadow> shadow = nullptr;

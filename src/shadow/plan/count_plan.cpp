@@ -1,6 +1,7 @@
 #include "src/shadow/plan/count_plan.hpp"
 
 #include "src/shadow/geometry/light_extent.hpp"
+#include "src/shadow/geometry/light_reach.hpp"
 
 namespace edgeshade {
 
@@ -24,6 +25,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
             places.emplace_back();
             BatchPlan& of = plan.batches.emplace_back();
             of.batch = caster.batch;
+            of.worldFromBatch = caster.worldFromBatch;
             of.light = lightInObject(source, caster.worldFromBatch);
             of.shadow = caster.shadow;
             of.volumes.leftOut.push_back(*leftOut);
@@ -34,18 +36,23 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         std::span<const std::uint8_t> solids;
         if (view.culls && settings.solids) solids = settings.solids->of(caster.shadow);
         plan.batches.push_back({.batch = caster.batch,
+                                .worldFromBatch = caster.worldFromBatch,
                                 .light = lightInObject(source, caster.worldFromBatch),
                                 .eye = glm::vec4(places.back().eye),
                                 .shadow = caster.shadow,
-                                .volumes = planVolumes(*caster.shadow, places.back(), solids)});
+                                .volumes = planClusters(*caster.shadow, places.back(), solids)});
         plan.start.add(plan.batches.back().volumes);
         plan.fullyShadowed =
             plan.fullyShadowed || plan.batches.back().volumes.fullyShadowedBy.has_value();
     }
     if (plan.fullyShadowed) {
+        for (BatchPlan& of : plan.batches)
+            mergeAlike(of.volumes);
         plan.start.setFullyShadowed();
         return plan;
     }
+    const glm::dmat4 clipFromWorld = view.clipFromView(slice) * view.frustum.viewFromWorld;
+    const PixelRectangle reach = lightReach(view, slice, source);
     for (std::size_t i = 0; i < plan.batches.size(); ++i) {
         BatchPlan& of = plan.batches[i];
         if (of.volumes.drawn.empty()) continue;
@@ -57,6 +64,9 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
             }
             of.silhouettes = &settings.silhouettes->of(key, of.light);
         }
+        const FillMeter meter(clipFromWorld * of.worldFromBatch, view.width, view.height, reach);
+        chooseEnds(of, places[i], settings.ends, meter, settings.weights);
+        mergeAlike(of.volumes);
         appendDraws(of, i, places[i], materials, plan.draws);
     }
     if (!plan.draws.twice.empty()) plan.start.setDoubled();

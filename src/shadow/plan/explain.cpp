@@ -1,5 +1,8 @@
 #include "src/shadow/plan/explain.hpp"
 
+#include "src/shadow/plan/volume_fill.hpp"
+
+#include <cmath>
 #include <sstream>
 
 namespace edgeshade {
@@ -121,6 +124,15 @@ std::string takenBy(const CountPlan& plan, std::size_t batch, std::size_t choice
     return text.str();
 }
 
+std::string explain(const FillCost& fill) {
+    std::ostringstream text;
+    text << "filling, by estimate: " << std::llround(fill.triangles) << " triangles, "
+         << std::llround(fill.tilePairs) << " pairs of a triangle and a tile of 64 x 64 pixels, "
+         << std::llround(fill.fragments) << " fragments; "
+         << std::round(1e-4 * FillWeights().of(fill)) / 100.0 << " ms of llvmpipe's\n";
+    return text.str();
+}
+
 std::string explain(const CountPlan& plan) {
     std::ostringstream text;
     text << "the count starts at " << plan.start.count() << "\n";
@@ -194,7 +206,9 @@ std::string explain(const FramePlan& plan, const FrameView& view) {
                 if (view.slices.size() > 1)
                     text << "depths from " << view.slices[s].near << " to " << view.slices[s].far
                          << ": ";
-                text << explain(plan.slices[s].lights[i].counts[g]);
+                const LightPlan& light = plan.slices[s].lights[i];
+                text << explain(light.counts[g])
+                     << explain(fillOf(light.counts[g], view, view.slices[s], light.reach));
             }
         }
     }

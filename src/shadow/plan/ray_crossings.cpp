@@ -23,6 +23,11 @@ int certainSide(const glm::vec4& plane, const glm::dvec4& light, double rounding
     return side > 0.0 ? 1 : -1;
 }
 
+/// Whether every light is in its plane: it is none, or is left out (docs/method.md, C43).
+bool castsNothing(const CapRecord& cap) {
+    return cap.plane == glm::vec4(0.0f);
+}
+
 std::array<glm::dvec3, 3> cornersOf(const CapRecord& cap) {
     return {glm::dvec3(cap.a), glm::dvec3(cap.b), glm::dvec3(cap.c)};
 }
@@ -73,7 +78,7 @@ std::optional<RayCrossings> crossingsFrom(const glm::dvec3& start, const glm::dv
         const Crossing crossing = crossingOf(cornersOf(cap), start, light);
         if (crossing == Crossing::uncertain) return std::nullopt;
         const int side = certainSide(cap.plane, light, rounding);
-        if (side == 0) return std::nullopt;
+        if (side == 0 && !castsNothing(cap)) return std::nullopt;
         if (crossing == Crossing::none) continue;
         const int inSpace = crossing == Crossing::towardsItsFront ? 1 : -1;
         (side > 0 ? crossings.lightFacing : crossings.facingAway) += side * inSpace;
@@ -182,6 +187,7 @@ Evenness evennessOf(const NearClipVolume& volume, std::span<const std::uint32_t>
     edges.reserve(3 * touched.size());
     for (const std::uint32_t i : touched) {
         const CapRecord& cap = shadow.caps[i];
+        if (castsNothing(cap)) continue;
         const std::array<glm::dvec3, 3> corners = cornersOf(cap);
         if (mayMeetRectangle(volume, faces, corners)) return Evenness::rectangleMet;
         const int side = certainSide(cap.plane, volume.light, rounding);

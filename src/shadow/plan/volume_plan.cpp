@@ -183,15 +183,19 @@ void addEnds(const Box& box, const glm::dmat4& worldFromBatch, PlanView& view) {
         }
 }
 
+/// How far the light is above all of the box, as a share of its own height.
+double leastBelowLight(double highest, const PlanView& view) {
+    return 1.0 - highest * view.light.w;
+}
+
 /// The end that the cluster's volumes reach soonest; -1: none suits all of it.
 int endFor(const Box& bounds, const PlanView& view) {
     int best = -1;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < view.ends.size(); ++i) {
+        if (!mayEndAt(bounds, view, i)) continue;
         const double highest = largestOver(bounds, view.ends[i]);
-        const double below = 1.0 - highest * view.light.w; // how far the light is above all of it
-        if (!(below > leastBelow)) continue;
-        const double reach = highest / below;
+        const double reach = highest / leastBelowLight(highest, view);
         if (reach >= least) continue;
         least = reach;
         best = static_cast<int>(i);
@@ -253,16 +257,6 @@ void appendLeftOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Wh
         all.push_back({{cluster, 1}, why});
 }
 
-void appendDraw(std::vector<ClusterPlan>& draws, const ClusterPlan& draw) {
-    if (draws.empty() || draws.back().clusters.end() != draw.clusters.first ||
-        !draws.back().drawnLike(draw)) {
-        draws.push_back(draw);
-        return;
-    }
-    ++draws.back().clusters.count;
-    draws.back().start += draw.start;
-}
-
 } // namespace
 
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
@@ -308,6 +302,10 @@ std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dm
     return LeftOut{{0, static_cast<std::uint32_t>(shadow.clusters.size())}, *why};
 }
 
+bool mayEndAt(const Box& bounds, const PlanView& view, std::size_t end) {
+    return leastBelowLight(largestOver(bounds, view.ends[end]), view) > leastBelow;
+}
+
 glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
     return draw.end < 0 ? glm::vec4(0, 0, 0, 1)
                         : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
@@ -315,6 +313,27 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
 
 VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
                        std::span<const std::uint8_t> solids) {
+    VolumePlan plan = planClusters(shadow, view, solids);
+    mergeAlike(plan);
+    return plan;
+}
+
+void mergeAlike(VolumePlan& plan) {
+    std::vector<ClusterPlan> merged;
+    for (const ClusterPlan& draw : plan.drawn) {
+        if (merged.empty() || merged.back().clusters.end() != draw.clusters.first ||
+            !merged.back().drawnLike(draw)) {
+            merged.push_back(draw);
+            continue;
+        }
+        merged.back().clusters.count += draw.clusters.count;
+        merged.back().start += draw.start;
+    }
+    plan.drawn = std::move(merged);
+}
+
+VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
+                        std::span<const std::uint8_t> solids) {
     const bool oneNear = view.fromNear.corners == view.fromNearest.corners;
     VolumePlan plan;
     for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
@@ -349,7 +368,7 @@ VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
         draw.fannedCaps = draw.zFail() && !cluster.alphaTested && !draw.nearDiscard &&
                           (!draw.backCaps || isOutsideOf(cluster, view.light));
         draw.culledCaps = culled && inView;
-        appendDraw(plan.drawn, draw);
+        plan.drawn.push_back(draw);
     }
     return plan;
 }

@@ -101,6 +101,10 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
 std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dmat4& worldFromBatch,
                                     const PlanView& inWorld);
 
+/// Whether volumes of all that casts within the box may end at the view's plane of that index
+/// (docs/method.md, C14).
+bool mayEndAt(const Box& bounds, const PlanView& view, std::size_t end);
+
 /// The plane at which such volumes end, for the shaders.
 glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 
@@ -137,5 +141,12 @@ glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
 /// `solids`: what findSolids() says of the shadow's clusters; nothing: none is known.
 VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,
                        std::span<const std::uint8_t> solids = {});
+
+/// The same with each cluster that is drawn by itself, for those who decide further.
+VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
+                        std::span<const std::uint8_t> solids = {});
+
+/// Puts neighbouring clusters together that are drawn alike.
+void mergeAlike(VolumePlan& plan);
 
 } // namespace edgeshade

@@ -116,6 +116,7 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
             occluder.takesEdge[i] = forward == inward;
             occluder.edges[i] = occluder.takesEdge[i] ? edge : -edge;
         }
+        occluder.triangle = static_cast<std::uint32_t>(t);
         occluder.contours = contours[t];
         occluder.lightFacing = middles[t] > 0;
         if (!placed.casters->cutouts.empty()) {

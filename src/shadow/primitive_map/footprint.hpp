@@ -29,6 +29,8 @@ struct Occluder {
     /// Likewise: its middle all but lies in the plane, and neither `edges` nor `plane` are known.
     bool flat = false;
     static constexpr std::uint32_t solid = ~std::uint32_t{0};
+    std::uint32_t triangle = 0;   ///< of its casters' mesh
+    bool blocks = true;           ///< rays that meet it count as blocked
     std::uint32_t cutout = solid; ///< where its alpha is, in Occluders::cutouts
 
     bool isSolid() const { return cutout == solid; }

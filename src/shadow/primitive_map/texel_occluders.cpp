@@ -87,7 +87,7 @@ class GroupFinder {
         const std::optional<bool> covers = print.covers(sample_, occluder);
         if (!covers)
             group.constant = false;
-        else if (*covers)
+        else if (*covers && occluder.blocks)
             ++(occluder.lightFacing ? group.facing : group.away);
     }
 
