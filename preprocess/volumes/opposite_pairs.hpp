@@ -28,7 +28,7 @@ struct OppositePair {
 
 /// Pairs up the triangles of an edge into ceil(n / 2) records: those that run opposite ways and
 /// look the same way first, since these cancel in most lights. `planes`: of every triangle.
-void pairUp(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge,
-            const std::vector<glm::vec4>& planes, std::vector<OppositePair>& pairs);
+void pairUp(const EdgeList& edges, const Edge& edge, const std::vector<glm::vec4>& planes,
+            std::vector<OppositePair>& pairs);
 
 } // namespace edgeshade

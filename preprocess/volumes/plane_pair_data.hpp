@@ -140,7 +140,8 @@ PlanePairCosts costsOf(const PlanePairShadow& shadow);
 /// Builds the records of one batch. `materials` tell which casters are alpha-tested;
 /// `flatTolerance`: degrees, see trianglePlanes().
 PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
-                                const std::vector<Material>& materials, double flatTolerance = 0.0);
+                                const std::vector<Material>& materials, double flatTolerance = 0.0,
+                                Threads threads = {});
 
 /// Those of a batch: of what deforms, records that last for all poses (weldForRecords()), with
 /// RecordVertices and without patches.
