@@ -37,7 +37,9 @@ std::vector<std::size_t> toPlaces(std::vector<std::vector<std::size_t>>& counts)
 
 #ifdef __EMSCRIPTEN__
 
-std::size_t Threads::available() { return 1; }
+std::size_t Threads::available() {
+    return 1;
+}
 
 void inParallel(std::size_t count, Threads, const std::function<void(std::size_t)>& work) {
     for (std::size_t i = 0; i < count; ++i)

@@ -15,7 +15,9 @@ constexpr std::size_t fewItems = 256;
 /// Items that a thread is worth starting for.
 constexpr std::size_t itemsOfThread = std::size_t{1} << 15;
 
-std::uint32_t digitOf(std::uint32_t word, unsigned shift) { return word >> shift & (digits - 1); }
+std::uint32_t digitOf(std::uint32_t word, unsigned shift) {
+    return word >> shift & (digits - 1);
+}
 
 /// One digit: `from` to `to`. False where all items have the same digit, and nothing was done.
 template <std::size_t words>

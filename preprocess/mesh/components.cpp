@@ -1,5 +1,7 @@
 #include "preprocess/mesh/components.hpp"
 
+#include "preprocess/base/prefetch.hpp"
+
 #include <atomic>
 
 namespace edgeshade {
@@ -39,6 +41,8 @@ class SharedSets {
             if (parent_[a].compare_exchange_strong(root, b, std::memory_order_relaxed)) return;
         }
     }
+
+    void prefetchItem(std::uint32_t item) const { prefetch(parent_[item]); }
 
   private:
     std::uint32_t parentOf(std::uint32_t item) const {
@@ -88,6 +92,13 @@ Components findComponents(const WeldedMesh& mesh, const EdgeList& edges, Threads
     const std::size_t triangles = mesh.triangles.size();
     SharedSets sets(triangles, threads);
     forEachItem(edges.edges.size(), itemsOfThread, threads, [&](std::size_t e) {
+        constexpr std::size_t ahead = 8;
+        if (e + ahead < edges.edges.size()) {
+            const Edge& later = edges.edges[e + ahead];
+            sets.prefetchItem(edges.opposites[later.firstOpposite].triangle);
+            sets.prefetchItem(
+                edges.opposites[later.firstOpposite + later.oppositeCount - 1].triangle);
+        }
         const auto opposites = edges.oppositesOf(edges.edges[e]);
         for (std::size_t i = 1; i < opposites.size(); ++i)
             sets.unite(opposites[0].triangle, opposites[i].triangle);

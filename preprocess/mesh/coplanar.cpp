@@ -11,8 +11,8 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Integers of so many bits and a sign: the determinant of three differences is a sum of six products
-/// of three factors of at most 41 bits, which 127 bits hold.
+/// Integers of so many bits and a sign: the determinant of three differences is a sum of six
+/// products of three factors of at most 41 bits, which 127 bits hold.
 constexpr int integerBits = 40;
 
 /// A coordinate as an odd integer times a power of two; 0 as 0.

@@ -56,6 +56,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
           {"simplify", report.build.simplify},
           {"weld", report.build.weld},
           {"edges", report.build.edges},
+          {"records", report.build.records},
           {"pack", report.build.pack}}},
         {"settings",
          {{"weld-tolerance", report.settings.weldTolerance},
@@ -72,6 +73,25 @@ nlohmann::ordered_json toJson(const PackReport& report) {
 }
 
 namespace {
+
+void countGeometry(const Batch& batch, const BatchTopology& topology,
+                   const std::vector<Material>& materials, const CasterSettings& settings,
+                   MeshStatistics& statistics, PlanePairCosts& costs) {
+    const auto count = [&](const CasterMesh& mesh, const EdgeList& edges,
+                           const Components& components) {
+        return planePairCosts(mesh, edges, components, materials, settings.flatTolerance,
+                              batch.deforms());
+    };
+    const Components components = findComponents(topology.mesh.welded, topology.edges);
+    statistics = meshStatistics(topology.mesh.welded, topology.edges, components);
+    if (!batch.deforms()) {
+        costs = count(topology.mesh, topology.edges, components);
+        return;
+    }
+    const CasterMesh mesh = weldForRecords(batch, castersOf(batch, materials, settings.castMasked));
+    const EdgeList edges = buildEdges(mesh.welded);
+    costs = count(mesh, edges, findComponents(mesh.welded, edges));
+}
 
 /// What batches are made of: casters for every place, records once for all places of a mesh.
 void countBatches(PackInput& input, const CasterSettings& settings) {
@@ -91,13 +111,9 @@ void countBatches(PackInput& input, const CasterSettings& settings) {
             if (!material.doubleSided) report.singleSidedTriangles += group.indexCount / 3;
         }
         if (first[i] == i) {
-            casters[i] = meshStatistics(topology.mesh.welded, topology.edges);
-            costs[i] = costsOf(
-                batch.deforms()
-                    ? buildPlanePairs(batch, castersOf(batch, materials, settings.castMasked),
-                                      materials, settings.flatTolerance)
-                    : buildPlanePairs(topology.mesh, topology.edges, materials,
-                                      settings.flatTolerance));
+            Stopwatch watch;
+            countGeometry(batch, topology, materials, settings, casters[i], costs[i]);
+            report.build.records += watch.lap();
             report.planePairs += costs[i];
         } else {
             report.planePairs += costs[first[i]].runsAlone();

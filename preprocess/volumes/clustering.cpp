@@ -1,7 +1,7 @@
 #include "preprocess/volumes/clustering.hpp"
 
+#include "preprocess/base/prefetch.hpp"
 #include "preprocess/base/radix_sort.hpp"
-#include "preprocess/mesh/components.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -45,6 +45,7 @@ std::uint64_t mortonCode(const glm::dvec3& point, const Box& all) {
 struct FloatBox {
     glm::vec3 low, high;
 
+    FloatBox() = default;
     explicit FloatBox(const glm::vec3& point) : low(point), high(point) {}
     void add(const glm::vec3& point) {
         low = glm::min(low, point);
@@ -59,6 +60,14 @@ FloatBox boxOf(const WeldedMesh& mesh, const Triangle& triangle) {
     return box;
 }
 
+/// By triangle.
+std::vector<FloatBox> boxesOf(const WeldedMesh& mesh, Threads threads) {
+    std::vector<FloatBox> boxes(mesh.triangles.size());
+    forEachItem(boxes.size(), itemsOfThread, threads,
+                [&](std::size_t t) { boxes[t] = boxOf(mesh, mesh.triangles[t]); });
+    return boxes;
+}
+
 /// Consecutive triangles of one component.
 struct ComponentRun {
     std::uint32_t component;
@@ -68,12 +77,12 @@ struct ComponentRun {
 };
 
 /// Those of triangles [range.first, range.end) of a group's casters.
-void addRuns(const CasterMesh& mesh, const Components& components, const ItemRange& range,
-             bool alphaTested, std::vector<ComponentRun>& runs) {
+void addRuns(const std::vector<FloatBox>& boxes, const Components& components,
+             const ItemRange& range, bool alphaTested, std::vector<ComponentRun>& runs) {
     const std::size_t before = runs.size();
     for (std::size_t t = range.first; t < range.end; ++t) {
         const std::uint32_t component = components.ofTriangle[t];
-        const FloatBox box = boxOf(mesh.welded, mesh.welded.triangles[t]);
+        const FloatBox& box = boxes[t];
         if (runs.size() == before || runs.back().component != component) {
             runs.push_back({component, 1, alphaTested, box});
             continue;
@@ -84,7 +93,8 @@ void addRuns(const CasterMesh& mesh, const Components& components, const ItemRan
     }
 }
 
-std::vector<Part> componentParts(const CasterMesh& mesh, const Components& components,
+std::vector<Part> componentParts(const CasterMesh& mesh, const std::vector<FloatBox>& boxes,
+                                 const Components& components,
                                  const std::vector<Material>& materials, Threads threads) {
     std::vector<Part> parts(components.count());
     for (const MaterialCasters& group : mesh.groups) {
@@ -92,7 +102,7 @@ std::vector<Part> componentParts(const CasterMesh& mesh, const Components& compo
         const auto ranges = partsOf(group.capCount, itemsOfThread, threads);
         std::vector<std::vector<ComponentRun>> runs(ranges.size());
         forEachPart(ranges, [&](std::size_t i, const ItemRange& range) {
-            addRuns(mesh, components, {group.firstCap + range.first, group.firstCap + range.end},
+            addRuns(boxes, components, {group.firstCap + range.first, group.firstCap + range.end},
                     tested, runs[i]);
         });
         for (const auto& ofRange : runs)
@@ -184,11 +194,11 @@ std::vector<std::uint32_t> byCluster(const Components& components,
     return triangles;
 }
 
-void sortAlongCurve(const WeldedMesh& mesh, const Box& bounds, std::span<std::uint32_t> triangles,
-                    Threads threads) {
+void sortAlongCurve(const std::vector<FloatBox>& boxes, const Box& bounds,
+                    std::span<std::uint32_t> triangles, Threads threads) {
     std::vector<Keyed<2>> order(triangles.size());
     forEachItem(order.size(), itemsOfThread, threads, [&](std::size_t i) {
-        const FloatBox floats = boxOf(mesh, mesh.triangles[triangles[i]]);
+        const FloatBox& floats = boxes[triangles[i]];
         const Box box{glm::dvec3(floats.low), glm::dvec3(floats.high)};
         order[i] = {keyOf(mortonCode(box.center(), bounds)), triangles[i]};
     });
@@ -208,13 +218,14 @@ std::vector<std::uint8_t> singleSidedOf(const CasterMesh& mesh,
 }
 
 /// Orders each cluster's triangles, which are ascending.
-void orderTriangles(const CasterMesh& mesh, const std::vector<Material>& materials, Threads threads,
+void orderTriangles(const CasterMesh& mesh, const std::vector<FloatBox>& boxes,
+                    const std::vector<Material>& materials, Threads threads,
                     TriangleClusters& all) {
     const std::vector<std::uint8_t> singleSided = singleSidedOf(mesh, materials);
     const auto order = [&](TriangleCluster& cluster, Threads own) {
         const std::span<std::uint32_t> triangles =
             std::span(all.triangles).subspan(cluster.triangles.first, cluster.triangles.size());
-        if (!cluster.alphaTested) sortAlongCurve(mesh.welded, cluster.bounds, triangles, own);
+        if (!cluster.alphaTested) sortAlongCurve(boxes, cluster.bounds, triangles, own);
         const auto others =
             std::stable_partition(triangles.begin(), triangles.end(),
                                   [&](std::uint32_t t) { return singleSided[t] != 0; });
@@ -235,11 +246,15 @@ void orderTriangles(const CasterMesh& mesh, const std::vector<Material>& materia
 void addEdges(const EdgeList& edges, Threads threads, TriangleClusters& all) {
     const std::size_t triangles = all.triangles.size(), count = edges.edges.size();
     std::vector<std::uint32_t> placeOf(triangles); // in all.triangles
-    forEachItem(triangles, itemsOfThread, threads, [&](std::size_t i) {
-        placeOf[all.triangles[i]] = static_cast<std::uint32_t>(i);
-    });
+    forEachItem(triangles, itemsOfThread, threads,
+                [&](std::size_t i) { placeOf[all.triangles[i]] = static_cast<std::uint32_t>(i); });
+    const auto triangleOf = [&](std::size_t e) {
+        return edges.opposites[edges.edges[e].firstOpposite].triangle;
+    };
     const auto placeOfEdge = [&](std::size_t e) {
-        return placeOf[edges.opposites[edges.edges[e].firstOpposite].triangle];
+        constexpr std::size_t ahead = 16;
+        if (e + ahead < count) prefetch(placeOf[triangleOf(e + ahead)]);
+        return placeOf[triangleOf(e)];
     };
     std::vector<std::atomic<std::uint32_t>> next(triangles + 1); // how many, then where
     forEachItem(count, itemsOfThread, threads, [&](std::size_t e) {
@@ -259,25 +274,37 @@ void addEdges(const EdgeList& edges, Threads threads, TriangleClusters& all) {
     // Now `next` says where each triangle's end; threads may have come in any order.
     forEachItem(triangles, itemsOfThread, threads, [&](std::size_t i) {
         const std::uint32_t first = i == 0 ? 0 : next[i - 1].load(std::memory_order_relaxed);
-        std::sort(all.edges.begin() + first,
-                  all.edges.begin() + next[i].load(std::memory_order_relaxed));
+        const std::uint32_t end = next[i].load(std::memory_order_relaxed);
+        if (end - first > 1) std::sort(all.edges.begin() + first, all.edges.begin() + end);
     });
     for (TriangleCluster& cluster : all.clusters)
-        cluster.edges = {cluster.triangles.first == 0 ? 0 : next[cluster.triangles.first - 1].load(),
+        cluster.edges = {cluster.triangles.first == 0 ? 0
+                                                      : next[cluster.triangles.first - 1].load(),
                          cluster.triangles.end == 0 ? 0 : next[cluster.triangles.end - 1].load()};
 }
 
 } // namespace
 
+std::vector<std::uint8_t> countsHalf(const CasterMesh& mesh, const Components& components,
+                                     const std::vector<Material>& materials) {
+    std::vector<std::uint8_t> half = components.closed;
+    for (const MaterialCasters& group : mesh.groups)
+        if (materials[group.material].alphaMode != AlphaMode::opaque)
+            for (std::uint32_t t = group.firstCap; t < group.firstCap + group.capCount; ++t)
+                half[components.ofTriangle[t]] = 0;
+    return half;
+}
+
 TriangleClusters clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
                                     const std::vector<Material>& materials, Threads threads) {
     const Components components = findComponents(mesh.welded, edges, threads);
+    const std::vector<FloatBox> boxes = boxesOf(mesh.welded, threads);
     TriangleClusters all;
     std::vector<std::uint32_t> clusterOf;
     all.clusters =
-        clustersOf(componentParts(mesh, components, materials, threads), threads, clusterOf);
+        clustersOf(componentParts(mesh, boxes, components, materials, threads), threads, clusterOf);
     all.triangles = byCluster(components, clusterOf, all.clusters.size(), threads);
-    orderTriangles(mesh, materials, threads, all);
+    orderTriangles(mesh, boxes, materials, threads, all);
     addEdges(edges, threads, all);
     return all;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/mesh/components.hpp"
 #include "preprocess/mesh/topology.hpp"
 #include "preprocess/scene/scene.hpp"
 
@@ -28,6 +29,10 @@ struct TriangleClusters {
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> edges; ///< each where its first opposite vertex's triangle is
 };
+
+/// By component: whether it counts as closed (docs/method.md, C8): it is, and all of it is opaque.
+std::vector<std::uint8_t> countsHalf(const CasterMesh& mesh, const Components& components,
+                                     const std::vector<Material>& materials);
 
 /// Divides a batch's casters: closed clusters first, then open ones, then alpha-tested ones; within
 /// these along a Morton curve.

@@ -49,20 +49,12 @@ void sortByPlane(const Planes& planes, Triangles& triangles) {
 void pairUp(const EdgeList& edges, const Edge& edge, const Planes& planes,
             std::vector<OppositePair>& pairs) {
     pairs.clear();
-    // Nearly all edges are of one triangle, or of two that run opposite ways.
-    const auto opposites = edges.oppositesOf(edge);
-    const auto runsForward = edges.forwardOf(edge);
-    if (opposites.size() <= 2) {
-        const std::uint32_t p = opposites.front().triangle, q = opposites.back().triangle;
-        const bool first = runsForward.front() != 0;
-        if (opposites.size() == 1)
-            pairs.push_back({{p, !first}, std::nullopt});
-        else if ((runsForward.back() != 0) != first)
-            pairs.push_back(first ? opposite(p, q) : opposite(q, p));
-        else
-            pairs.push_back({{q, !first}, PairedTriangle{p, first}});
+    if (edge.oppositeCount <= 2) {
+        pairs.push_back(onlyPair(edges, edge));
         return;
     }
+    const auto opposites = edges.oppositesOf(edge);
+    const auto runsForward = edges.forwardOf(edge);
     Triangles forward, backward; // by the way they run through the edge
     for (std::size_t i = 0; i < opposites.size(); ++i)
         (runsForward[i] ? forward : backward).push_back(opposites[i].triangle);

@@ -1,5 +1,6 @@
 #include "preprocess/volumes/plane_pair_data.hpp"
 
+#include "preprocess/base/prefetch.hpp"
 #include "preprocess/volumes/clustering.hpp"
 #include "preprocess/volumes/opposite_pairs.hpp"
 #include "preprocess/volumes/triangle_planes.hpp"
@@ -33,6 +34,13 @@ std::vector<std::uint32_t> addCaps(const WeldedMesh& mesh, const std::vector<glm
     shadow.caps.resize(triangles.size());
     std::vector<std::uint32_t> capOf(triangles.size());
     forEachItem(triangles.size(), itemsOfThread, threads, [&](std::size_t i) {
+        constexpr std::size_t ahead = 8;
+        if (i + 2 * ahead < triangles.size()) {
+            prefetch(mesh.triangles[triangles[i + 2 * ahead]]);
+            prefetch(planes[triangles[i + 2 * ahead]]);
+            for (const std::uint32_t corner : mesh.triangles[triangles[i + ahead]])
+                prefetch(mesh.positions[corner]);
+        }
         const std::uint32_t triangle = triangles[i];
         const Triangle& corners = mesh.triangles[triangle];
         capOf[triangle] = static_cast<std::uint32_t>(i);
@@ -54,32 +62,55 @@ class SideWriter {
 
     /// `vertices`: filled in where the records are to last for all poses; no pair is dropped then.
     void write(const Edge& edge, PlanePairShadow& shadow, RecordVertices* vertices) {
-        const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
         const std::size_t before = pair + single;
-        pairUp(edges_, edge, planes_, paired_);
-        for (const OppositePair& two : paired_) {
-            const glm::vec4 plane = two.first.planeIn(planes_);
-            if (!two.second) {
-                shadow.singles[single] = {a, b, plane};
-                if (vertices) vertices->singles[single] = {edge.a, edge.b};
-                if (vertices) vertices->singlePlanes[single] = planeOf(two.first);
-                ++single;
-                continue;
-            }
-            const glm::vec4 other = two.second->planeIn(planes_);
-            if (plane == other && !vertices) {
-                ++flatPairs;
-                continue;
-            }
-            shadow.pairs[pair] = {a, b, plane, other};
-            shadow.pairPlanes[pair] = {planeOf(two.first), planeOf(*two.second)};
-            if (vertices) vertices->pairs[pair] = {edge.a, edge.b};
-            ++pair;
+        if (edge.oppositeCount <= 2) {
+            write(edge, onlyPair(edges_, edge), shadow, vertices);
+        } else {
+            pairUp(edges_, edge, planes_, paired_);
+            for (const OppositePair& two : paired_)
+                write(edge, two, shadow, vertices);
         }
         flatEdges += pair + single == before;
     }
 
+    /// What write() reads of an edge, in two steps, the second some edges after the first.
+    void prefetchEdge(const Edge& edge) const {
+        prefetch(edges_.opposites[edge.firstOpposite]);
+        prefetch(edges_.forward[edge.firstOpposite]);
+        prefetch(mesh_.positions[edge.a]);
+        prefetch(mesh_.positions[edge.b]);
+    }
+    void prefetchTriangles(const Edge& edge) const {
+        for (const std::uint32_t last : {0u, edge.oppositeCount - 1}) {
+            const std::uint32_t triangle = edges_.opposites[edge.firstOpposite + last].triangle;
+            prefetch(planes_[triangle]);
+            prefetch(capOf_[triangle]);
+        }
+    }
+
   private:
+    void write(const Edge& edge, const OppositePair& two, PlanePairShadow& shadow,
+               RecordVertices* vertices) {
+        const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
+        const glm::vec4 plane = two.first.planeIn(planes_);
+        if (!two.second) {
+            shadow.singles[single] = {a, b, plane};
+            if (vertices) vertices->singles[single] = {edge.a, edge.b};
+            if (vertices) vertices->singlePlanes[single] = planeOf(two.first);
+            ++single;
+            return;
+        }
+        const glm::vec4 other = two.second->planeIn(planes_);
+        if (plane == other && !vertices) {
+            ++flatPairs;
+            return;
+        }
+        shadow.pairs[pair] = {a, b, plane, other};
+        shadow.pairPlanes[pair] = {planeOf(two.first), planeOf(*two.second)};
+        if (vertices) vertices->pairs[pair] = {edge.a, edge.b};
+        ++pair;
+    }
+
     PlaneOf planeOf(const PairedTriangle& of) const {
         return {2 * capOf_[of.triangle] + (of.negated ? 1u : 0u)};
     }
@@ -101,6 +132,7 @@ SideCounts mostSides(const EdgeList& edges, const std::vector<std::uint32_t>& or
                      const ItemRange& range) {
     SideCounts counts;
     for (std::size_t i = range.first; i < range.end; ++i) {
+        if (i + 16 < range.end) prefetch(edges.edges[order[i + 16]]);
         const std::uint32_t n = edges.edges[order[i]].oppositeCount;
         counts.pairs += n / 2;
         counts.singles += n % 2;
@@ -143,6 +175,9 @@ std::vector<SideCounts> addSides(const WeldedMesh& mesh, const EdgeList& edges,
             [](std::size_t e, const TriangleCluster& cluster) { return e < cluster.edges.end; });
         return static_cast<std::size_t>(after - clustered.clusters.begin());
     };
+    const auto edgeAt = [&](std::size_t i) -> const Edge& {
+        return edges.edges[clustered.edges[i]];
+    };
     forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
         SideWriter writer(mesh, edges, planes, capOf);
         writer.pair = pairsOf[part].first;
@@ -151,8 +186,15 @@ std::vector<SideCounts> addSides(const WeldedMesh& mesh, const EdgeList& edges,
         for (std::size_t i = range.first; i < range.end; ++cluster) {
             const std::size_t end = std::min(range.end, clustered.clusters[cluster].edges.end);
             const std::size_t pair = writer.pair, single = writer.single;
-            for (; i < end; ++i)
-                writer.write(edges.edges[clustered.edges[i]], shadow, vertices);
+            for (; i < end; ++i) {
+                constexpr std::size_t ahead = 8;
+                if (i + 3 * ahead < range.end) {
+                    prefetch(edgeAt(i + 3 * ahead));
+                    writer.prefetchEdge(edgeAt(i + 2 * ahead));
+                    writer.prefetchTriangles(edgeAt(i + ahead));
+                }
+                writer.write(edgeAt(i), shadow, vertices);
+            }
             counts[part].push_back({writer.pair - pair, writer.single - single});
         }
         pairCounts[part] = writer.pair - pairsOf[part].first;
@@ -362,19 +404,70 @@ PlanePairCosts PlanePairCosts::runsAlone() const {
     return costs;
 }
 
-PlanePairCosts costsOf(const PlanePairShadow& shadow) {
-    constexpr std::size_t quadVertices = 4, capPairVertices = 6;
+namespace {
+
+constexpr std::size_t quadVertices = 4, capPairVertices = 6;
+
+std::size_t sideRunsOf(const SideCounts& sides, bool closed) {
+    return quadVertices * ((closed ? 1 : 2) * sides.pairs + sides.singles);
+}
+
+/// All but runs of sides.
+PlanePairCosts costsOf(const SideCounts& sides, std::size_t flatEdges, std::size_t caps) {
     PlanePairCosts costs;
-    costs.records = shadow.pairs.size() + shadow.singles.size();
-    costs.flatEdges = shadow.flatEdges;
-    costs.sideBytes =
-        shadow.pairs.size() * sizeof(PairRecord) + shadow.singles.size() * sizeof(SingleRecord);
-    costs.capBytes = shadow.caps.size() * sizeof(CapRecord);
-    for (const ShadowCluster& cluster : shadow.clusters)
-        costs.sideRuns +=
-            quadVertices * ((cluster.closed ? 1 : 2) * cluster.pairs.count + cluster.singles.count);
-    costs.capRuns = capPairVertices * shadow.caps.size();
+    costs.records = sides.pairs + sides.singles;
+    costs.flatEdges = flatEdges;
+    costs.sideBytes = sides.pairs * sizeof(PairRecord) + sides.singles * sizeof(SingleRecord);
+    costs.capBytes = caps * sizeof(CapRecord);
+    costs.capRuns = capPairVertices * caps;
     return costs;
+}
+
+} // namespace
+
+PlanePairCosts costsOf(const PlanePairShadow& shadow) {
+    PlanePairCosts costs = costsOf(SideCounts{shadow.pairs.size(), shadow.singles.size()},
+                                   shadow.flatEdges, shadow.caps.size());
+    for (const ShadowCluster& cluster : shadow.clusters)
+        costs.sideRuns += sideRunsOf({cluster.pairs.count, cluster.singles.count}, cluster.closed);
+    return costs;
+}
+
+PlanePairCosts planePairCosts(const CasterMesh& mesh, const EdgeList& edges,
+                              const Components& components, const std::vector<Material>& materials,
+                              double flatTolerance, bool deforms, Threads threads) {
+    const std::vector<std::uint8_t> closed = countsHalf(mesh, components, materials);
+    const auto planes = trianglePlanes(mesh.welded, edges, deforms ? 0.0 : flatTolerance, threads);
+    const auto parts = partsOf(edges.edges.size(), itemsOfThread, threads);
+    std::vector<PlanePairCosts> costs(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::vector<OppositePair> paired;
+        SideCounts sum;
+        std::size_t flatEdges = 0, runs = 0;
+        for (std::size_t e = range.first; e < range.end; ++e) {
+            const Edge& edge = edges.edges[e];
+            SideCounts own;
+            pairUp(edges, edge, planes, paired);
+            for (const OppositePair& two : paired) {
+                own.singles += two.second ? 0 : 1;
+                own.pairs += two.second && (deforms || two.first.planeIn(planes) !=
+                                                           two.second->planeIn(planes))
+                                 ? 1
+                                 : 0;
+            }
+            sum.pairs += own.pairs;
+            sum.singles += own.singles;
+            flatEdges += own.pairs + own.singles == 0;
+            const std::uint32_t triangle = edges.opposites[edge.firstOpposite].triangle;
+            runs += sideRunsOf(own, closed[components.ofTriangle[triangle]] != 0);
+        }
+        costs[part] = costsOf(sum, flatEdges, 0);
+        costs[part].sideRuns = runs;
+    });
+    PlanePairCosts all = costsOf(SideCounts(), 0, mesh.welded.triangles.size());
+    for (const PlanePairCosts& one : costs)
+        all += one;
+    return all;
 }
 
 std::vector<std::shared_ptr<const PlanePairShadow>>

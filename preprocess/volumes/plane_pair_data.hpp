@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/mesh/components.hpp"
 #include "preprocess/mesh/topology.hpp"
 #include "preprocess/scene/scene.hpp"
 
@@ -136,6 +137,12 @@ struct PlanePairCosts {
     PlanePairCosts runsAlone() const;
 };
 PlanePairCosts costsOf(const PlanePairShadow& shadow);
+
+/// The costs of buildPlanePairs() with the same words, without making the records. `components`:
+/// the mesh's. `deforms`: no pair is dropped.
+PlanePairCosts planePairCosts(const CasterMesh& mesh, const EdgeList& edges,
+                              const Components& components, const std::vector<Material>& materials,
+                              double flatTolerance, bool deforms, Threads threads = {});
 
 /// Builds the records of one batch. `materials` tell which casters are alpha-tested;
 /// `flatTolerance`: degrees, see trianglePlanes().

@@ -38,6 +38,7 @@ struct BuildSeconds {
     double simplify = 0.0;
     double weld = 0.0;
     double edges = 0.0;
+    double records = 0.0; ///< planes, and counting what records they make
     double pack = 0.0;
 };
 
@@ -53,7 +54,8 @@ using Topologies = std::vector<std::shared_ptr<const BatchTopology>>;
 using Shadows = std::vector<std::shared_ptr<const BatchShadow>>;
 
 /// Topology of every batch of the scene, in order.
-Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds);
+Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds,
+                         Threads threads = {});
 
 /// The one multiplicity of all records: `published` has a single maxMult for the scene.
 int sceneMultiplicity(const Topologies& topology);

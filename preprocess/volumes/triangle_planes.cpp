@@ -1,6 +1,7 @@
 #include "preprocess/volumes/triangle_planes.hpp"
 
 #include "preprocess/base/disjoint_sets.hpp"
+#include "preprocess/base/prefetch.hpp"
 #include "preprocess/mesh/coplanar.hpp"
 #include "preprocess/mesh/patch_growth.hpp"
 
@@ -25,13 +26,24 @@ struct Facet {
     bool thin = true;
 };
 
+/// Two sides of a triangle, from its first vertex.
+struct TwoSides {
+    glm::dvec3 ab, ac;
+
+    TwoSides(const WeldedMesh& mesh, const Triangle& triangle) {
+        const glm::dvec3 a(mesh.positions[triangle[0]]);
+        ab = glm::dvec3(mesh.positions[triangle[1]]) - a;
+        ac = glm::dvec3(mesh.positions[triangle[2]]) - a;
+    }
+    /// As long as twice the area.
+    glm::dvec3 normal() const { return glm::cross(ab, ac); }
+};
+
 Facet facetOf(const WeldedMesh& mesh, const Triangle& triangle) {
-    const glm::dvec3 a(mesh.positions[triangle[0]]);
-    const glm::dvec3 ab = glm::dvec3(mesh.positions[triangle[1]]) - a;
-    const glm::dvec3 ac = glm::dvec3(mesh.positions[triangle[2]]) - a;
+    const TwoSides sides(mesh, triangle);
     Facet facet;
-    facet.normal = glm::cross(ab, ac);
-    const double lengths = glm::length(ab) * glm::length(ac);
+    facet.normal = sides.normal();
+    const double lengths = glm::length(sides.ab) * glm::length(sides.ac);
     facet.thin = !(glm::length(facet.normal) > thinnest * lengths);
     return facet;
 }
@@ -65,13 +77,19 @@ std::vector<FlatPair> flatPairs(const WeldedMesh& mesh, const EdgeList& edges,
         const Facet f = facetOf(mesh, mesh.triangles[p.triangle]);
         const Facet g = facetOf(mesh, mesh.triangles[q.triangle]);
         return !f.thin && !g.thin && glm::dot(f.normal, g.normal) > 0.0 &&
-               areCoplanar(mesh.positions[edge.a], mesh.positions[edge.b],
-                           mesh.positions[p.vertex], mesh.positions[q.vertex]);
+               areCoplanar(mesh.positions[edge.a], mesh.positions[edge.b], mesh.positions[p.vertex],
+                           mesh.positions[q.vertex]);
     };
     const auto parts = partsOf(edges.edges.size(), itemsOfThread, threads);
     std::vector<std::vector<FlatPair>> found(parts.size());
     forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
         for (std::size_t e = range.first; e < range.end; ++e) {
+            constexpr std::size_t ahead = 8;
+            if (e + ahead < range.end) {
+                const Edge& later = edges.edges[e + ahead];
+                for (const std::uint32_t last : {0u, later.oppositeCount - 1})
+                    prefetch(planes[edges.opposites[later.firstOpposite + last].triangle]);
+            }
             const Edge& edge = edges.edges[e];
             if (edge.oppositeCount > largestFan) continue;
             const auto opposites = edges.oppositesOf(edge);
@@ -94,7 +112,7 @@ std::vector<std::uint32_t> largestOf(const WeldedMesh& mesh, const std::vector<F
     for (const FlatPair& pair : flat) {
         patches.unite(pair.p, pair.q);
         for (const std::uint32_t t : {pair.p, pair.q})
-            if (areas[t] < 0.0) areas[t] = glm::length(facetOf(mesh, mesh.triangles[t]).normal);
+            if (areas[t] < 0.0) areas[t] = glm::length(TwoSides(mesh, mesh.triangles[t]).normal());
     }
     std::vector<std::uint32_t> largest(mesh.triangles.size());
     std::iota(largest.begin(), largest.end(), 0u);
@@ -124,8 +142,7 @@ std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& ed
     std::vector<glm::vec4> planes(mesh.triangles.size());
     forEachItem(planes.size(), itemsOfThread, threads, [&](std::size_t t) {
         const Triangle& triangle = mesh.triangles[t];
-        planes[t] =
-            planeOf(facetOf(mesh, triangle).normal, mesh.positions[triangle[0]]);
+        planes[t] = planeOf(TwoSides(mesh, triangle).normal(), mesh.positions[triangle[0]]);
     });
     const std::vector<FlatPair> flat = flatPairs(mesh, edges, planes, threads);
     if (flatTolerance <= 0.0) {
@@ -135,7 +152,7 @@ std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& ed
     std::vector<glm::dvec3> normals;
     normals.reserve(planes.size());
     for (const Triangle& triangle : mesh.triangles)
-        normals.push_back(facetOf(mesh, triangle).normal);
+        normals.push_back(TwoSides(mesh, triangle).normal());
     std::vector<std::uint32_t> models = largestOf(mesh, flat);
     growPatches(mesh, edges, normals, flatTolerance, models);
     const std::vector<glm::vec4> own = planes;

@@ -75,8 +75,8 @@ inline std::uint64_t hashOf(const PlanePairShadow& shadow) {
         hash.add(std::uint32_t{cluster.closed} + 2 * std::uint32_t{cluster.alphaTested});
         hash.add(cluster.components);
         hash.add(cluster.singleSided);
-        for (const RecordRange& range : {cluster.pairs, cluster.singles, cluster.caps,
-                                         cluster.groups, cluster.leaves})
+        for (const RecordRange& range :
+             {cluster.pairs, cluster.singles, cluster.caps, cluster.groups, cluster.leaves})
             hash.add(range);
     }
     for (const Box& leaf : shadow.leaves)
