@@ -51,21 +51,79 @@ struct CellHash {
     }
 };
 
-/// Which cell of the axis. So far out that floats lie farther apart than cells are wide, only equal
-/// coordinates are close: each has a cell of its own there, so that no cell fills up.
-std::int64_t cellOf(float coordinate, double size) {
-    constexpr double farthest = 0x1p52;
-    const double cell = std::floor(static_cast<double>(coordinate) / size);
-    if (std::abs(cell) < farthest) return static_cast<std::int64_t>(cell);
-    // Neighbours of other floats are not neighbours here.
-    std::int32_t bits = 0;
-    std::memcpy(&bits, &coordinate, sizeof bits);
-    return (std::int64_t{1} << 60) + std::int64_t{4} * bits;
-}
+struct PositionHash {
+    std::size_t operator()(const glm::vec3& position) const {
+        return CellHash()({orderOf(position.x), orderOf(position.y), orderOf(position.z)});
+    }
+};
 
-Cell cellOf(const glm::vec3& position, double size) {
-    return {cellOf(position.x, size), cellOf(position.y, size), cellOf(position.z, size)};
-}
+/// Cells of the snapping grid, twice as wide as the tolerance, along one axis: those that hold what
+/// is near a coordinate, its own among them.
+struct AxisCells {
+    std::int64_t own, first, last;
+
+    AxisCells(float coordinate, double tolerance) {
+        constexpr double farthest = 0x1p52, rounding = 1.001;
+        const double size = 2.0 * tolerance, reach = rounding * tolerance;
+        const double cell = std::floor(static_cast<double>(coordinate) / size);
+        if (std::abs(cell) < farthest) {
+            own = static_cast<std::int64_t>(cell);
+            first = static_cast<std::int64_t>(
+                std::floor((static_cast<double>(coordinate) - reach) / size));
+            last = static_cast<std::int64_t>(
+                std::floor((static_cast<double>(coordinate) + reach) / size));
+            return;
+        }
+        // So far out floats lie farther apart than cells are wide, and only equal coordinates are
+        // near: each has a cell of its own, so that no cell fills up.
+        std::int32_t bits = 0;
+        std::memcpy(&bits, &coordinate, sizeof bits);
+        own = first = last = (std::int64_t{1} << 60) + bits;
+    }
+};
+
+/// Positions that were kept, by cells.
+class KeptPositions {
+  public:
+    explicit KeptPositions(double tolerance) : tolerance_(tolerance) {}
+
+    /// The first that is nearer than the tolerance; else this one, which is kept from now on.
+    glm::vec3 snapped(const glm::vec3& position) {
+        const AxisCells x(position.x, tolerance_), y(position.y, tolerance_),
+            z(position.z, tolerance_);
+        std::uint32_t first = none;
+        for (std::int64_t i = x.first; i <= x.last; ++i)
+            for (std::int64_t j = y.first; j <= y.last; ++j)
+                for (std::int64_t k = z.first; k <= z.last; ++k)
+                    first = std::min(first, firstIn({i, j, k}, position));
+        if (first != none) return kept_[first].position;
+        std::uint32_t& newest = newestIn_.try_emplace({x.own, y.own, z.own}, none).first->second;
+        kept_.push_back({position, newest});
+        newest = static_cast<std::uint32_t>(kept_.size() - 1);
+        return position;
+    }
+
+  private:
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+    struct Kept {
+        glm::vec3 position;
+        std::uint32_t before; ///< in its cell
+    };
+
+    std::uint32_t firstIn(const Cell& cell, const glm::vec3& position) const {
+        const auto found = newestIn_.find(cell);
+        std::uint32_t first = none;
+        for (std::uint32_t k = found == newestIn_.end() ? none : found->second; k != none;
+             k = kept_[k].before)
+            if (glm::distance(glm::dvec3(kept_[k].position), glm::dvec3(position)) < tolerance_)
+                first = k; // they are met from the newest on
+        return first;
+    }
+
+    const double tolerance_;
+    std::vector<Kept> kept_;
+    std::unordered_map<Cell, std::uint32_t, CellHash> newestIn_;
+};
 
 /// The positions of vertices that triangles use, vertex by vertex.
 std::vector<KeyedPosition> usedPositions(std::span<const glm::vec3> positions,
@@ -188,27 +246,12 @@ WeldedMesh weldAlike(std::span<const glm::vec3> positions, std::span<const std::
 }
 
 void snapPositions(std::vector<glm::vec3>& positions, double tolerance) {
-    std::vector<glm::vec3> kept; // in the order of the positions
-    std::unordered_map<Cell, std::vector<std::size_t>, CellHash> keptByCell;
+    KeptPositions kept(tolerance);
+    std::unordered_map<glm::vec3, glm::vec3, PositionHash> known; // equal ones go to one place
     for (glm::vec3& position : positions) {
-        const Cell home = cellOf(position, tolerance);
-        std::size_t first = kept.size();
-        for (std::int64_t dx = -1; dx <= 1; ++dx)
-            for (std::int64_t dy = -1; dy <= 1; ++dy)
-                for (std::int64_t dz = -1; dz <= 1; ++dz) {
-                    const auto cell = keptByCell.find({home.x + dx, home.y + dy, home.z + dz});
-                    if (cell == keptByCell.end()) continue;
-                    for (const std::size_t k : cell->second)
-                        if (k < first &&
-                            glm::distance(glm::dvec3(kept[k]), glm::dvec3(position)) < tolerance)
-                            first = k;
-                }
-        if (first < kept.size()) {
-            position = kept[first];
-        } else {
-            keptByCell[home].push_back(kept.size());
-            kept.push_back(position);
-        }
+        const auto [place, isNew] = known.try_emplace(position);
+        if (isNew) place->second = kept.snapped(position);
+        position = place->second;
     }
 }
 

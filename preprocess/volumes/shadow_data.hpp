@@ -22,6 +22,7 @@ struct CasterSettings {
     double casterError = 0.0;   ///< scene units, see simplifyCasters()
     double flatTolerance = 0.0; ///< degrees, see growPatches(); plane-pair records alone
     InstanceChoice instances = InstanceChoice::automatic;
+    bool autoWeld = false; ///< weldTolerance is still to be chosen, by settingsFor()
 
     bool operator==(const CasterSettings&) const = default;
 };
@@ -35,6 +36,7 @@ struct BatchShadow {
 
 /// Seconds that the stages took.
 struct BuildSeconds {
+    double weldChoice = 0.0; ///< choosing the weld tolerance
     double simplify = 0.0;
     double weld = 0.0;
     double edges = 0.0;
