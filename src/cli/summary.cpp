@@ -42,11 +42,10 @@ std::string summaryOf(const PackReport& report) {
                    << grouped(report.planePairs.flatEdges) << "\n";
     if (report.weldChoice) {
         const WeldChoice& choice = *report.weldChoice;
-        row("weld tolerance chosen") << choice.tolerance << " scene units: open edges "
-                                     << grouped(choice.before.borders) << " -> "
-                                     << grouped(choice.after.borders) << ", quads "
-                                     << grouped(choice.before.quads) << " -> "
-                                     << grouped(choice.after.quads) << "\n";
+        row("weld tolerance chosen")
+            << choice.tolerance << " scene units: open edges " << grouped(choice.before.borders)
+            << " -> " << grouped(choice.after.borders) << ", quads " << grouped(choice.before.quads)
+            << " -> " << grouped(choice.after.quads) << "\n";
     }
     row("vertex runs a light") << grouped(json["vertex_runs"]["sides"].get<std::size_t>())
                                << " sides, "

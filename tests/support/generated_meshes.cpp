@@ -12,6 +12,14 @@ void addQuad(Soup& soup, std::uint32_t a, std::uint32_t b, std::uint32_t c, std:
     soup.indices.insert(soup.indices.end(), {a, b, c, a, c, d});
 }
 
+/// Rounded up; std::cbrt() differs from platform to platform.
+std::size_t cubeRoot(std::size_t number) {
+    std::size_t root = 0;
+    while (root * root * root < number)
+        ++root;
+    return root;
+}
+
 } // namespace
 
 Soup hillyGrid(std::size_t triangles) {
@@ -32,7 +40,7 @@ Soup hillyGrid(std::size_t triangles) {
 Soup manyBoxes(std::size_t triangles) {
     Random random(2);
     const std::size_t boxes = triangles / 12 + 1;
-    const double room = std::cbrt(static_cast<double>(boxes)) * 2.0;
+    const double room = 2.0 * static_cast<double>(cubeRoot(boxes));
     Soup soup;
     for (std::size_t i = 0; i < boxes; ++i) {
         const glm::vec3 low(room * random.inCube());
@@ -59,7 +67,7 @@ Soup manyBoxes(std::size_t triangles) {
 Soup tangle(std::size_t triangles) {
     Random random(3);
     const auto points = static_cast<int>(triangles / 4 + 4);
-    const int lattice = static_cast<int>(std::cbrt(static_cast<double>(points)) * 1.2) + 1;
+    const auto lattice = static_cast<int>(cubeRoot(static_cast<std::size_t>(2 * points)));
     Soup soup;
     for (int i = 0; i < points; ++i) {
         const int x = random.below(lattice), y = random.below(lattice), z = random.below(lattice);

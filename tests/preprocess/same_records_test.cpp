@@ -1,0 +1,96 @@
+// Records are the same whatever found them: any number of threads, and the plain code that was here
+// before, which sorted by comparing and went triangle by triangle.
+#include "tests/preprocess/shared_scene.hpp"
+#include "tests/support/generated_meshes.hpp"
+#include "tests/support/record_hash.hpp"
+
+#include <gtest/gtest.h>
+
+namespace edgeshade::test {
+namespace {
+
+/// What the plain code made of a mesh whose first half is single-sided, whose third quarter is
+/// double-sided and whose last is alpha-tested.
+struct Known {
+    const char* kind;
+    std::size_t triangles;
+    std::uint64_t mesh, records, nearlyFlatRecords; ///< hashes; the last of 3 degrees
+};
+
+constexpr Known known[] = {@KNOWN @};
+
+CasterMesh casterMesh(WeldedMesh welded) {
+    CasterMesh mesh;
+    mesh.welded = std::move(welded);
+    const auto count = static_cast<std::uint32_t>(mesh.welded.triangles.size());
+    const std::uint32_t half = count / 2, quarter = count / 4;
+    mesh.groups = {{0, 0, half}, {1, half, quarter}, {2, half + quarter, count - half - quarter}};
+    return mesh;
+}
+
+std::vector<Material> threeMaterials() {
+    std::vector<Material> materials(3);
+    materials[1].doubleSided = true;
+    materials[2].alphaMode = AlphaMode::mask;
+    return materials;
+}
+
+} // namespace
+
+TEST(SameRecords, AsThePlainCodeMadeWithAnyNumberOfThreads) {
+    for (const Known& of : known) {
+        const Soup soup = generatedMesh(of.kind, of.triangles);
+        for (const std::size_t count : {1, 2, 5}) {
+            SCOPED_TRACE(std::string(of.kind) + " " + std::to_string(of.triangles) + ", threads " +
+                         std::to_string(count));
+            const Threads threads{count};
+            const CasterMesh mesh = casterMesh(weld(soup.positions, soup.indices, threads));
+            const EdgeList edges = buildEdges(mesh.welded, threads);
+            EXPECT_EQ(hashOf(mesh.welded, edges), of.mesh);
+            const auto hashWith = [&](double flatTolerance) {
+                return hashOf(
+                    buildPlanePairs(mesh, edges, threeMaterials(), flatTolerance, threads));
+            };
+            EXPECT_EQ(hashWith(0.0), of.records);
+            EXPECT_EQ(hashWith(3.0), of.nearlyFlatRecords);
+        }
+    }
+}
+
+TEST(SameRecords, CountedWithoutMakingThem) {
+    for (const char* kind : {"grid", "boxes", "tangle"}) {
+        const Soup soup = generatedMesh(kind, 3000);
+        const CasterMesh mesh = casterMesh(weld(soup.positions, soup.indices));
+        const EdgeList edges = buildEdges(mesh.welded);
+        const PlanePairCosts made = costsOf(buildPlanePairs(mesh, edges, threeMaterials(), 3.0));
+        const PlanePairCosts counted = planePairCosts(
+            mesh, edges, findComponents(mesh.welded, edges), threeMaterials(), 3.0, false);
+        EXPECT_EQ(counted.records, made.records) << kind;
+        EXPECT_EQ(counted.flatEdges, made.flatEdges) << kind;
+        EXPECT_EQ(counted.sideBytes, made.sideBytes) << kind;
+        EXPECT_EQ(counted.capBytes, made.capBytes) << kind;
+        EXPECT_EQ(counted.sideRuns, made.sideRuns) << kind;
+        EXPECT_EQ(counted.capRuns, made.capRuns) << kind;
+    }
+}
+
+TEST(SameRecords, OfASharedSceneWithAnyNumberOfThreads) {
+    SKIP_WITHOUT_SHARED_SCENE("hospital-electrical");
+    const Scene scene = readSharedScene("hospital-electrical");
+    const Batch& batch = *std::max_element(
+        scene.batches.begin(), scene.batches.end(), [](const Batch& a, const Batch& b) {
+            return a.geometry->indices.size() < b.geometry->indices.size();
+        });
+    std::vector<std::uint64_t> hashes;
+    for (const std::size_t count : {1, 2, 5}) {
+        const Threads threads{count};
+        const CasterMesh mesh =
+            weldCasters(batch, castersOf(batch, scene.materials, true), threads);
+        const EdgeList edges = buildEdges(mesh.welded, threads);
+        hashes.push_back(hashOf(buildPlanePairs(mesh, edges, scene.materials, 0.0, threads)));
+    }
+    EXPECT_EQ(hashes[1], hashes[0]);
+    EXPECT_EQ(hashes[2], hashes[0]);
+}
+
+} // namespace edgeshade::test
