@@ -46,11 +46,17 @@ BorderCounts countsOf(const Scene& scene, bool castMasked) {
 
 /// Borders that are closed, less what is harmed by that; below 0 where it harms more.
 double gainOf(const BorderCounts& before, const BorderCounts& after) {
-    return static_cast<double>(before.borders) - static_cast<double>(after.borders) -
+    return static_cast<double>(WeldChoice::closed(before, after)) -
            static_cast<double>(WeldChoice::harm(before, after));
 }
 
 } // namespace
+
+std::size_t WeldChoice::closed(const BorderCounts& before, const BorderCounts& after) {
+    const std::size_t lost =
+        after.borders + 3 * (std::max(after.degenerate, before.degenerate) - before.degenerate);
+    return std::max(before.borders, lost) - lost;
+}
 
 std::size_t WeldChoice::harm(const BorderCounts& before, const BorderCounts& after) {
     return std::max(after.degenerate, before.degenerate) - before.degenerate +
