@@ -41,8 +41,8 @@ def row(scene, of):
     made = [after[key] - before[key] for key in ("degenerate_triangles", "non_manifold_edges")]
     return (name + f"{share} | {before['borders']:,} → {after['borders']:,} | "
             f"{before['quads']:,} → {after['quads']:,} | {made[0]:,}, {made[1]:,} | "
-            f"{shares(of['wrong'], 'wrong_mask_pixels')} | "
-            f"{shares(of['wrong'], 'wrong_image_pixels')} |")
+            f"{shares(of.get('wrong', []), 'wrong_mask_pixels')} | "
+            f"{shares(of.get('wrong', []), 'wrong_image_pixels')} |")
 
 
 def table(results):
