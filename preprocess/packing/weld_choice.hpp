@@ -25,7 +25,8 @@ struct WeldChoice {
     BorderCounts before;    ///< of equal positions alone
     BorderCounts after;
 
-    /// Borders that are gone, less three for each triangle that degenerates and takes its own along.
+    /// Borders that are gone, less three for each triangle that degenerates and takes its own
+    /// along.
     static std::size_t closed(const BorderCounts& before, const BorderCounts& after);
     /// Degenerate triangles and non-manifold edges that welding makes.
     static std::size_t harm(const BorderCounts& before, const BorderCounts& after);
