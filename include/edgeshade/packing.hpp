@@ -12,7 +12,8 @@ namespace edgeshade {
 struct PackSettings {
     bool castMasked = false;    ///< MASK and BLEND surfaces cast too
     double weldTolerance = 0.0; ///< scene units: vertices nearer to each other become one
-    double casterError = 0.0;   ///< scene units: coarser casters, off by so much at most
+    bool autoWeld = false; ///< the weld tolerance is chosen for the scene; weldTolerance is ignored
+    double casterError = 0.0; ///< scene units: coarser casters, off by so much at most
     double flatTolerance =
         0.0; ///< degrees, below 45: edges within nearly flat patches cast nothing
 };

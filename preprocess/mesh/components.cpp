@@ -1,15 +1,83 @@
 #include "preprocess/mesh/components.hpp"
 
-#include "preprocess/base/disjoint_sets.hpp"
+#include "preprocess/base/prefetch.hpp"
+
+#include <atomic>
 
 namespace edgeshade {
 namespace {
 
-bool isClosedHere(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge) {
-    int sum = 0;
-    for (const Opposite& opposite : edges.oppositesOf(edge))
-        sum += directionIn(mesh.triangles[opposite.triangle], edge);
-    return sum == 0;
+constexpr std::size_t itemsOfThread = std::size_t{1} << 15;
+
+/// Disjoint sets of the numbers 0 .. count - 1 that several threads may join at once. In the end
+/// the root of each is its least number, whatever the order.
+class SharedSets {
+  public:
+    SharedSets(std::size_t count, Threads threads) : parent_(count) {
+        forEachItem(count, itemsOfThread, threads, [&](std::size_t i) {
+            parent_[i].store(static_cast<std::uint32_t>(i), std::memory_order_relaxed);
+        });
+    }
+
+    std::uint32_t find(std::uint32_t item) {
+        std::uint32_t parent = parentOf(item);
+        while (parent != item) {
+            // Whoever else shortens this way, it leads to the same root.
+            const std::uint32_t next = parentOf(parent);
+            if (next != parent) parent_[item].store(next, std::memory_order_relaxed);
+            item = parent;
+            parent = next;
+        }
+        return item;
+    }
+
+    void unite(std::uint32_t a, std::uint32_t b) {
+        for (;;) {
+            a = find(a);
+            b = find(b);
+            if (a == b) return;
+            if (a < b) std::swap(a, b);
+            std::uint32_t root = a; // unless another thread has just hung it elsewhere
+            if (parent_[a].compare_exchange_strong(root, b, std::memory_order_relaxed)) return;
+        }
+    }
+
+    void prefetchItem(std::uint32_t item) const { prefetch(parent_[item]); }
+
+  private:
+    std::uint32_t parentOf(std::uint32_t item) const {
+        return parent_[item].load(std::memory_order_relaxed);
+    }
+
+    std::vector<std::atomic<std::uint32_t>> parent_;
+};
+
+bool isClosedHere(const EdgeList& edges, const Edge& edge) {
+    std::uint32_t forward = 0;
+    for (const std::uint8_t one : edges.forwardOf(edge))
+        forward += one;
+    return 2 * forward == edge.oppositeCount;
+}
+
+/// By triangle: how many components begin before it, and with it.
+std::vector<std::uint32_t> numbersOf(SharedSets& sets, std::size_t triangles, Threads threads,
+                                     std::size_t& count) {
+    std::vector<std::uint32_t> numbers(triangles);
+    const auto parts = partsOf(triangles, itemsOfThread, threads);
+    std::vector<std::uint32_t> firsts(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::uint32_t own = 0;
+        for (std::size_t t = range.first; t < range.end; ++t)
+            own += sets.find(static_cast<std::uint32_t>(t)) == t ? 1 : 0;
+        firsts[part] = own;
+    });
+    count = toFirsts(firsts);
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::uint32_t next = firsts[part];
+        for (std::size_t t = range.first; t < range.end; ++t)
+            if (sets.find(static_cast<std::uint32_t>(t)) == t) numbers[t] = next++;
+    });
+    return numbers;
 }
 
 } // namespace
@@ -20,30 +88,46 @@ int directionIn(const Triangle& triangle, const Edge& edge) {
     return -1;
 }
 
-Components findComponents(const WeldedMesh& mesh, const EdgeList& edges) {
-    DisjointSets sets(mesh.triangles.size());
-    for (const Edge& edge : edges.edges) {
-        const auto opposites = edges.oppositesOf(edge);
+Components findComponents(const WeldedMesh& mesh, const EdgeList& edges, Threads threads) {
+    const std::size_t triangles = mesh.triangles.size();
+    SharedSets sets(triangles, threads);
+    forEachItem(edges.edges.size(), itemsOfThread, threads, [&](std::size_t e) {
+        constexpr std::size_t ahead = 8;
+        if (e + ahead < edges.edges.size()) {
+            const Edge& later = edges.edges[e + ahead];
+            sets.prefetchItem(edges.opposites[later.firstOpposite].triangle);
+            sets.prefetchItem(
+                edges.opposites[later.firstOpposite + later.oppositeCount - 1].triangle);
+        }
+        const auto opposites = edges.oppositesOf(edges.edges[e]);
         for (std::size_t i = 1; i < opposites.size(); ++i)
             sets.unite(opposites[0].triangle, opposites[i].triangle);
-    }
-    constexpr std::uint32_t none = 0xFFFFFFFFu;
+    });
+
     Components components;
-    std::vector<std::uint32_t> numberOf(mesh.triangles.size(), none);
-    components.ofTriangle.reserve(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        std::uint32_t& number = numberOf[sets.find(t)];
-        if (number == none) {
-            number = static_cast<std::uint32_t>(components.closed.size());
-            components.closed.push_back(1);
-        }
-        components.ofTriangle.push_back(number);
-    }
-    for (const Edge& edge : edges.edges)
-        if (!isClosedHere(mesh, edges, edge)) {
+    std::size_t count = 0;
+    const std::vector<std::uint32_t> numbers = numbersOf(sets, triangles, threads, count);
+    components.ofTriangle.resize(triangles);
+    forEachItem(triangles, itemsOfThread, threads, [&](std::size_t t) {
+        components.ofTriangle[t] = numbers[sets.find(static_cast<std::uint32_t>(t))];
+    });
+
+    components.closed.assign(count, 1);
+    const auto parts = partsOf(edges.edges.size(), itemsOfThread, threads);
+    std::vector<std::vector<std::uint32_t>> open(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        for (std::size_t e = range.first; e < range.end; ++e) {
+            const Edge& edge = edges.edges[e];
+            if (isClosedHere(edges, edge)) continue;
             const std::uint32_t triangle = edges.opposites[edge.firstOpposite].triangle;
-            components.closed[components.ofTriangle[triangle]] = 0;
+            const std::uint32_t component = components.ofTriangle[triangle];
+            if (open[part].empty() || open[part].back() != component)
+                open[part].push_back(component);
         }
+    });
+    for (const auto& ofPart : open)
+        for (const std::uint32_t component : ofPart)
+            components.closed[component] = 0;
     return components;
 }
 

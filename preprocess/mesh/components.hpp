@@ -18,7 +18,7 @@ struct Components {
 };
 
 /// Finds them, in whatever primitives, materials and meshes of a batch their triangles are.
-Components findComponents(const WeldedMesh& mesh, const EdgeList& edges);
+Components findComponents(const WeldedMesh& mesh, const EdgeList& edges, Threads threads = {});
 
 /// Whether the triangle runs through its edge from a to b (1) or from b to a (-1).
 int directionIn(const Triangle& triangle, const Edge& edge);

@@ -1,5 +1,6 @@
 #include "preprocess/mesh/coplanar.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,26 +11,42 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Integers below this in magnitude: the determinant of three differences is a sum of six products
-/// of three factors of at most 41 bits, which 127 bits hold.
-constexpr double largestInteger = 0x1p40;
+/// Integers of so many bits and a sign: the determinant of three differences is a sum of six
+/// products of three factors of at most 41 bits, which 127 bits hold.
+constexpr int integerBits = 40;
+
+/// A coordinate as an odd integer times a power of two; 0 as 0.
+struct Scaled {
+    std::int64_t odd = 0;
+    int exponent = 0;
+};
+
+Scaled scaled(float value) {
+    const std::uint32_t bits = glm::floatBitsToUint(value);
+    const std::uint32_t fraction = bits & 0x7FFFFFu;
+    const auto field = static_cast<int>(bits >> 23 & 0xFFu); // 0: denormal
+    const std::uint32_t mantissa = field != 0 ? fraction | 0x800000u : fraction;
+    if (mantissa == 0) return {};
+    const int zeros = __builtin_ctz(mantissa);
+    const auto odd = static_cast<std::int64_t>(mantissa >> zeros);
+    return {bits >> 31 ? -odd : odd, std::max(field, 1) - 150 + zeros};
+}
 
 /// Four coordinates along one axis, times a power of two that makes all of them integers.
 std::optional<std::array<std::int64_t, 4>> asIntegers(const std::array<float, 4>& values) {
+    std::array<Scaled, 4> parts;
     int lowest = 1000;
-    for (const float value : values) {
-        if (value == 0.0f) continue;
-        int exponent = 0;
-        const float mantissa = std::frexp(value, &exponent);
-        const auto bits = static_cast<std::int32_t>(std::ldexp(mantissa, 24));
-        lowest = std::min(lowest, exponent - 24 + __builtin_ctz(static_cast<unsigned>(bits)));
+    for (std::size_t i = 0; i < 4; ++i) {
+        parts[i] = scaled(values[i]);
+        if (parts[i].odd != 0) lowest = std::min(lowest, parts[i].exponent);
     }
     std::array<std::int64_t, 4> integers{};
     for (std::size_t i = 0; i < 4; ++i) {
-        if (values[i] == 0.0f) continue;
-        const double scaled = std::ldexp(static_cast<double>(values[i]), -lowest);
-        if (!(std::abs(scaled) < largestInteger)) return std::nullopt;
-        integers[i] = static_cast<std::int64_t>(scaled);
+        if (parts[i].odd == 0) continue;
+        const int shift = parts[i].exponent - lowest;
+        if (shift >= integerBits) return std::nullopt;
+        integers[i] = parts[i].odd * (std::int64_t{1} << shift);
+        if (std::abs(integers[i]) >> integerBits != 0) return std::nullopt;
     }
     return integers;
 }

@@ -28,14 +28,20 @@ struct Edge {
 struct EdgeList {
     std::vector<Edge> edges;
     std::vector<Opposite> opposites; ///< three a triangle
+    /// Of each of `opposites`: 1 where its triangle runs through the edge from a to b, 0 where from
+    /// b to a. Of lists that buildEdges() made.
+    std::vector<std::uint8_t> forward;
 
     std::span<const Opposite> oppositesOf(const Edge& edge) const {
         return std::span(opposites).subspan(edge.firstOpposite, edge.oppositeCount);
+    }
+    std::span<const std::uint8_t> forwardOf(const Edge& edge) const {
+        return std::span(forward).subspan(edge.firstOpposite, edge.oppositeCount);
     }
     std::uint32_t largestOppositeCount() const;
 };
 
 /// Finds every edge, with any number of opposite vertices (docs/method.md, Terms).
-EdgeList buildEdges(const WeldedMesh& mesh);
+EdgeList buildEdges(const WeldedMesh& mesh, Threads threads = {});
 
 } // namespace edgeshade

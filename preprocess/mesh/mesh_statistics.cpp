@@ -1,7 +1,5 @@
 #include "preprocess/mesh/mesh_statistics.hpp"
 
-#include "preprocess/mesh/components.hpp"
-
 namespace edgeshade {
 
 MeshStatistics& MeshStatistics::operator+=(const MeshStatistics& other) {
@@ -16,6 +14,11 @@ MeshStatistics& MeshStatistics::operator+=(const MeshStatistics& other) {
 }
 
 MeshStatistics meshStatistics(const WeldedMesh& mesh, const EdgeList& edges) {
+    return meshStatistics(mesh, edges, findComponents(mesh, edges));
+}
+
+MeshStatistics meshStatistics(const WeldedMesh& mesh, const EdgeList& edges,
+                              const Components& components) {
     MeshStatistics statistics;
     statistics.triangles = mesh.triangles.size();
     statistics.degenerateTriangles = mesh.degenerate;
@@ -23,7 +26,6 @@ MeshStatistics meshStatistics(const WeldedMesh& mesh, const EdgeList& edges) {
 
     for (const Edge& edge : edges.edges)
         ++statistics.edgesByOppositeCount[edge.oppositeCount];
-    const Components components = findComponents(mesh, edges);
     statistics.components = components.count();
     for (const std::uint32_t component : components.ofTriangle)
         statistics.closedOrientedTriangles += components.closed[component];

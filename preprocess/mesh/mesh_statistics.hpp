@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preprocess/mesh/edges.hpp"
+#include "preprocess/mesh/components.hpp"
 
 #include <cstddef>
 #include <map>
@@ -26,5 +26,8 @@ struct MeshStatistics {
 
 /// Counts them.
 MeshStatistics meshStatistics(const WeldedMesh& mesh, const EdgeList& edges);
+/// The same where its components are known.
+MeshStatistics meshStatistics(const WeldedMesh& mesh, const EdgeList& edges,
+                              const Components& components);
 
 } // namespace edgeshade

@@ -60,8 +60,8 @@ CasterMesh grouped(WeldedMesh welded, const Casters& casters) {
 
 } // namespace
 
-CasterMesh weldCasters(const Batch& batch, const Casters& casters) {
-    return grouped(weld(batch.geometry->positions, casters.indices), casters);
+CasterMesh weldCasters(const Batch& batch, const Casters& casters, Threads threads) {
+    return grouped(weld(batch.geometry->positions, casters.indices, threads), casters);
 }
 
 CasterMesh weldForRecords(const Batch& batch, const Casters& casters) {

@@ -34,7 +34,7 @@ struct CasterMesh {
 };
 
 /// Welds the casters; triangles keep their order.
-CasterMesh weldCasters(const Batch& batch, const Casters& casters);
+CasterMesh weldCasters(const Batch& batch, const Casters& casters, Threads threads = {});
 
 /// The same for records that last for all poses: of a batch that deforms, vertices are one if they
 /// are at one place in whatever pose (alikeVertices()). Positions are sorted, but may repeat.

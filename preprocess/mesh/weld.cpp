@@ -1,21 +1,39 @@
 #include "preprocess/mesh/weld.hpp"
 
+#include "preprocess/base/radix_sort.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <meshoptimizer.h>
-#include <numeric>
 #include <unordered_map>
 
 namespace edgeshade {
 namespace {
 
-/// Positions with -0 replaced by +0, so that equal means equal bytes.
-std::vector<glm::vec3> withoutNegativeZero(std::span<const glm::vec3> positions) {
-    std::vector<glm::vec3> result(positions.begin(), positions.end());
-    for (glm::vec3& p : result)
-        p += 0.0f;
-    return result;
+/// Triangles that a thread is worth starting for.
+constexpr std::size_t trianglesOfThread = std::size_t{1} << 14;
+
+constexpr std::uint32_t signBit = 0x80000000u;
+
+/// A number that is ordered as the coordinate is; -0 is +0.
+std::uint32_t orderOf(float coordinate) {
+    const std::uint32_t bits = glm::floatBitsToUint(coordinate + 0.0f);
+    return bits & signBit ? ~bits : bits | signBit;
+}
+
+float coordinateOf(std::uint32_t order) {
+    return glm::uintBitsToFloat(order & signBit ? order & ~signBit : ~order);
+}
+
+/// Ordered as orderedBefore() does.
+using KeyedPosition = Keyed<3>;
+
+KeyedPosition keyed(const glm::vec3& position, std::uint32_t number) {
+    return {{orderOf(position.x), orderOf(position.y), orderOf(position.z)}, number};
+}
+
+glm::vec3 positionOf(const KeyedPosition& keyed) {
+    return {coordinateOf(keyed.key[0]), coordinateOf(keyed.key[1]), coordinateOf(keyed.key[2])};
 }
 
 /// A cell of the snapping grid.
@@ -33,110 +51,207 @@ struct CellHash {
     }
 };
 
-/// Which cell of the axis. So far out that floats lie farther apart than cells are wide, only equal
-/// coordinates are close: each has a cell of its own there, so that no cell fills up.
-std::int64_t cellOf(float coordinate, double size) {
-    constexpr double farthest = 0x1p52;
-    const double cell = std::floor(static_cast<double>(coordinate) / size);
-    if (std::abs(cell) < farthest) return static_cast<std::int64_t>(cell);
-    // Neighbours of other floats are not neighbours here.
-    std::int32_t bits = 0;
-    std::memcpy(&bits, &coordinate, sizeof bits);
-    return (std::int64_t{1} << 60) + std::int64_t{4} * bits;
-}
-
-Cell cellOf(const glm::vec3& position, double size) {
-    return {cellOf(position.x, size), cellOf(position.y, size), cellOf(position.z, size)};
-}
-
-/// `distinctOf`: what each vertex that triangles use is welded to, numbered as they are met.
-WeldedMesh welded(const std::vector<glm::vec3>& positions,
-                  const std::vector<std::uint32_t>& distinctOf, std::size_t distinctCount,
-                  std::span<const std::uint32_t> indices) {
-    WeldedMesh mesh;
-    std::vector<glm::vec3> distinct(distinctCount);
-    for (const std::uint32_t index : indices)
-        distinct[distinctOf[index]] = positions[index];
-
-    // Sort them, so that the order of indices is the order of positions.
-    std::vector<std::uint32_t> sorted(distinctCount), rank(distinctCount);
-    std::iota(sorted.begin(), sorted.end(), 0u);
-    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
-        if (orderedBefore(distinct[a], distinct[b])) return true;
-        return a < b && !orderedBefore(distinct[b], distinct[a]);
-    });
-    mesh.positions.reserve(distinctCount);
-    for (std::uint32_t i = 0; i < distinctCount; ++i) {
-        rank[sorted[i]] = i;
-        mesh.positions.push_back(distinct[sorted[i]]);
+struct PositionHash {
+    std::size_t operator()(const glm::vec3& position) const {
+        return CellHash()({orderOf(position.x), orderOf(position.y), orderOf(position.z)});
     }
+};
 
-    const std::size_t triangleCount = indices.size() / 3;
-    mesh.triangles.reserve(triangleCount);
-    mesh.source.reserve(triangleCount);
-    for (std::size_t t = 0; t < triangleCount; ++t) {
-        Triangle triangle;
-        for (std::size_t c = 0; c < 3; ++c)
-            triangle[c] = rank[distinctOf[indices[3 * t + c]]];
-        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] ||
-            triangle[2] == triangle[0]) {
-            ++mesh.degenerate;
-            continue;
+/// Cells of the snapping grid, twice as wide as the tolerance, along one axis: those that hold what
+/// is near a coordinate, its own among them.
+struct AxisCells {
+    std::int64_t own, first, last;
+
+    AxisCells(float coordinate, double tolerance) {
+        constexpr double farthest = 0x1p52, rounding = 1.001;
+        const double size = 2.0 * tolerance, reach = rounding * tolerance;
+        const double cell = std::floor(static_cast<double>(coordinate) / size);
+        if (std::abs(cell) < farthest) {
+            own = static_cast<std::int64_t>(cell);
+            first = static_cast<std::int64_t>(
+                std::floor((static_cast<double>(coordinate) - reach) / size));
+            last = static_cast<std::int64_t>(
+                std::floor((static_cast<double>(coordinate) + reach) / size));
+            return;
         }
-        mesh.triangles.push_back(triangle);
-        mesh.source.push_back(static_cast<std::uint32_t>(t));
+        // So far out floats lie farther apart than cells are wide, and only equal coordinates are
+        // near: each has a cell of its own, so that no cell fills up.
+        std::int32_t bits = 0;
+        std::memcpy(&bits, &coordinate, sizeof bits);
+        own = first = last = (std::int64_t{1} << 60) + bits;
     }
+};
+
+/// Positions that were kept, by cells.
+class KeptPositions {
+  public:
+    explicit KeptPositions(double tolerance) : tolerance_(tolerance) {}
+
+    /// The first that is nearer than the tolerance; else this one, which is kept from now on.
+    glm::vec3 snapped(const glm::vec3& position) {
+        const AxisCells x(position.x, tolerance_), y(position.y, tolerance_),
+            z(position.z, tolerance_);
+        std::uint32_t first = none;
+        for (std::int64_t i = x.first; i <= x.last; ++i)
+            for (std::int64_t j = y.first; j <= y.last; ++j)
+                for (std::int64_t k = z.first; k <= z.last; ++k)
+                    first = std::min(first, firstIn({i, j, k}, position));
+        if (first != none) return kept_[first].position;
+        std::uint32_t& newest = newestIn_.try_emplace({x.own, y.own, z.own}, none).first->second;
+        kept_.push_back({position, newest});
+        newest = static_cast<std::uint32_t>(kept_.size() - 1);
+        return position;
+    }
+
+  private:
+    static constexpr std::uint32_t none = 0xFFFFFFFFu;
+    struct Kept {
+        glm::vec3 position;
+        std::uint32_t before; ///< in its cell
+    };
+
+    std::uint32_t firstIn(const Cell& cell, const glm::vec3& position) const {
+        const auto found = newestIn_.find(cell);
+        std::uint32_t first = none;
+        for (std::uint32_t k = found == newestIn_.end() ? none : found->second; k != none;
+             k = kept_[k].before)
+            if (glm::distance(glm::dvec3(kept_[k].position), glm::dvec3(position)) < tolerance_)
+                first = k; // they are met from the newest on
+        return first;
+    }
+
+    const double tolerance_;
+    std::vector<Kept> kept_;
+    std::unordered_map<Cell, std::uint32_t, CellHash> newestIn_;
+};
+
+/// The positions of vertices that triangles use, vertex by vertex.
+std::vector<KeyedPosition> usedPositions(std::span<const glm::vec3> positions,
+                                         std::span<const std::uint32_t> indices, Threads threads) {
+    std::vector<std::uint8_t> used(positions.size(), 0);
+    for (const std::uint32_t index : indices)
+        used[index] = 1;
+    const std::vector<ItemRange> parts = partsOf(positions.size(), trianglesOfThread, threads);
+    std::vector<std::size_t> firsts(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        firsts[part] = static_cast<std::size_t>(
+            std::count(&used[range.first], &used[range.first] + range.size(), std::uint8_t{1}));
+    });
+    std::vector<KeyedPosition> keys(toFirsts(firsts));
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::size_t next = firsts[part];
+        for (std::size_t v = range.first; v < range.end; ++v)
+            if (used[v]) keys[next++] = keyed(positions[v], static_cast<std::uint32_t>(v));
+    });
+    return keys;
+}
+
+/// Distinct positions, in order, and for each vertex which one it is at.
+struct Places {
+    std::vector<glm::vec3> positions;
+    std::vector<std::uint32_t> ofVertex;
+};
+
+/// `keys`: sorted.
+Places placesOf(const std::vector<KeyedPosition>& keys, std::size_t vertexCount, Threads threads) {
+    const auto isNew = [&](std::size_t i) { return i == 0 || keys[i].key != keys[i - 1].key; };
+    const std::vector<ItemRange> parts = partsOf(keys.size(), trianglesOfThread, threads);
+    std::vector<std::uint32_t> firsts(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::uint32_t count = 0;
+        for (std::size_t i = range.first; i < range.end; ++i)
+            count += isNew(i) ? 1 : 0;
+        firsts[part] = count;
+    });
+    Places places;
+    places.positions.resize(toFirsts(firsts));
+    places.ofVertex.resize(vertexCount);
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::uint32_t next = firsts[part];
+        for (std::size_t i = range.first; i < range.end; ++i) {
+            if (isNew(i)) places.positions[next++] = positionOf(keys[i]);
+            places.ofVertex[keys[i].number] = next - 1;
+        }
+    });
+    return places;
+}
+
+WeldedMesh weldedAt(Places places, std::span<const std::uint32_t> indices, Threads threads) {
+    WeldedMesh mesh;
+    mesh.positions = std::move(places.positions);
+    const std::size_t triangleCount = indices.size() / 3;
+    mesh.triangles.resize(triangleCount);
+    mesh.source.resize(triangleCount);
+    const std::vector<ItemRange> parts = partsOf(triangleCount, trianglesOfThread, threads);
+    std::vector<std::size_t> kept(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::size_t next = range.first;
+        for (std::size_t t = range.first; t < range.end; ++t) {
+            Triangle& triangle = mesh.triangles[next];
+            for (std::size_t c = 0; c < 3; ++c)
+                triangle[c] = places.ofVertex[indices[3 * t + c]];
+            mesh.source[next] = static_cast<std::uint32_t>(t);
+            if (triangle[0] != triangle[1] && triangle[1] != triangle[2] &&
+                triangle[2] != triangle[0])
+                ++next;
+        }
+        kept[part] = next - range.first;
+    });
+    closeGaps(mesh.triangles, parts, kept);
+    closeGaps(mesh.source, parts, kept);
+    mesh.degenerate = triangleCount - mesh.triangles.size();
     return mesh;
 }
 
 } // namespace
 
-WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                Threads threads) {
     if (indices.empty()) return {};
-    const std::vector<glm::vec3> clean = withoutNegativeZero(positions);
-    std::vector<std::uint32_t> distinctOf(clean.size());
-    const std::size_t distinctCount =
-        meshopt_generateVertexRemap(distinctOf.data(), indices.data(), indices.size(), clean.data(),
-                                    clean.size(), sizeof(glm::vec3));
-    return welded(clean, distinctOf, distinctCount, indices);
+    Places places;
+    {
+        std::vector<KeyedPosition> keys = usedPositions(positions, indices, threads);
+        radixSort(keys, threads);
+        places = placesOf(keys, positions.size(), threads);
+    }
+    return weldedAt(std::move(places), indices, threads);
 }
 
 WeldedMesh weldAlike(std::span<const glm::vec3> positions, std::span<const std::uint32_t> alike,
-                     std::span<const std::uint32_t> indices) {
+                     std::span<const std::uint32_t> indices, Threads threads) {
     if (indices.empty()) return {};
     constexpr std::uint32_t unused = 0xFFFFFFFFu;
-    std::vector<std::uint32_t> distinctOf(positions.size(), unused);
-    std::uint32_t distinctCount = 0;
+    std::vector<std::uint32_t> distinctOf(positions.size(), unused); // numbered as they are met
+    std::vector<KeyedPosition> keys;
     for (const std::uint32_t index : indices) {
         std::uint32_t& first = distinctOf[alike[index]];
-        if (first == unused) first = distinctCount++;
+        if (first == unused) {
+            first = static_cast<std::uint32_t>(keys.size());
+            keys.push_back(keyed(positions[index], first));
+        }
         distinctOf[index] = first;
     }
-    return welded(withoutNegativeZero(positions), distinctOf, distinctCount, indices);
+    radixSort(keys, threads);
+    std::vector<std::uint32_t> rank(keys.size());
+    Places places;
+    places.positions.reserve(keys.size());
+    for (const KeyedPosition& key : keys) {
+        rank[key.number] = static_cast<std::uint32_t>(places.positions.size());
+        places.positions.push_back(positionOf(key));
+    }
+    for (std::uint32_t& of : distinctOf)
+        if (of != unused) of = rank[of];
+    places.ofVertex = std::move(distinctOf);
+    return weldedAt(std::move(places), indices, threads);
 }
 
 void snapPositions(std::vector<glm::vec3>& positions, double tolerance) {
-    std::vector<glm::vec3> kept; // in the order of the positions
-    std::unordered_map<Cell, std::vector<std::size_t>, CellHash> keptByCell;
+    KeptPositions kept(tolerance);
+    std::unordered_map<glm::vec3, glm::vec3, PositionHash> known; // equal ones go to one place
     for (glm::vec3& position : positions) {
-        const Cell home = cellOf(position, tolerance);
-        std::size_t first = kept.size();
-        for (std::int64_t dx = -1; dx <= 1; ++dx)
-            for (std::int64_t dy = -1; dy <= 1; ++dy)
-                for (std::int64_t dz = -1; dz <= 1; ++dz) {
-                    const auto cell = keptByCell.find({home.x + dx, home.y + dy, home.z + dz});
-                    if (cell == keptByCell.end()) continue;
-                    for (const std::size_t k : cell->second)
-                        if (k < first &&
-                            glm::distance(glm::dvec3(kept[k]), glm::dvec3(position)) < tolerance)
-                            first = k;
-                }
-        if (first < kept.size()) {
-            position = kept[first];
-        } else {
-            keptByCell[home].push_back(kept.size());
-            kept.push_back(position);
-        }
+        const auto [place, isNew] = known.try_emplace(position);
+        if (isNew) place->second = kept.snapped(position);
+        position = place->second;
     }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "preprocess/base/parallel.hpp"
+
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -29,13 +31,14 @@ struct WeldedMesh {
 /// Welds vertices at exactly equal positions (-0 equals +0) and drops degenerate triangles.
 ///
 /// positions: no NaN; `indices`: three a triangle, all below positions.size().
-WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
+WeldedMesh weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,
+                Threads threads = {});
 
 /// Welds vertices that are alike, by what `alike` says of each: the first vertex that is like it.
 /// Triangles that have two like vertices are dropped. Positions are sorted too, but those of
 /// vertices that aren't alike may be equal.
 WeldedMesh weldAlike(std::span<const glm::vec3> positions, std::span<const std::uint32_t> alike,
-                     std::span<const std::uint32_t> indices);
+                     std::span<const std::uint32_t> indices, Threads threads = {});
 
 /// Moves every position that is closer than `tolerance` (> 0) to an earlier one onto the first
 /// such. The result depends on the order of the positions alone.

@@ -13,6 +13,27 @@
 
 namespace edgeshade {
 
+namespace {
+
+nlohmann::ordered_json borderJson(const BorderCounts& counts) {
+    return {{"borders", counts.borders},
+            {"non_manifold_edges", counts.nonManifold},
+            {"degenerate_triangles", counts.degenerate},
+            {"quads", counts.quads}};
+}
+
+/// Null where the tolerance was given.
+nlohmann::ordered_json weldChoiceJson(const PackReport& report) {
+    if (!report.weldChoice) return nullptr;
+    const WeldChoice& choice = *report.weldChoice;
+    return {{"tolerance", choice.tolerance},
+            {"largest_share_of_diagonal", largestWeldShare},
+            {"before", borderJson(choice.before)},
+            {"after", borderJson(choice.after)}};
+}
+
+} // namespace
+
 nlohmann::ordered_json toJson(const PackReport& report) {
     using Json = nlohmann::ordered_json;
     const MeshStatistics& casters = report.casters;
@@ -53,9 +74,11 @@ nlohmann::ordered_json toJson(const PackReport& report) {
           {"published", casters.edges * largest * VERTICES_PER_SIDE + oppositeVertexCapRuns}}},
         {"seconds",
          {{"read", report.readSeconds},
+          {"weld_choice", report.build.weldChoice},
           {"simplify", report.build.simplify},
           {"weld", report.build.weld},
           {"edges", report.build.edges},
+          {"records", report.build.records},
           {"pack", report.build.pack}}},
         {"settings",
          {{"weld-tolerance", report.settings.weldTolerance},
@@ -63,6 +86,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
           {"caster-error", report.settings.casterError},
           {"flat-tolerance", report.settings.flatTolerance},
           {"instances", nameOf(report.settings.instances)}}},
+        {"weld_choice", weldChoiceJson(report)},
         {"variants", report.variants},
         {"animations", partsJson(report.animations)},
         {"cameras", partsJson(report.cameras)},
@@ -72,6 +96,25 @@ nlohmann::ordered_json toJson(const PackReport& report) {
 }
 
 namespace {
+
+void countGeometry(const Batch& batch, const BatchTopology& topology,
+                   const std::vector<Material>& materials, const CasterSettings& settings,
+                   MeshStatistics& statistics, PlanePairCosts& costs) {
+    const auto count = [&](const CasterMesh& mesh, const EdgeList& edges,
+                           const Components& components) {
+        return planePairCosts(mesh, edges, components, materials, settings.flatTolerance,
+                              batch.deforms());
+    };
+    const Components components = findComponents(topology.mesh.welded, topology.edges);
+    statistics = meshStatistics(topology.mesh.welded, topology.edges, components);
+    if (!batch.deforms()) {
+        costs = count(topology.mesh, topology.edges, components);
+        return;
+    }
+    const CasterMesh mesh = weldForRecords(batch, castersOf(batch, materials, settings.castMasked));
+    const EdgeList edges = buildEdges(mesh.welded);
+    costs = count(mesh, edges, findComponents(mesh.welded, edges));
+}
 
 /// What batches are made of: casters for every place, records once for all places of a mesh.
 void countBatches(PackInput& input, const CasterSettings& settings) {
@@ -91,13 +134,9 @@ void countBatches(PackInput& input, const CasterSettings& settings) {
             if (!material.doubleSided) report.singleSidedTriangles += group.indexCount / 3;
         }
         if (first[i] == i) {
-            casters[i] = meshStatistics(topology.mesh.welded, topology.edges);
-            costs[i] = costsOf(
-                batch.deforms()
-                    ? buildPlanePairs(batch, castersOf(batch, materials, settings.castMasked),
-                                      materials, settings.flatTolerance)
-                    : buildPlanePairs(topology.mesh, topology.edges, materials,
-                                      settings.flatTolerance));
+            Stopwatch watch;
+            countGeometry(batch, topology, materials, settings, casters[i], costs[i]);
+            report.build.records += watch.lap();
             report.planePairs += costs[i];
         } else {
             report.planePairs += costs[first[i]].runsAlone();
@@ -125,10 +164,12 @@ PackInput readForPacking(const std::filesystem::path& path, const CasterSettings
     return input;
 }
 
-PackInput readForPacking(GltfDocument document, const CasterSettings& settings, bool useStored) {
+PackInput readForPacking(GltfDocument document, const CasterSettings& wanted, bool useStored) {
     Stopwatch watch;
     PackInput input;
     input.document = std::move(document);
+    const CasterSettings settings = settingsFor(input.document, wanted, &input.report.weldChoice);
+    input.report.build.weldChoice = watch.lap();
     input.scene = flattenScene(input.document, settings.weldTolerance, {}, settings.instances);
     PackReport& report = input.report;
     report.readSeconds = watch.lap();
@@ -157,10 +198,10 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& settings, 
     return input;
 }
 
-Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings) {
+Bytes packBytes(PackInput& input, Encoding encoding) {
     Stopwatch watch;
-    Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding, settings,
-                            input.scene.warnings);
+    Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding,
+                            input.report.settings, input.scene.warnings);
     ReadingLimits none = input.document.memory.limits(); // of bytes made here
     none.memoryBytes = std::numeric_limits<std::uint64_t>::max();
     const GltfDocument packed = parseGltf(bytes, input.document.path, none);

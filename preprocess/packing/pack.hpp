@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/packing/shadow_extension.hpp"
+#include "preprocess/packing/weld_choice.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/volumes/plane_pair_data.hpp"
 
@@ -17,7 +18,8 @@ struct PackReport {
     std::size_t triangles = 0;               ///< of all surfaces, degenerate ones included
     std::size_t singleSidedTriangles = 0;    ///< of these, those of materials not double-sided
     std::size_t castingSurfaceTriangles = 0; ///< before casters are simplified, likewise
-    CasterSettings settings;
+    CasterSettings settings;                 ///< with the weld tolerance that was chosen, if it was
+    std::optional<WeldChoice> weldChoice;    ///< where it was to be chosen
     MeshStatistics casters;
     PlanePairCosts planePairs;
     int maxMultiplicity = 1;     ///< opposite vertices a record, as `expanded` stores them
@@ -42,15 +44,16 @@ struct PackInput {
     PackReport report;
 };
 
-/// read -> flatten -> simplify -> weld -> edges -> count. Throws InputError.
+/// read -> flatten -> simplify -> weld -> edges -> count. `settings` may leave the weld tolerance
+/// to be chosen. Throws InputError.
 PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings,
                          const ReadingLimits& limits = {});
 
 /// The same of a file that was read already; reading is not in its times. `useStored`: simplified
 /// casters of a file that was packed with these settings are taken as they are.
-PackInput readForPacking(GltfDocument document, const CasterSettings& settings, bool useStored);
+PackInput readForPacking(GltfDocument document, const CasterSettings& wanted, bool useStored);
 
-/// ... -> pack. The packed file's bytes; completes `input.report`.
-Bytes packBytes(PackInput& input, Encoding encoding, const CasterSettings& settings);
+/// ... -> pack. The packed file's bytes, with the settings of `input.report`, which it completes.
+Bytes packBytes(PackInput& input, Encoding encoding);
 
 } // namespace edgeshade

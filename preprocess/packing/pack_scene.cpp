@@ -17,12 +17,13 @@ PackedScene packScene(const std::filesystem::path& file, const PackSettings& set
             settings.flatTolerance);
     CasterSettings casters;
     casters.weldTolerance = settings.weldTolerance;
+    casters.autoWeld = settings.autoWeld;
     casters.castMasked = settings.castMasked;
     casters.casterError = settings.casterError;
     casters.flatTolerance = settings.flatTolerance;
     PackInput input = readForPacking(file, casters);
     PackedScene packed;
-    packed.glb = packBytes(input, Encoding::none, casters);
+    packed.glb = packBytes(input, Encoding::none);
     const PackReport& report = input.report;
     packed.triangles = report.triangles;
     packed.casterTriangles = report.casters.triangles;

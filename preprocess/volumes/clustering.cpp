@@ -1,13 +1,15 @@
 #include "preprocess/volumes/clustering.hpp"
 
-#include "preprocess/mesh/components.hpp"
+#include "preprocess/base/prefetch.hpp"
+#include "preprocess/base/radix_sort.hpp"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <atomic>
 
 namespace edgeshade {
 namespace {
+
+constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
 
 /// What is known of a component before it is put into a cluster.
 struct Part {
@@ -17,7 +19,7 @@ struct Part {
     std::size_t triangles = 0;
     std::uint64_t place = 0; ///< on the Morton curve
 
-    int kind() const { return closed ? 0 : alphaTested ? 2 : 1; }
+    std::uint32_t kind() const { return closed ? 0 : alphaTested ? 2 : 1; }
 };
 
 /// Two zeros after each of the lowest 21 bits; there are no others.
@@ -39,20 +41,80 @@ std::uint64_t mortonCode(const glm::dvec3& point, const Box& all) {
     return code;
 }
 
-std::vector<Part> partsOf(const CasterMesh& mesh, const Components& components,
-                          const std::vector<Material>& materials) {
+/// A box of floats: corners of triangles, before anything is added up.
+struct FloatBox {
+    glm::vec3 low, high;
+
+    FloatBox() = default;
+    explicit FloatBox(const glm::vec3& point) : low(point), high(point) {}
+    void add(const glm::vec3& point) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+};
+
+FloatBox boxOf(const WeldedMesh& mesh, const Triangle& triangle) {
+    FloatBox box(mesh.positions[triangle[0]]);
+    box.add(mesh.positions[triangle[1]]);
+    box.add(mesh.positions[triangle[2]]);
+    return box;
+}
+
+/// By triangle.
+std::vector<FloatBox> boxesOf(const WeldedMesh& mesh, Threads threads) {
+    std::vector<FloatBox> boxes(mesh.triangles.size());
+    forEachItem(boxes.size(), itemsOfThread, threads,
+                [&](std::size_t t) { boxes[t] = boxOf(mesh, mesh.triangles[t]); });
+    return boxes;
+}
+
+/// Consecutive triangles of one component.
+struct ComponentRun {
+    std::uint32_t component;
+    std::uint32_t triangles;
+    bool alphaTested;
+    FloatBox bounds;
+};
+
+/// Those of triangles [range.first, range.end) of a group's casters.
+void addRuns(const std::vector<FloatBox>& boxes, const Components& components,
+             const ItemRange& range, bool alphaTested, std::vector<ComponentRun>& runs) {
+    const std::size_t before = runs.size();
+    for (std::size_t t = range.first; t < range.end; ++t) {
+        const std::uint32_t component = components.ofTriangle[t];
+        const FloatBox& box = boxes[t];
+        if (runs.size() == before || runs.back().component != component) {
+            runs.push_back({component, 1, alphaTested, box});
+            continue;
+        }
+        ++runs.back().triangles;
+        runs.back().bounds.add(box.low);
+        runs.back().bounds.add(box.high);
+    }
+}
+
+std::vector<Part> componentParts(const CasterMesh& mesh, const std::vector<FloatBox>& boxes,
+                                 const Components& components,
+                                 const std::vector<Material>& materials, Threads threads) {
     std::vector<Part> parts(components.count());
-    Box all;
     for (const MaterialCasters& group : mesh.groups) {
         const bool tested = materials[group.material].alphaMode != AlphaMode::opaque;
-        for (std::uint32_t t = group.firstCap; t < group.firstCap + group.capCount; ++t) {
-            Part& part = parts[components.ofTriangle[t]];
-            part.alphaTested = part.alphaTested || tested;
-            ++part.triangles;
-            for (const std::uint32_t vertex : mesh.welded.triangles[t])
-                part.bounds.add(glm::dvec3(mesh.welded.positions[vertex]));
-        }
+        const auto ranges = partsOf(group.capCount, itemsOfThread, threads);
+        std::vector<std::vector<ComponentRun>> runs(ranges.size());
+        forEachPart(ranges, [&](std::size_t i, const ItemRange& range) {
+            addRuns(boxes, components, {group.firstCap + range.first, group.firstCap + range.end},
+                    tested, runs[i]);
+        });
+        for (const auto& ofRange : runs)
+            for (const ComponentRun& run : ofRange) {
+                Part& part = parts[run.component];
+                part.alphaTested = part.alphaTested || run.alphaTested;
+                part.triangles += run.triangles;
+                part.bounds.add(glm::dvec3(run.bounds.low));
+                part.bounds.add(glm::dvec3(run.bounds.high));
+            }
     }
+    Box all;
     for (const Part& part : parts) {
         all.add(part.bounds.low);
         all.add(part.bounds.high);
@@ -64,21 +126,85 @@ std::vector<Part> partsOf(const CasterMesh& mesh, const Components& components,
     return parts;
 }
 
-Box boxOf(const WeldedMesh& mesh, const Triangle& triangle) {
-    Box box;
-    for (const std::uint32_t vertex : triangle)
-        box.add(glm::dvec3(mesh.positions[vertex]));
-    return box;
+/// A Morton code as a key: 63 bits.
+std::array<std::uint32_t, 2> keyOf(std::uint64_t code) {
+    return {static_cast<std::uint32_t>(code >> 31), static_cast<std::uint32_t>(code & 0x7FFFFFFFu)};
 }
 
-void sortAlongCurve(TriangleCluster& cluster, const WeldedMesh& mesh) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
-    order.reserve(cluster.triangles.size());
-    for (const std::uint32_t t : cluster.triangles)
-        order.emplace_back(mortonCode(boxOf(mesh, mesh.triangles[t]).center(), cluster.bounds), t);
-    std::sort(order.begin(), order.end());
+/// By kind, then along the curve.
+std::vector<Keyed<3>> orderOf(const std::vector<Part>& parts, Threads threads) {
+    std::vector<Keyed<3>> order(parts.size());
+    forEachItem(parts.size(), itemsOfThread, threads, [&](std::size_t i) {
+        const auto [high, low] = keyOf(parts[i].place);
+        order[i] = {{parts[i].kind(), high, low}, static_cast<std::uint32_t>(i)};
+    });
+    radixSort(order, threads);
+    return order;
+}
+
+/// Clusters without triangles; `clusterOf`: by component.
+std::vector<TriangleCluster> clustersOf(const std::vector<Part>& parts, Threads threads,
+                                        std::vector<std::uint32_t>& clusterOf) {
+    std::vector<TriangleCluster> clusters;
+    clusterOf.resize(parts.size());
+    std::size_t size = 0, end = 0;
+    std::uint32_t kind = 0;
+    for (const Keyed<3>& item : orderOf(parts, threads)) {
+        const Part& part = parts[item.number];
+        if (clusters.empty() || part.kind() != kind || size + part.triangles > clusterTriangles) {
+            TriangleCluster cluster;
+            cluster.closed = part.closed;
+            cluster.alphaTested = part.alphaTested;
+            cluster.triangles = {end, end};
+            clusters.push_back(cluster);
+            size = 0;
+            kind = part.kind();
+        }
+        TriangleCluster& cluster = clusters.back();
+        size += part.triangles;
+        end += part.triangles;
+        cluster.triangles.end = end;
+        ++cluster.components;
+        cluster.bounds.add(part.bounds.low);
+        cluster.bounds.add(part.bounds.high);
+        clusterOf[item.number] = static_cast<std::uint32_t>(clusters.size() - 1);
+    }
+    return clusters;
+}
+
+/// Triangles cluster after cluster, ascending in each.
+std::vector<std::uint32_t> byCluster(const Components& components,
+                                     const std::vector<std::uint32_t>& clusterOf,
+                                     std::size_t clusters, Threads threads) {
+    const auto& component = components.ofTriangle;
+    // Counts of every part and cluster must not outgrow the triangles.
+    const auto parts = partsOf(component.size(), std::max(itemsOfThread, clusters), threads);
+    std::vector<std::vector<std::size_t>> places(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        places[part].assign(clusters, 0);
+        for (std::size_t t = range.first; t < range.end; ++t)
+            ++places[part][clusterOf[component[t]]];
+    });
+    toPlaces(places);
+    std::vector<std::uint32_t> triangles(component.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        for (std::size_t t = range.first; t < range.end; ++t)
+            triangles[places[part][clusterOf[component[t]]]++] = static_cast<std::uint32_t>(t);
+    });
+    return triangles;
+}
+
+void sortAlongCurve(const std::vector<FloatBox>& boxes, const Box& bounds,
+                    std::span<std::uint32_t> triangles, Threads threads) {
+    std::vector<Keyed<2>> order(triangles.size());
+    forEachItem(order.size(), itemsOfThread, threads, [&](std::size_t i) {
+        const FloatBox& floats = boxes[triangles[i]];
+        const Box box{glm::dvec3(floats.low), glm::dvec3(floats.high)};
+        order[i] = {keyOf(mortonCode(box.center(), bounds)), triangles[i]};
+    });
+    radixSort(order, threads);
     for (std::size_t i = 0; i < order.size(); ++i)
-        cluster.triangles[i] = order[i].second;
+        triangles[i] = order[i].number;
 }
 
 /// By triangle: whether its material is seen from its front alone.
@@ -91,86 +217,96 @@ std::vector<std::uint8_t> singleSidedOf(const CasterMesh& mesh,
     return singleSided;
 }
 
-void putSingleSidedFirst(TriangleCluster& cluster, const std::vector<std::uint8_t>& singleSided) {
-    const auto others = std::stable_partition(cluster.triangles.begin(), cluster.triangles.end(),
-                                              [&](std::uint32_t t) { return singleSided[t] != 0; });
-    cluster.singleSided = static_cast<std::uint32_t>(others - cluster.triangles.begin());
-}
-
-std::vector<Box> leavesOf(const TriangleCluster& cluster, const WeldedMesh& mesh) {
-    std::vector<Box> leaves;
-    for (std::size_t i = 0; i < cluster.triangles.size(); ++i) {
-        if (i % leafTriangles == 0) leaves.emplace_back();
-        const Box box = boxOf(mesh, mesh.triangles[cluster.triangles[i]]);
-        leaves.back().add(box.low);
-        leaves.back().add(box.high);
-    }
-    return leaves;
-}
-
-/// Gives the clusters their triangles' edges, in linear time.
-void addEdges(const EdgeList& edges, std::vector<TriangleCluster>& clusters) {
-    const auto firstTriangle = [&](std::uint32_t edge) {
-        return edges.opposites[edges.edges[edge].firstOpposite].triangle;
+/// Orders each cluster's triangles, which are ascending.
+void orderTriangles(const CasterMesh& mesh, const std::vector<FloatBox>& boxes,
+                    const std::vector<Material>& materials, Threads threads,
+                    TriangleClusters& all) {
+    const std::vector<std::uint8_t> singleSided = singleSidedOf(mesh, materials);
+    const auto order = [&](TriangleCluster& cluster, Threads own) {
+        const std::span<std::uint32_t> triangles =
+            std::span(all.triangles).subspan(cluster.triangles.first, cluster.triangles.size());
+        if (!cluster.alphaTested) sortAlongCurve(boxes, cluster.bounds, triangles, own);
+        const auto others =
+            std::stable_partition(triangles.begin(), triangles.end(),
+                                  [&](std::uint32_t t) { return singleSided[t] != 0; });
+        cluster.singleSided = static_cast<std::uint32_t>(others - triangles.begin());
     };
-    std::size_t triangles = 0;
-    for (const TriangleCluster& cluster : clusters)
-        triangles += cluster.triangles.size();
-    std::vector<std::uint32_t> firstOf(triangles + 1, 0); // by triangle + 1, then summed up
-    for (std::uint32_t e = 0; e < edges.edges.size(); ++e)
-        ++firstOf[firstTriangle(e) + 1];
-    std::partial_sum(firstOf.begin(), firstOf.end(), firstOf.begin());
-    std::vector<std::uint32_t> next(firstOf.begin(), firstOf.end() - 1);
-    std::vector<std::uint32_t> byTriangle(edges.edges.size());
-    for (std::uint32_t e = 0; e < edges.edges.size(); ++e)
-        byTriangle[next[firstTriangle(e)]++] = e;
-    for (TriangleCluster& cluster : clusters)
-        for (const std::uint32_t t : cluster.triangles)
-            cluster.edges.insert(cluster.edges.end(), byTriangle.begin() + firstOf[t],
-                                 byTriangle.begin() + firstOf[t + 1]);
+    // Threads share large clusters, or take a small one each.
+    const auto isLarge = [](const TriangleCluster& cluster) {
+        return cluster.triangles.size() > 4 * itemsOfThread;
+    };
+    for (TriangleCluster& cluster : all.clusters)
+        if (isLarge(cluster)) order(cluster, threads);
+    inParallel(all.clusters.size(), threads, [&](std::size_t i) {
+        if (!isLarge(all.clusters[i])) order(all.clusters[i], {1});
+    });
+}
+
+/// Gives the clusters their triangles' edges, ascending of each triangle.
+void addEdges(const EdgeList& edges, Threads threads, TriangleClusters& all) {
+    const std::size_t triangles = all.triangles.size(), count = edges.edges.size();
+    std::vector<std::uint32_t> placeOf(triangles); // in all.triangles
+    forEachItem(triangles, itemsOfThread, threads,
+                [&](std::size_t i) { placeOf[all.triangles[i]] = static_cast<std::uint32_t>(i); });
+    const auto triangleOf = [&](std::size_t e) {
+        return edges.opposites[edges.edges[e].firstOpposite].triangle;
+    };
+    const auto placeOfEdge = [&](std::size_t e) {
+        constexpr std::size_t ahead = 16;
+        if (e + ahead < count) prefetch(placeOf[triangleOf(e + ahead)]);
+        return placeOf[triangleOf(e)];
+    };
+    std::vector<std::atomic<std::uint32_t>> next(triangles + 1); // how many, then where
+    forEachItem(count, itemsOfThread, threads, [&](std::size_t e) {
+        next[placeOfEdge(e)].fetch_add(1, std::memory_order_relaxed);
+    });
+    std::uint32_t sum = 0;
+    for (std::atomic<std::uint32_t>& of : next) {
+        const std::uint32_t own = of.load(std::memory_order_relaxed);
+        of.store(sum, std::memory_order_relaxed);
+        sum += own;
+    }
+    all.edges.resize(count);
+    forEachItem(count, itemsOfThread, threads, [&](std::size_t e) {
+        const std::uint32_t place = next[placeOfEdge(e)].fetch_add(1, std::memory_order_relaxed);
+        all.edges[place] = static_cast<std::uint32_t>(e);
+    });
+    // Now `next` says where each triangle's end; threads may have come in any order.
+    forEachItem(triangles, itemsOfThread, threads, [&](std::size_t i) {
+        const std::uint32_t first = i == 0 ? 0 : next[i - 1].load(std::memory_order_relaxed);
+        const std::uint32_t end = next[i].load(std::memory_order_relaxed);
+        if (end - first > 1) std::sort(all.edges.begin() + first, all.edges.begin() + end);
+    });
+    for (TriangleCluster& cluster : all.clusters)
+        cluster.edges = {cluster.triangles.first == 0 ? 0
+                                                      : next[cluster.triangles.first - 1].load(),
+                         cluster.triangles.end == 0 ? 0 : next[cluster.triangles.end - 1].load()};
 }
 
 } // namespace
 
-std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
-                                                const std::vector<Material>& materials) {
-    const Components components = findComponents(mesh.welded, edges);
-    const std::vector<Part> parts = partsOf(mesh, components, materials);
-    std::vector<std::uint32_t> order(parts.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::make_tuple(parts[a].kind(), parts[a].place, a) <
-               std::make_tuple(parts[b].kind(), parts[b].place, b);
-    });
+std::vector<std::uint8_t> countsHalf(const CasterMesh& mesh, const Components& components,
+                                     const std::vector<Material>& materials) {
+    std::vector<std::uint8_t> half = components.closed;
+    for (const MaterialCasters& group : mesh.groups)
+        if (materials[group.material].alphaMode != AlphaMode::opaque)
+            for (std::uint32_t t = group.firstCap; t < group.firstCap + group.capCount; ++t)
+                half[components.ofTriangle[t]] = 0;
+    return half;
+}
 
-    std::vector<TriangleCluster> clusters;
-    std::vector<std::size_t> sizes;
-    std::vector<std::uint32_t> clusterOf(parts.size());
-    int kind = -1;
-    for (const std::uint32_t i : order) {
-        const Part& part = parts[i];
-        if (part.kind() != kind || sizes.back() + part.triangles > clusterTriangles) {
-            clusters.push_back({{}, part.closed, part.alphaTested, 0, 0, {}, {}, {}});
-            sizes.push_back(0);
-            kind = part.kind();
-        }
-        sizes.back() += part.triangles;
-        ++clusters.back().components;
-        clusters.back().bounds.add(part.bounds.low);
-        clusters.back().bounds.add(part.bounds.high);
-        clusterOf[i] = static_cast<std::uint32_t>(clusters.size() - 1);
-    }
-    for (std::uint32_t t = 0; t < components.ofTriangle.size(); ++t)
-        clusters[clusterOf[components.ofTriangle[t]]].triangles.push_back(t);
-    const std::vector<std::uint8_t> singleSided = singleSidedOf(mesh, materials);
-    for (TriangleCluster& cluster : clusters) {
-        if (!cluster.alphaTested) sortAlongCurve(cluster, mesh.welded);
-        putSingleSidedFirst(cluster, singleSided);
-        cluster.leaves = leavesOf(cluster, mesh.welded);
-    }
-    addEdges(edges, clusters);
-    return clusters;
+TriangleClusters clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
+                                    const std::vector<Material>& materials, Threads threads) {
+    const Components components = findComponents(mesh.welded, edges, threads);
+    const std::vector<FloatBox> boxes = boxesOf(mesh.welded, threads);
+    TriangleClusters all;
+    std::vector<std::uint32_t> clusterOf;
+    all.clusters =
+        clustersOf(componentParts(mesh, boxes, components, materials, threads), threads, clusterOf);
+    all.triangles = byCluster(components, clusterOf, all.clusters.size(), threads);
+    orderTriangles(mesh, boxes, materials, threads, all);
+    addEdges(edges, threads, all);
+    return all;
 }
 
 } // namespace edgeshade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/mesh/components.hpp"
 #include "preprocess/mesh/topology.hpp"
 #include "preprocess/scene/scene.hpp"
 
@@ -17,17 +18,25 @@ struct TriangleCluster {
     bool closed = false;
     bool alphaTested = false; ///< some triangle is not opaque; never closed then
     std::uint32_t components = 0;
-    std::uint32_t singleSided = 0; ///< how many of `triangles`, which are the first, have no back
-    /// Single-sided ones first, then the others; either alpha-tested and ascending, or along a
-    /// Morton curve.
+    std::uint32_t singleSided = 0; ///< how many of its triangles, which are the first, have no back
+    ItemRange triangles, edges;    ///< of TriangleClusters
+};
+
+struct TriangleClusters {
+    std::vector<TriangleCluster> clusters;
+    /// Cluster after cluster; in each single-sided ones first, then the others; either alpha-tested
+    /// and ascending, or along a Morton curve.
     std::vector<std::uint32_t> triangles;
     std::vector<std::uint32_t> edges; ///< each where its first opposite vertex's triangle is
-    std::vector<Box> leaves; ///< around leafTriangles consecutive triangles each, the last fewer
 };
+
+/// By component: whether it counts as closed (docs/method.md, C8): it is, and all of it is opaque.
+std::vector<std::uint8_t> countsHalf(const CasterMesh& mesh, const Components& components,
+                                     const std::vector<Material>& materials);
 
 /// Divides a batch's casters: closed clusters first, then open ones, then alpha-tested ones; within
 /// these along a Morton curve.
-std::vector<TriangleCluster> clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
-                                                const std::vector<Material>& materials);
+TriangleClusters clusterTrianglesOf(const CasterMesh& mesh, const EdgeList& edges,
+                                    const std::vector<Material>& materials, Threads threads = {});
 
 } // namespace edgeshade

@@ -1,7 +1,5 @@
 #include "preprocess/volumes/opposite_pairs.hpp"
 
-#include "preprocess/mesh/components.hpp"
-
 #include <algorithm>
 
 namespace edgeshade {
@@ -48,28 +46,18 @@ void sortByPlane(const Planes& planes, Triangles& triangles) {
 
 } // namespace
 
-void pairUp(const WeldedMesh& mesh, const EdgeList& edges, const Edge& edge, const Planes& planes,
+void pairUp(const EdgeList& edges, const Edge& edge, const Planes& planes,
             std::vector<OppositePair>& pairs) {
     pairs.clear();
-    // Nearly all edges are of one triangle, or of two that run opposite ways.
-    const auto opposites = edges.oppositesOf(edge);
-    const auto runsForward = [&](const Opposite& of) {
-        return directionIn(mesh.triangles[of.triangle], edge) > 0;
-    };
-    if (opposites.size() <= 2) {
-        const std::uint32_t p = opposites.front().triangle, q = opposites.back().triangle;
-        const bool first = runsForward(opposites.front());
-        if (opposites.size() == 1)
-            pairs.push_back({{p, !first}, std::nullopt});
-        else if (runsForward(opposites.back()) != first)
-            pairs.push_back(first ? opposite(p, q) : opposite(q, p));
-        else
-            pairs.push_back({{q, !first}, PairedTriangle{p, first}});
+    if (edge.oppositeCount <= 2) {
+        pairs.push_back(onlyPair(edges, edge));
         return;
     }
+    const auto opposites = edges.oppositesOf(edge);
+    const auto runsForward = edges.forwardOf(edge);
     Triangles forward, backward; // by the way they run through the edge
-    for (const Opposite& of : opposites)
-        (runsForward(of) ? forward : backward).push_back(of.triangle);
+    for (std::size_t i = 0; i < opposites.size(); ++i)
+        (runsForward[i] ? forward : backward).push_back(opposites[i].triangle);
     // Searching the whole of a large fan for each pair would take the cube of its size.
     constexpr std::size_t largestSearch = 64;
     if (forward.size() > largestSearch || backward.size() > largestSearch)

@@ -1,5 +1,6 @@
 #include "preprocess/volumes/plane_pair_data.hpp"
 
+#include "preprocess/base/prefetch.hpp"
 #include "preprocess/volumes/clustering.hpp"
 #include "preprocess/volumes/opposite_pairs.hpp"
 #include "preprocess/volumes/triangle_planes.hpp"
@@ -10,51 +11,106 @@
 namespace edgeshade {
 namespace {
 
-/// Puts records in the order of clusters.
-class Emitter {
-  public:
-    /// `vertices`: filled in where the records are to last for all poses; no pair is dropped then.
-    Emitter(const CasterMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes,
-            RecordVertices* vertices)
-        : mesh_(mesh.welded), edges_(edges), planes_(planes), vertices_(vertices),
-          capOf_(planes.size()) {}
+constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
 
-    void emitCap(std::uint32_t triangle, PlanePairShadow& shadow) {
-        const Triangle& corners = mesh_.triangles[triangle];
-        capOf_[triangle] = static_cast<std::uint32_t>(shadow.caps.size());
-        shadow.caps.push_back({mesh_.positions[corners[0]], mesh_.positions[corners[1]],
-                               mesh_.positions[corners[2]], planes_[triangle]});
-        shadow.capTriangles.push_back(triangle);
-        if (vertices_) vertices_->caps.push_back(corners);
+/// The box of caps [first, end).
+Box boxOf(const std::vector<CapRecord>& caps, std::size_t first, std::size_t end) {
+    glm::vec3 low = caps[first].a, high = low;
+    for (std::size_t i = first; i < end; ++i)
+        for (const glm::vec3* corner : {&caps[i].a, &caps[i].b, &caps[i].c}) {
+            low = glm::min(low, *corner);
+            high = glm::max(high, *corner);
+        }
+    Box box;
+    box.add(glm::dvec3(low));
+    box.add(glm::dvec3(high));
+    return box;
+}
+
+/// Fills in the caps, in the order of clusters; returns which cap each triangle has.
+std::vector<std::uint32_t> addCaps(const WeldedMesh& mesh, const std::vector<glm::vec4>& planes,
+                                   Threads threads, PlanePairShadow& shadow) {
+    const std::vector<std::uint32_t>& triangles = shadow.capTriangles;
+    shadow.caps.resize(triangles.size());
+    std::vector<std::uint32_t> capOf(triangles.size());
+    forEachItem(triangles.size(), itemsOfThread, threads, [&](std::size_t i) {
+        constexpr std::size_t ahead = 8;
+        if (i + 2 * ahead < triangles.size()) {
+            prefetch(mesh.triangles[triangles[i + 2 * ahead]]);
+            prefetch(planes[triangles[i + 2 * ahead]]);
+            for (const std::uint32_t corner : mesh.triangles[triangles[i + ahead]])
+                prefetch(mesh.positions[corner]);
+        }
+        const std::uint32_t triangle = triangles[i];
+        const Triangle& corners = mesh.triangles[triangle];
+        capOf[triangle] = static_cast<std::uint32_t>(i);
+        shadow.caps[i] = {mesh.positions[corners[0]], mesh.positions[corners[1]],
+                          mesh.positions[corners[2]], planes[triangle]};
+    });
+    return capOf;
+}
+
+/// Puts the records of some edges, in the order of clusters, from given places on.
+class SideWriter {
+  public:
+    SideWriter(const WeldedMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes,
+               const std::vector<std::uint32_t>& capOf)
+        : mesh_(mesh), edges_(edges), planes_(planes), capOf_(capOf) {}
+
+    std::size_t pair = 0, single = 0; ///< where the next go
+    std::size_t flatPairs = 0, flatEdges = 0;
+
+    /// `vertices`: filled in where the records are to last for all poses; no pair is dropped then.
+    void write(const Edge& edge, PlanePairShadow& shadow, RecordVertices* vertices) {
+        const std::size_t before = pair + single;
+        if (edge.oppositeCount <= 2) {
+            write(edge, onlyPair(edges_, edge), shadow, vertices);
+        } else {
+            pairUp(edges_, edge, planes_, paired_);
+            for (const OppositePair& two : paired_)
+                write(edge, two, shadow, vertices);
+        }
+        flatEdges += pair + single == before;
     }
 
-    /// The caps of the edge's triangles come first.
-    void emitEdge(const Edge& edge, PlanePairShadow& shadow) {
-        const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
-        ++shadow.edges;
-        const std::size_t before = shadow.pairs.size() + shadow.singles.size();
-        pairUp(mesh_, edges_, edge, planes_, paired_);
-        for (const OppositePair& pair : paired_) {
-            const glm::vec4 plane = pair.first.planeIn(planes_);
-            if (!pair.second) {
-                shadow.singles.push_back({a, b, plane});
-                if (vertices_) vertices_->singles.push_back({edge.a, edge.b});
-                if (vertices_) vertices_->singlePlanes.push_back(planeOf(pair.first));
-                continue;
-            }
-            const glm::vec4 other = pair.second->planeIn(planes_);
-            if (plane == other && !vertices_) {
-                ++shadow.flatPairs;
-                continue;
-            }
-            shadow.pairs.push_back({a, b, plane, other});
-            shadow.pairPlanes.push_back({planeOf(pair.first), planeOf(*pair.second)});
-            if (vertices_) vertices_->pairs.push_back({edge.a, edge.b});
+    /// What write() reads of an edge, in two steps, the second some edges after the first.
+    void prefetchEdge(const Edge& edge) const {
+        prefetch(edges_.opposites[edge.firstOpposite]);
+        prefetch(edges_.forward[edge.firstOpposite]);
+        prefetch(mesh_.positions[edge.a]);
+        prefetch(mesh_.positions[edge.b]);
+    }
+    void prefetchTriangles(const Edge& edge) const {
+        for (const std::uint32_t last : {0u, edge.oppositeCount - 1}) {
+            const std::uint32_t triangle = edges_.opposites[edge.firstOpposite + last].triangle;
+            prefetch(planes_[triangle]);
+            prefetch(capOf_[triangle]);
         }
-        shadow.flatEdges += shadow.pairs.size() + shadow.singles.size() == before;
     }
 
   private:
+    void write(const Edge& edge, const OppositePair& two, PlanePairShadow& shadow,
+               RecordVertices* vertices) {
+        const glm::vec3 &a = mesh_.positions[edge.a], &b = mesh_.positions[edge.b];
+        const glm::vec4 plane = two.first.planeIn(planes_);
+        if (!two.second) {
+            shadow.singles[single] = {a, b, plane};
+            if (vertices) vertices->singles[single] = {edge.a, edge.b};
+            if (vertices) vertices->singlePlanes[single] = planeOf(two.first);
+            ++single;
+            return;
+        }
+        const glm::vec4 other = two.second->planeIn(planes_);
+        if (plane == other && !vertices) {
+            ++flatPairs;
+            return;
+        }
+        shadow.pairs[pair] = {a, b, plane, other};
+        shadow.pairPlanes[pair] = {planeOf(two.first), planeOf(*two.second)};
+        if (vertices) vertices->pairs[pair] = {edge.a, edge.b};
+        ++pair;
+    }
+
     PlaneOf planeOf(const PairedTriangle& of) const {
         return {2 * capOf_[of.triangle] + (of.negated ? 1u : 0u)};
     }
@@ -62,26 +118,121 @@ class Emitter {
     const WeldedMesh& mesh_;
     const EdgeList& edges_;
     const std::vector<glm::vec4>& planes_;
-    RecordVertices* const vertices_;
-    std::vector<std::uint32_t> capOf_; ///< by triangle
+    const std::vector<std::uint32_t>& capOf_; ///< by triangle
     std::vector<OppositePair> paired_;
 };
 
-RecordRange rangeSince(std::size_t first, std::size_t end) {
-    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first)};
+/// Records of two planes, of one.
+struct SideCounts {
+    std::size_t pairs = 0, singles = 0;
+};
+
+/// The most that the edges' records can be, and what they are where no pair is flat.
+SideCounts mostSides(const EdgeList& edges, const std::vector<std::uint32_t>& order,
+                     const ItemRange& range) {
+    SideCounts counts;
+    for (std::size_t i = range.first; i < range.end; ++i) {
+        if (i + 16 < range.end) prefetch(edges.edges[order[i + 16]]);
+        const std::uint32_t n = edges.edges[order[i]].oppositeCount;
+        counts.pairs += n / 2;
+        counts.singles += n % 2;
+    }
+    return counts;
+}
+
+/// Fills in pairs and singles; returns how many each cluster has.
+std::vector<SideCounts> addSides(const WeldedMesh& mesh, const EdgeList& edges,
+                                 const std::vector<glm::vec4>& planes,
+                                 const std::vector<std::uint32_t>& capOf,
+                                 const TriangleClusters& clustered, Threads threads,
+                                 PlanePairShadow& shadow, RecordVertices* vertices) {
+    const auto parts = partsOf(clustered.edges.size(), itemsOfThread, threads);
+    std::vector<ItemRange> pairsOf(parts.size()), singlesOf(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        const SideCounts most = mostSides(edges, clustered.edges, range);
+        pairsOf[part].end = most.pairs;
+        singlesOf[part].end = most.singles;
+    });
+    for (std::size_t part = 1; part < parts.size(); ++part)
+        for (auto* ranges : {&pairsOf, &singlesOf})
+            (*ranges)[part] = {(*ranges)[part - 1].end,
+                               (*ranges)[part - 1].end + (*ranges)[part].end};
+    shadow.pairs.resize(pairsOf.back().end);
+    shadow.pairPlanes.resize(pairsOf.back().end);
+    shadow.singles.resize(singlesOf.back().end);
+    if (vertices) {
+        vertices->pairs.resize(pairsOf.back().end);
+        vertices->singles.resize(singlesOf.back().end);
+        vertices->singlePlanes.resize(singlesOf.back().end);
+    }
+
+    std::vector<std::size_t> pairCounts(parts.size()), flatPairs(parts.size()),
+        flatEdges(parts.size());
+    std::vector<std::vector<SideCounts>> counts(parts.size());
+    const auto clusterOf = [&](std::size_t edge) { // the cluster of one of the ordered edges
+        const auto after = std::upper_bound(
+            clustered.clusters.begin(), clustered.clusters.end(), edge,
+            [](std::size_t e, const TriangleCluster& cluster) { return e < cluster.edges.end; });
+        return static_cast<std::size_t>(after - clustered.clusters.begin());
+    };
+    const auto edgeAt = [&](std::size_t i) -> const Edge& {
+        return edges.edges[clustered.edges[i]];
+    };
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        SideWriter writer(mesh, edges, planes, capOf);
+        writer.pair = pairsOf[part].first;
+        writer.single = singlesOf[part].first;
+        std::size_t cluster = clusterOf(range.first);
+        for (std::size_t i = range.first; i < range.end; ++cluster) {
+            const std::size_t end = std::min(range.end, clustered.clusters[cluster].edges.end);
+            const std::size_t pair = writer.pair, single = writer.single;
+            for (; i < end; ++i) {
+                constexpr std::size_t ahead = 8;
+                if (i + 3 * ahead < range.end) {
+                    prefetch(edgeAt(i + 3 * ahead));
+                    writer.prefetchEdge(edgeAt(i + 2 * ahead));
+                    writer.prefetchTriangles(edgeAt(i + ahead));
+                }
+                writer.write(edgeAt(i), shadow, vertices);
+            }
+            counts[part].push_back({writer.pair - pair, writer.single - single});
+        }
+        pairCounts[part] = writer.pair - pairsOf[part].first;
+        flatPairs[part] = writer.flatPairs;
+        flatEdges[part] = writer.flatEdges;
+    });
+    closeGaps(shadow.pairs, pairsOf, pairCounts);
+    closeGaps(shadow.pairPlanes, pairsOf, pairCounts);
+
+    std::vector<SideCounts> byCluster(clustered.clusters.size());
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+        const std::size_t first = clusterOf(parts[part].first);
+        for (std::size_t i = 0; i < counts[part].size(); ++i) {
+            byCluster[first + i].pairs += counts[part][i].pairs;
+            byCluster[first + i].singles += counts[part][i].singles;
+        }
+        shadow.flatPairs += flatPairs[part];
+        shadow.flatEdges += flatEdges[part];
+    }
+    shadow.edges = clustered.edges.size();
+    return byCluster;
+}
+
+RecordRange rangeAfter(const RecordRange& last, std::size_t count) {
+    return {last.end(), static_cast<std::uint32_t>(count)};
 }
 
 /// The caps of a cluster by material where that matters.
-void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint32_t firstCap,
-               std::vector<MaterialCasters>& groups) {
+void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster,
+               std::span<const std::uint32_t> triangles, std::vector<MaterialCasters>& groups) {
+    auto firstCap = static_cast<std::uint32_t>(cluster.triangles.first);
     if (!cluster.alphaTested) {
         const std::size_t anyMaterial = mesh.groups.front().material; // all of them are opaque
-        groups.push_back(
-            {anyMaterial, firstCap, static_cast<std::uint32_t>(cluster.triangles.size())});
+        groups.push_back({anyMaterial, firstCap, static_cast<std::uint32_t>(triangles.size())});
         return;
     }
     const std::size_t firstGroup = groups.size();
-    for (const std::uint32_t triangle : cluster.triangles) {
+    for (const std::uint32_t triangle : triangles) {
         const auto after = std::upper_bound(
             mesh.groups.begin(), mesh.groups.end(), triangle,
             [](std::uint32_t t, const MaterialCasters& group) { return t < group.firstCap; });
@@ -93,30 +244,56 @@ void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster, std::uint
     }
 }
 
+/// The clusters; `sides`: how many records each has.
+void addClusters(const CasterMesh& mesh, const TriangleClusters& clustered,
+                 const std::vector<SideCounts>& sides, PlanePairShadow& shadow) {
+    ShadowCluster last;
+    for (std::size_t i = 0; i < clustered.clusters.size(); ++i) {
+        const TriangleCluster& cluster = clustered.clusters[i];
+        const std::size_t caps = cluster.triangles.size(), groups = shadow.groups.size();
+        addGroups(mesh, cluster,
+                  std::span(shadow.capTriangles).subspan(cluster.triangles.first, caps),
+                  shadow.groups);
+        last = {cluster.bounds,
+                cluster.closed,
+                cluster.alphaTested,
+                cluster.components,
+                rangeAfter(last.pairs, sides[i].pairs),
+                rangeAfter(last.singles, sides[i].singles),
+                rangeAfter(last.caps, caps),
+                cluster.singleSided,
+                rangeAfter(last.groups, shadow.groups.size() - groups),
+                rangeAfter(last.leaves, (caps + leafTriangles - 1) / leafTriangles)};
+        shadow.clusters.push_back(last);
+    }
+}
+
+void addLeaves(Threads threads, PlanePairShadow& shadow) {
+    std::vector<RecordRange> capsOf; // by leaf
+    for (const ShadowCluster& cluster : shadow.clusters)
+        for (std::uint32_t cap = cluster.caps.first; cap < cluster.caps.end(); cap += leafTriangles)
+            capsOf.push_back({cap, std::min(leafTriangles, cluster.caps.end() - cap)});
+    shadow.leaves.resize(capsOf.size());
+    forEachItem(capsOf.size(), itemsOfThread / leafTriangles, threads, [&](std::size_t i) {
+        shadow.leaves[i] = boxOf(shadow.caps, capsOf[i].first, capsOf[i].end());
+    });
+}
+
 PlanePairShadow recordsOf(const CasterMesh& mesh, const EdgeList& edges,
                           const std::vector<Material>& materials,
-                          const std::vector<glm::vec4>& planes, RecordVertices* vertices) {
-    Emitter emitter(mesh, edges, planes, vertices);
+                          const std::vector<glm::vec4>& planes, RecordVertices* vertices,
+                          Threads threads) {
+    TriangleClusters clustered = clusterTrianglesOf(mesh, edges, materials, threads);
     PlanePairShadow shadow;
-    shadow.pairs.reserve(edges.edges.size());
-    shadow.caps.reserve(mesh.welded.triangles.size());
-    shadow.capTriangles.reserve(mesh.welded.triangles.size());
-    for (const TriangleCluster& cluster : clusterTrianglesOf(mesh, edges, materials)) {
-        const std::size_t pairs = shadow.pairs.size(), singles = shadow.singles.size(),
-                          caps = shadow.caps.size(), groups = shadow.groups.size(),
-                          leaves = shadow.leaves.size();
-        shadow.leaves.insert(shadow.leaves.end(), cluster.leaves.begin(), cluster.leaves.end());
-        for (const std::uint32_t triangle : cluster.triangles)
-            emitter.emitCap(triangle, shadow);
-        for (const std::uint32_t edge : cluster.edges)
-            emitter.emitEdge(edges.edges[edge], shadow);
-        addGroups(mesh, cluster, static_cast<std::uint32_t>(caps), shadow.groups);
-        shadow.clusters.push_back(
-            {cluster.bounds, cluster.closed, cluster.alphaTested, cluster.components,
-             rangeSince(pairs, shadow.pairs.size()), rangeSince(singles, shadow.singles.size()),
-             rangeSince(caps, shadow.caps.size()), cluster.singleSided,
-             rangeSince(groups, shadow.groups.size()), rangeSince(leaves, shadow.leaves.size())});
-    }
+    shadow.capTriangles = std::move(clustered.triangles);
+    const std::vector<std::uint32_t> capOf = addCaps(mesh.welded, planes, threads, shadow);
+    if (vertices)
+        for (const std::uint32_t triangle : shadow.capTriangles)
+            vertices->caps.push_back(mesh.welded.triangles[triangle]);
+    const std::vector<SideCounts> sides =
+        addSides(mesh.welded, edges, planes, capOf, clustered, threads, shadow, vertices);
+    addClusters(mesh, clustered, sides, shadow);
+    addLeaves(threads, shadow);
     return shadow;
 }
 
@@ -163,26 +340,13 @@ class Poser {
     std::vector<glm::vec3> points_; ///< welded
 };
 
-/// The box of caps [first, end).
-Box boxOf(const std::vector<CapRecord>& caps, std::size_t first, std::size_t end) {
-    glm::vec3 low = caps[first].a, high = low;
-    for (std::size_t i = first; i < end; ++i)
-        for (const glm::vec3* corner : {&caps[i].a, &caps[i].b, &caps[i].c}) {
-            low = glm::min(low, *corner);
-            high = glm::max(high, *corner);
-        }
-    Box box;
-    box.add(glm::dvec3(low));
-    box.add(glm::dvec3(high));
-    return box;
-}
-
 } // namespace
 
 PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
-                                const std::vector<Material>& materials, double flatTolerance) {
-    return recordsOf(mesh, edges, materials, trianglePlanes(mesh.welded, edges, flatTolerance),
-                     nullptr);
+                                const std::vector<Material>& materials, double flatTolerance,
+                                Threads threads) {
+    return recordsOf(mesh, edges, materials,
+                     trianglePlanes(mesh.welded, edges, flatTolerance, threads), nullptr, threads);
 }
 
 PlanePairShadow buildPlanePairs(const Batch& batch, const Casters& casters,
@@ -198,7 +362,7 @@ PlanePairShadow buildPlanePairs(const Batch& batch, const Casters& casters,
                                        mesh.welded.positions[triangle[2]]));
     RecordVertices vertices;
     vertices.inBatch = batchVertices(mesh, casters);
-    PlanePairShadow shadow = recordsOf(mesh, edges, materials, planes, &vertices);
+    PlanePairShadow shadow = recordsOf(mesh, edges, materials, planes, &vertices, {});
     shadow.vertices = std::make_shared<const RecordVertices>(std::move(vertices));
     return shadow;
 }
@@ -240,19 +404,70 @@ PlanePairCosts PlanePairCosts::runsAlone() const {
     return costs;
 }
 
-PlanePairCosts costsOf(const PlanePairShadow& shadow) {
-    constexpr std::size_t quadVertices = 4, capPairVertices = 6;
+namespace {
+
+constexpr std::size_t quadVertices = 4, capPairVertices = 6;
+
+std::size_t sideRunsOf(const SideCounts& sides, bool closed) {
+    return quadVertices * ((closed ? 1 : 2) * sides.pairs + sides.singles);
+}
+
+/// All but runs of sides.
+PlanePairCosts costsOf(const SideCounts& sides, std::size_t flatEdges, std::size_t caps) {
     PlanePairCosts costs;
-    costs.records = shadow.pairs.size() + shadow.singles.size();
-    costs.flatEdges = shadow.flatEdges;
-    costs.sideBytes =
-        shadow.pairs.size() * sizeof(PairRecord) + shadow.singles.size() * sizeof(SingleRecord);
-    costs.capBytes = shadow.caps.size() * sizeof(CapRecord);
-    for (const ShadowCluster& cluster : shadow.clusters)
-        costs.sideRuns +=
-            quadVertices * ((cluster.closed ? 1 : 2) * cluster.pairs.count + cluster.singles.count);
-    costs.capRuns = capPairVertices * shadow.caps.size();
+    costs.records = sides.pairs + sides.singles;
+    costs.flatEdges = flatEdges;
+    costs.sideBytes = sides.pairs * sizeof(PairRecord) + sides.singles * sizeof(SingleRecord);
+    costs.capBytes = caps * sizeof(CapRecord);
+    costs.capRuns = capPairVertices * caps;
     return costs;
+}
+
+} // namespace
+
+PlanePairCosts costsOf(const PlanePairShadow& shadow) {
+    PlanePairCosts costs = costsOf(SideCounts{shadow.pairs.size(), shadow.singles.size()},
+                                   shadow.flatEdges, shadow.caps.size());
+    for (const ShadowCluster& cluster : shadow.clusters)
+        costs.sideRuns += sideRunsOf({cluster.pairs.count, cluster.singles.count}, cluster.closed);
+    return costs;
+}
+
+PlanePairCosts planePairCosts(const CasterMesh& mesh, const EdgeList& edges,
+                              const Components& components, const std::vector<Material>& materials,
+                              double flatTolerance, bool deforms, Threads threads) {
+    const std::vector<std::uint8_t> closed = countsHalf(mesh, components, materials);
+    const auto planes = trianglePlanes(mesh.welded, edges, deforms ? 0.0 : flatTolerance, threads);
+    const auto parts = partsOf(edges.edges.size(), itemsOfThread, threads);
+    std::vector<PlanePairCosts> costs(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        std::vector<OppositePair> paired;
+        SideCounts sum;
+        std::size_t flatEdges = 0, runs = 0;
+        for (std::size_t e = range.first; e < range.end; ++e) {
+            const Edge& edge = edges.edges[e];
+            SideCounts own;
+            pairUp(edges, edge, planes, paired);
+            for (const OppositePair& two : paired) {
+                own.singles += two.second ? 0 : 1;
+                own.pairs += two.second && (deforms || two.first.planeIn(planes) !=
+                                                           two.second->planeIn(planes))
+                                 ? 1
+                                 : 0;
+            }
+            sum.pairs += own.pairs;
+            sum.singles += own.singles;
+            flatEdges += own.pairs + own.singles == 0;
+            const std::uint32_t triangle = edges.opposites[edge.firstOpposite].triangle;
+            runs += sideRunsOf(own, closed[components.ofTriangle[triangle]] != 0);
+        }
+        costs[part] = costsOf(sum, flatEdges, 0);
+        costs[part].sideRuns = runs;
+    });
+    PlanePairCosts all = costsOf(SideCounts(), 0, mesh.welded.triangles.size());
+    for (const PlanePairCosts& one : costs)
+        all += one;
+    return all;
 }
 
 std::vector<std::shared_ptr<const PlanePairShadow>>

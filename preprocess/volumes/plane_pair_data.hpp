@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/mesh/components.hpp"
 #include "preprocess/mesh/topology.hpp"
 #include "preprocess/scene/scene.hpp"
 
@@ -137,10 +138,17 @@ struct PlanePairCosts {
 };
 PlanePairCosts costsOf(const PlanePairShadow& shadow);
 
+/// The costs of buildPlanePairs() with the same words, without making the records. `components`:
+/// the mesh's. `deforms`: no pair is dropped.
+PlanePairCosts planePairCosts(const CasterMesh& mesh, const EdgeList& edges,
+                              const Components& components, const std::vector<Material>& materials,
+                              double flatTolerance, bool deforms, Threads threads = {});
+
 /// Builds the records of one batch. `materials` tell which casters are alpha-tested;
 /// `flatTolerance`: degrees, see trianglePlanes().
 PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
-                                const std::vector<Material>& materials, double flatTolerance = 0.0);
+                                const std::vector<Material>& materials, double flatTolerance = 0.0,
+                                Threads threads = {});
 
 /// Those of a batch: of what deforms, records that last for all poses (weldForRecords()), with
 /// RecordVertices and without patches.

@@ -6,7 +6,23 @@
 
 namespace edgeshade {
 
-Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds) {
+namespace {
+
+/// The hash takes its time and depends on nothing else: it is found meanwhile.
+void weldAndHash(const Batch& batch, const std::vector<Material>& materials, bool castMasked,
+                 Threads threads, BatchTopology& built) {
+    inParallel(2, threads, [&](std::size_t task) {
+        if (task == 0)
+            built.hash = positionsHash(batch, castingSurfacesOf(batch, materials, castMasked));
+        else
+            built.mesh = weldCasters(batch, castersOf(batch, materials, castMasked), threads);
+    });
+}
+
+} // namespace
+
+Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds,
+                         Threads threads) {
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
     Topologies topology;
     for (std::size_t i = 0; i < first.size(); ++i) {
@@ -17,11 +33,9 @@ Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seco
         Stopwatch watch;
         const Batch& batch = scene.batches[i];
         const auto built = std::make_shared<BatchTopology>();
-        const Casters casters = castersOf(batch, scene.materials, castMasked);
-        built->hash = positionsHash(batch, castingSurfacesOf(batch, scene.materials, castMasked));
-        built->mesh = weldCasters(batch, casters);
+        weldAndHash(batch, scene.materials, castMasked, threads, *built);
         seconds.weld += watch.lap();
-        built->edges = buildEdges(built->mesh.welded);
+        built->edges = buildEdges(built->mesh.welded, threads);
         seconds.edges += watch.lap();
         topology.push_back(built);
     }

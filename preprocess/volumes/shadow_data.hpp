@@ -22,6 +22,7 @@ struct CasterSettings {
     double casterError = 0.0;   ///< scene units, see simplifyCasters()
     double flatTolerance = 0.0; ///< degrees, see growPatches(); plane-pair records alone
     InstanceChoice instances = InstanceChoice::automatic;
+    bool autoWeld = false; ///< weldTolerance is still to be chosen, by settingsFor()
 
     bool operator==(const CasterSettings&) const = default;
 };
@@ -35,9 +36,11 @@ struct BatchShadow {
 
 /// Seconds that the stages took.
 struct BuildSeconds {
+    double weldChoice = 0.0; ///< choosing the weld tolerance
     double simplify = 0.0;
     double weld = 0.0;
     double edges = 0.0;
+    double records = 0.0; ///< planes, and counting what records they make
     double pack = 0.0;
 };
 
@@ -53,7 +56,8 @@ using Topologies = std::vector<std::shared_ptr<const BatchTopology>>;
 using Shadows = std::vector<std::shared_ptr<const BatchShadow>>;
 
 /// Topology of every batch of the scene, in order.
-Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds);
+Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds,
+                         Threads threads = {});
 
 /// The one multiplicity of all records: `published` has a single maxMult for the scene.
 int sceneMultiplicity(const Topologies& topology);

@@ -1,11 +1,12 @@
 #include "preprocess/volumes/triangle_planes.hpp"
 
 #include "preprocess/base/disjoint_sets.hpp"
-#include "preprocess/mesh/components.hpp"
+#include "preprocess/base/prefetch.hpp"
 #include "preprocess/mesh/coplanar.hpp"
 #include "preprocess/mesh/patch_growth.hpp"
 
 #include <cmath>
+#include <numeric>
 
 namespace edgeshade {
 namespace {
@@ -13,6 +14,8 @@ namespace {
 /// The sine of the angle at its first vertex below which a triangle joins no flat patch: to be
 /// coplanar says too little of a plane where three points are almost on a line.
 constexpr double thinnest = 1e-6;
+
+constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
 
 /// Triangles of an edge up to which each is compared with each. Edges of larger fans join no
 /// patches.
@@ -23,13 +26,24 @@ struct Facet {
     bool thin = true;
 };
 
+/// Two sides of a triangle, from its first vertex.
+struct TwoSides {
+    glm::dvec3 ab, ac;
+
+    TwoSides(const WeldedMesh& mesh, const Triangle& triangle) {
+        const glm::dvec3 a(mesh.positions[triangle[0]]);
+        ab = glm::dvec3(mesh.positions[triangle[1]]) - a;
+        ac = glm::dvec3(mesh.positions[triangle[2]]) - a;
+    }
+    /// As long as twice the area.
+    glm::dvec3 normal() const { return glm::cross(ab, ac); }
+};
+
 Facet facetOf(const WeldedMesh& mesh, const Triangle& triangle) {
-    const glm::dvec3 a(mesh.positions[triangle[0]]);
-    const glm::dvec3 ab = glm::dvec3(mesh.positions[triangle[1]]) - a;
-    const glm::dvec3 ac = glm::dvec3(mesh.positions[triangle[2]]) - a;
+    const TwoSides sides(mesh, triangle);
     Facet facet;
-    facet.normal = glm::cross(ab, ac);
-    const double lengths = glm::length(ab) * glm::length(ac);
+    facet.normal = sides.normal();
+    const double lengths = glm::length(sides.ab) * glm::length(sides.ac);
     facet.thin = !(glm::length(facet.normal) > thinnest * lengths);
     return facet;
 }
@@ -42,56 +56,108 @@ glm::vec4 planeOf(const glm::dvec3& across, const glm::vec3& point) {
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, glm::dvec3(point))));
 }
 
+/// Whether the triangles' normals, of unit length and rounded to floats, differ by more than they
+/// can where both lie in one plane and neither is thin.
+bool isClearlyBent(const glm::vec4& p, const glm::vec4& q) {
+    constexpr float roundings = 1e-5f; // of floats; of doubles, 1e-16 over `thinnest`, far fewer
+    const glm::vec3 difference = glm::vec3(p) - glm::vec3(q);
+    return glm::dot(difference, difference) > roundings * roundings;
+}
+
+/// Two triangles of an edge that lie in one plane, oriented alike.
+struct FlatPair {
+    std::uint32_t p, q;
+};
+
+/// In the order of the edges.
+std::vector<FlatPair> flatPairs(const WeldedMesh& mesh, const EdgeList& edges,
+                                const std::vector<glm::vec4>& planes, Threads threads) {
+    const auto isFlat = [&](const Edge& edge, const Opposite& p, const Opposite& q) {
+        if (isClearlyBent(planes[p.triangle], planes[q.triangle])) return false;
+        const Facet f = facetOf(mesh, mesh.triangles[p.triangle]);
+        const Facet g = facetOf(mesh, mesh.triangles[q.triangle]);
+        return !f.thin && !g.thin && glm::dot(f.normal, g.normal) > 0.0 &&
+               areCoplanar(mesh.positions[edge.a], mesh.positions[edge.b], mesh.positions[p.vertex],
+                           mesh.positions[q.vertex]);
+    };
+    const auto parts = partsOf(edges.edges.size(), itemsOfThread, threads);
+    std::vector<std::vector<FlatPair>> found(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        for (std::size_t e = range.first; e < range.end; ++e) {
+            constexpr std::size_t ahead = 8;
+            if (e + ahead < range.end) {
+                const Edge& later = edges.edges[e + ahead];
+                for (const std::uint32_t last : {0u, later.oppositeCount - 1})
+                    prefetch(planes[edges.opposites[later.firstOpposite + last].triangle]);
+            }
+            const Edge& edge = edges.edges[e];
+            if (edge.oppositeCount > largestFan) continue;
+            const auto opposites = edges.oppositesOf(edge);
+            const auto forward = edges.forwardOf(edge);
+            for (std::size_t i = 0; i < opposites.size(); ++i)
+                for (std::size_t j = i + 1; j < opposites.size(); ++j)
+                    if (forward[i] != forward[j] && isFlat(edge, opposites[i], opposites[j]))
+                        found[part].push_back({opposites[i].triangle, opposites[j].triangle});
+        }
+    });
+    for (std::size_t part = 1; part < parts.size(); ++part)
+        found[0].insert(found[0].end(), found[part].begin(), found[part].end());
+    return std::move(found[0]);
+}
+
+/// For each triangle the largest one of its flat patch.
+std::vector<std::uint32_t> largestOf(const WeldedMesh& mesh, const std::vector<FlatPair>& flat) {
+    DisjointSets patches(mesh.triangles.size());
+    std::vector<double> areas(mesh.triangles.size(), -1.0); // twice; only of those in patches
+    for (const FlatPair& pair : flat) {
+        patches.unite(pair.p, pair.q);
+        for (const std::uint32_t t : {pair.p, pair.q})
+            if (areas[t] < 0.0) areas[t] = glm::length(TwoSides(mesh, mesh.triangles[t]).normal());
+    }
+    std::vector<std::uint32_t> largest(mesh.triangles.size());
+    std::iota(largest.begin(), largest.end(), 0u);
+    for (std::uint32_t t = 0; t < largest.size(); ++t) {
+        if (areas[t] < 0.0) continue;
+        std::uint32_t& best = largest[patches.find(t)];
+        if (areas[t] > areas[best]) best = t;
+    }
+    for (std::uint32_t t = 0; t < largest.size(); ++t)
+        if (areas[t] >= 0.0) largest[t] = largest[patches.find(t)];
+    return largest;
+}
+
+/// Gives the triangles of each flat patch the plane of its largest.
+void shareLargest(const WeldedMesh& mesh, const std::vector<FlatPair>& flat,
+                  std::vector<glm::vec4>& planes) {
+    if (flat.empty()) return;
+    const std::vector<std::uint32_t> largest = largestOf(mesh, flat);
+    for (std::size_t t = 0; t < planes.size(); ++t)
+        planes[t] = planes[largest[t]]; // the largest one's own stays
+}
+
 } // namespace
 
 std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& edges,
-                                      double flatTolerance) {
-    std::vector<Facet> facets;
-    facets.reserve(mesh.triangles.size());
+                                      double flatTolerance, Threads threads) {
+    std::vector<glm::vec4> planes(mesh.triangles.size());
+    forEachItem(planes.size(), itemsOfThread, threads, [&](std::size_t t) {
+        const Triangle& triangle = mesh.triangles[t];
+        planes[t] = planeOf(TwoSides(mesh, triangle).normal(), mesh.positions[triangle[0]]);
+    });
+    const std::vector<FlatPair> flat = flatPairs(mesh, edges, planes, threads);
+    if (flatTolerance <= 0.0) {
+        shareLargest(mesh, flat, planes);
+        return planes;
+    }
+    std::vector<glm::dvec3> normals;
+    normals.reserve(planes.size());
     for (const Triangle& triangle : mesh.triangles)
-        facets.push_back(facetOf(mesh, triangle));
-
-    DisjointSets patches(mesh.triangles.size());
-    const auto isFlat = [&](const Edge& edge, const Opposite& p, const Opposite& q) {
-        const Facet &f = facets[p.triangle], &g = facets[q.triangle];
-        if (f.thin || g.thin || !(glm::dot(f.normal, g.normal) > 0.0)) return false;
-        if (directionIn(mesh.triangles[p.triangle], edge) ==
-            directionIn(mesh.triangles[q.triangle], edge))
-            return false;
-        return areCoplanar(mesh.positions[edge.a], mesh.positions[edge.b], mesh.positions[p.vertex],
-                           mesh.positions[q.vertex]);
-    };
-    for (const Edge& edge : edges.edges) {
-        if (edge.oppositeCount > largestFan) continue;
-        const auto opposites = edges.oppositesOf(edge);
-        for (std::size_t i = 0; i < opposites.size(); ++i)
-            for (std::size_t j = i + 1; j < opposites.size(); ++j)
-                if (isFlat(edge, opposites[i], opposites[j]))
-                    patches.unite(opposites[i].triangle, opposites[j].triangle);
-    }
-
-    std::vector<std::uint32_t> largest(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < facets.size(); ++t)
-        largest[t] = t;
-    const auto area = [&](std::uint32_t t) { return glm::length(facets[t].normal); };
-    for (std::uint32_t t = 0; t < facets.size(); ++t) {
-        std::uint32_t& best = largest[patches.find(t)];
-        if (area(t) > area(best)) best = t;
-    }
-    std::vector<std::uint32_t> models(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < facets.size(); ++t)
-        models[t] = largest[patches.find(t)];
-    if (flatTolerance > 0.0) {
-        std::vector<glm::dvec3> normals;
-        normals.reserve(facets.size());
-        for (const Facet& facet : facets)
-            normals.push_back(facet.normal);
-        growPatches(mesh, edges, normals, flatTolerance, models);
-    }
-    std::vector<glm::vec4> planes;
-    planes.reserve(mesh.triangles.size());
-    for (const std::uint32_t model : models)
-        planes.push_back(planeOf(facets[model].normal, mesh.positions[mesh.triangles[model][0]]));
+        normals.push_back(TwoSides(mesh, triangle).normal());
+    std::vector<std::uint32_t> models = largestOf(mesh, flat);
+    growPatches(mesh, edges, normals, flatTolerance, models);
+    const std::vector<glm::vec4> own = planes;
+    for (std::size_t t = 0; t < planes.size(); ++t)
+        planes[t] = own[models[t]];
     return planes;
 }
 

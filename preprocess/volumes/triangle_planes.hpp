@@ -16,7 +16,7 @@ namespace edgeshade {
 /// below 45) the patches are joined to nearly flat ones by growPatches(). (0, 0, 0, 0) for a
 /// triangle whose normal can't be told: it has no side, and casts nothing.
 std::vector<glm::vec4> trianglePlanes(const WeldedMesh& mesh, const EdgeList& edges,
-                                      double flatTolerance = 0.0);
+                                      double flatTolerance = 0.0, Threads threads = {});
 
 /// The plane of one triangle, without patches.
 glm::vec4 trianglePlane(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);

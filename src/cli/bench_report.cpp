@@ -53,7 +53,7 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
     DrawSettings settings = setting.settings;
     settings.render = result.settings;
     Json settingsOf = settingsJson(settings);
-    settingsOf.update(casterJson(setting.settings.casters.on(casters)));
+    settingsOf.update(casterJson(setting.scene ? setting.scene->settings : casters));
     settingsOf["samples"] = measured.device.samples;
     settingsOf.update(scene);
     const bench::Spread spread = bench::spreadOf(result.frameMs);

@@ -1,6 +1,7 @@
 #include "src/cli/caster_variants.hpp"
 
 #include "preprocess/gltf/gltf_document.hpp"
+#include "preprocess/packing/weld_choice.hpp"
 #include "src/scene/pose.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace edgeshade::cli {
 
 std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& changes) {
-    const CasterSettings wanted = changes.on(own_.settings);
+    const CasterSettings wanted = settingsWith(changes);
     if (wanted == own_.settings) return nullptr;
     const auto found = std::find_if(others_.begin(), others_.end(),
                                     [&](const auto& other) { return other->settings == wanted; });
@@ -20,6 +21,16 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
     if (own_.time) poseScene(other, *own_.time, own_.animation);
     if (own_.ground) addGround(other, *own_.ground);
     return others_.emplace_back(std::make_shared<const LoadedScene>(std::move(other)));
+}
+
+CasterSettings CasterVariants::settingsWith(const CasterChanges& changes) {
+    CasterSettings wanted = changes.on(own_.settings);
+    if (!wanted.autoWeld) return wanted;
+    if (const auto known = std::find_if(chosen_.begin(), chosen_.end(),
+                                        [&](const auto& one) { return one.first == wanted; });
+        known != chosen_.end())
+        return known->second;
+    return chosen_.emplace_back(wanted, settingsFor(*own_.document, wanted)).second;
 }
 
 nlohmann::ordered_json casterJson(const CasterSettings& settings) {

@@ -20,10 +20,16 @@ class CasterVariants {
     /// Null where nothing changes. Throws InputError.
     std::shared_ptr<const LoadedScene> with(const CasterChanges& changes);
 
+    /// The call's settings with those changes; a weld tolerance of 'auto' is chosen once. Throws
+    /// InputError.
+    CasterSettings settingsWith(const CasterChanges& changes);
+
   private:
     std::filesystem::path path_;
     const LoadedScene& own_;
     std::vector<std::shared_ptr<const LoadedScene>> others_;
+    std::vector<std::pair<CasterSettings, CasterSettings>>
+        chosen_; ///< asked for, and with tolerance
 };
 
 /// The settings as report keys, by the options' names.

@@ -178,7 +178,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
         writeFile(options.heatmap, encodePng(results[0].heatmap, task.width, task.height));
     printResult(tableOf(results), options.report);
     const auto jsonOf = [&](std::size_t i) {
-        Json json = resultJson(results[i], settings[i], settings[i].casters.on(loaded.settings),
+        Json json = resultJson(results[i], settings[i], variants.settingsWith(settings[i].casters),
                                task.views);
         json["settings"]["gl-limits"] = glLimitsName(options.glLimits);
         json["settings"].update(options.sceneJson(loaded.scene));

@@ -115,7 +115,8 @@ CLI::Validator finite() {
 }
 
 CasterSettings CasterChanges::on(CasterSettings settings) const {
-    settings.weldTolerance = weldTolerance.value_or(settings.weldTolerance);
+    settings.weldTolerance = weldTolerance.value_or(autoWeld ? 0.0 : settings.weldTolerance);
+    settings.autoWeld = autoWeld;
     settings.flatTolerance = flatTolerance.value_or(settings.flatTolerance);
     settings.casterError = casterError.value_or(settings.casterError);
     settings.instances = instances.value_or(settings.instances);
@@ -123,18 +124,30 @@ CasterSettings CasterChanges::on(CasterSettings settings) const {
 }
 
 void addCasterChanges(CLI::App& verb, CasterChanges& changes) {
+    const auto number = [](const std::string& text, const std::string& name, double end) {
+        const double value = numberFrom(text, name);
+        if (value < 0.0) throw CLI::ValidationError(name, "'" + text + "' is below 0");
+        if (value >= end)
+            throw CLI::ValidationError(name, "'" + text + "' is not below " +
+                                                 std::to_string(static_cast<int>(end)));
+        return value;
+    };
     const auto add = [&](const std::string& name, const std::string& type,
                          std::optional<double>& value, double end, const std::string& help) {
-        addTextOption(verb, name, type, help, [&value, name, end](const std::string& text) {
-            value = numberFrom(text, name);
-            if (*value < 0.0) throw CLI::ValidationError(name, "'" + text + "' is below 0");
-            if (*value >= end)
-                throw CLI::ValidationError(name, "'" + text + "' is not below " +
-                                                     std::to_string(static_cast<int>(end)));
+        addTextOption(verb, name, type, help, [&value, name, end, number](const std::string& text) {
+            value = number(text, name, end);
         });
     };
-    add("--weld-tolerance", "D", changes.weldTolerance, INFINITY,
-        "Vertices closer than this, in scene units, become one (0: only equal ones)");
+    addTextOption(
+        verb, "--weld-tolerance", "D|auto",
+        "Vertices closer than this, in scene units, become one (0: only equal ones; auto: "
+        "as much as closes most borders, up to 0.01 % of the scene's diagonal)",
+        [&changes, number](const std::string& text) {
+            changes.autoWeld = text == "auto";
+            changes.weldTolerance.reset();
+            if (!changes.autoWeld)
+                changes.weldTolerance = number(text, "--weld-tolerance", INFINITY);
+        });
     add("--flat-tolerance", "DEG", changes.flatTolerance, flatToleranceEnd,
         "Edges that bend no more than this, in degrees, are taken for flat and cast nothing; of "
         "plane-pair records (0: exactly flat ones)");

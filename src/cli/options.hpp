@@ -36,9 +36,12 @@ struct ViewOptions {
 /// typed.
 struct CasterChanges {
     std::optional<double> weldTolerance, flatTolerance, casterError;
+    bool autoWeld = false; ///< the weld tolerance is 'auto'
     std::optional<InstanceChoice> instances;
 
-    bool any() const { return weldTolerance || flatTolerance || casterError || instances; }
+    bool any() const {
+        return weldTolerance || autoWeld || flatTolerance || casterError || instances;
+    }
     CasterSettings on(CasterSettings settings) const;
 };
 

@@ -21,7 +21,7 @@ struct PackOptions {
 
 void pack(const PackOptions& options) {
     PackInput input = readForPacking(options.input, options.casters.settings(), options.limits);
-    const Bytes bytes = packBytes(input, options.encoding, options.casters.settings());
+    const Bytes bytes = packBytes(input, options.encoding);
     printWarnings(input.report.warnings);
     writeFile(options.output, bytes);
     printResult(summaryOf(input.report), options.report);

@@ -40,6 +40,13 @@ std::string summaryOf(const PackReport& report) {
                       << grouped(casters.closedOrientedTriangles) << "\n";
     row("records") << grouped(report.planePairs.records) << ", flat edges dropped "
                    << grouped(report.planePairs.flatEdges) << "\n";
+    if (report.weldChoice) {
+        const WeldChoice& choice = *report.weldChoice;
+        row("weld tolerance chosen")
+            << choice.tolerance << " scene units: open edges " << grouped(choice.before.borders)
+            << " -> " << grouped(choice.after.borders) << ", quads " << grouped(choice.before.quads)
+            << " -> " << grouped(choice.after.quads) << "\n";
+    }
     row("vertex runs a light") << grouped(json["vertex_runs"]["sides"].get<std::size_t>())
                                << " sides, "
                                << grouped(json["vertex_runs"]["caps"].get<std::size_t>())

@@ -106,7 +106,7 @@ std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene&
         try {
             Renderer(render, context.capabilities());
             row.scene = variants.with(row.settings.casters);
-            row.casters = row.settings.casters.on(loaded.settings);
+            row.casters = variants.settingsWith(row.settings.casters);
             row.callsOptions = leftOptions(options.casters, row.settings.casters) + sceneOptions;
             rows.push_back(std::move(row));
         } catch (const Error& error) {

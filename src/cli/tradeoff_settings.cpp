@@ -80,7 +80,10 @@ std::string leftOptions(const CasterOptions& call, const CasterChanges& setting)
                  << *typed;
     };
     if (call.castMasked) text << " --cast-masked";
-    add("--weld-tolerance", call.changes.weldTolerance, setting.weldTolerance);
+    if (call.changes.autoWeld && !setting.autoWeld && !setting.weldTolerance)
+        text << " --weld-tolerance auto";
+    if (!setting.autoWeld)
+        add("--weld-tolerance", call.changes.weldTolerance, setting.weldTolerance);
     add("--flat-tolerance", call.changes.flatTolerance, setting.flatTolerance);
     add("--caster-error", call.changes.casterError, setting.casterError);
     if (call.changes.instances && !setting.instances)

@@ -40,7 +40,9 @@ void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout)
 std::shared_ptr<ShadowBuffers> uploadOppositeVertices(const LoadedScene& loaded, const Batch& batch,
                                                       const BatchShadow& shadow,
                                                       SidesLayout layout) {
-    const auto source = holeSource(loaded, batch, weldCasters);
+    const auto source = holeSource(loaded, batch, [](const Batch& of, const Casters& casters) {
+        return weldCasters(of, casters);
+    });
     return std::make_shared<ShadowBuffers>(uploadShadow(
         shadow,
         source ? alphaCorners(batch, source->casters, source->mesh) : std::vector<glm::vec4>(),

@@ -3,6 +3,7 @@
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/mesh/caster_simplification.hpp"
 #include "preprocess/packing/shadow_extension.hpp"
+#include "preprocess/packing/weld_choice.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "src/image/image_choice.hpp"
 #include "src/shadow/geometry/light.hpp"
@@ -34,7 +35,8 @@ LoadedScene readScene(const std::filesystem::path& path,
     loaded.document = std::make_shared<const GltfDocument>(readGltf(path, limits));
     loaded.looks = looks;
     const auto header = readShadowHeader(*loaded.document);
-    loaded.settings = wanted.value_or(header ? header->settings : CasterSettings());
+    loaded.settings = settingsFor(*loaded.document,
+                                  wanted.value_or(header ? header->settings : CasterSettings()));
     if (onStage) onStage(LoadStage::flatten);
     loaded.scene = flattenScene(*loaded.document, loaded.settings.weldTolerance, looks,
                                 loaded.settings.instances);

@@ -36,12 +36,16 @@ def machine():
 
 
 def told_of_models(program, variable, names):
-    """The JSON that one of the tests' programs, a path in build/, tells of models; the
-    environment's `variable` may name another build of it. Programs for node end in .cjs."""
+    """The same of models in ../shared/scenes."""
+    return told_of(program, variable, [str(SCENES / f"{name}.glb") for name in names])
+
+
+def told_of(program, variable, words):
+    """The JSON that one of the tests' programs, a path in build/, tells of files or whatever it
+    takes; the environment's `variable` may name another build of it. Programs for node end in .cjs."""
     path = os.environ.get(variable, str(ROOT / "build" / program))
     run = ["node", path] if path.endswith(".cjs") else [path]
-    done = subprocess.run([*run, *(str(SCENES / f"{name}.glb") for name in names)], check=True,
-                          stdout=subprocess.PIPE)
+    done = subprocess.run([*run, *words], check=True, stdout=subprocess.PIPE)
     return json.loads(done.stdout)
 
 

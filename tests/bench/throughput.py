@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""How quickly casters become records, on every model in ../shared/scenes: a table of
-docs/measured/encodings.md.
+"""How quickly casters become records, on every model in ../shared/scenes and on generated meshes of
+1, 5 and 10 million triangles: tables of docs/measured/encodings.md.
 
     tests/bench/throughput.py           measures, then the table
     tests/bench/throughput.py --table   the table from the results that are there
@@ -8,8 +8,14 @@ docs/measured/encodings.md.
 THROUGHPUT names the program preprocess_throughput, built with the tests.
 """
 
+import json
+
 from accuracy import NAMES
-from edgeshade_runs import mean, replace_between, results_of, told_of_models
+from edgeshade_runs import RESULTS, mean, replace_between, results_of, told_of, told_of_models
+
+KINDS = {"grid": "hills", "boxes": "boxes", "tangle": "random"}
+SIZES = (1_000_000, 5_000_000, 10_000_000)
+
 
 def table(results):
     lines = ["| scene | triangles | weld, ms | edges, ms | plane-pair records, ms | million triangles / s "
@@ -35,10 +41,39 @@ def table(results):
             + "\n".join(lines))
 
 
+def large_table(results):
+    """Of generated meshes; results of the code before are kept in a file of their own."""
+    lines = ["| mesh | triangles | weld, ms | edges, ms | plane-pair records, ms | million triangles "
+             "/ s | before | on all threads | meshoptimizer: weld and adjacency |",
+             "|" + " --- |" * 9]
+    kept = RESULTS / "throughput_before.json"
+    before = {(of["scene"], of["triangles"]): of["seconds"]
+              for of in (json.loads(kept.read_text())["scenes"] if kept.exists() else [])}
+    for of in results["scenes"]:
+        def rate(seconds):
+            return f"{1e-6 * of['triangles'] / seconds:.2f}"
+        stages = [of["seconds"][key] for key in ("weld", "edges", "adapted")]
+        old = before.get((of["scene"], of["triangles"]))
+        kind = of["scene"].split(":")[0]
+        lines.append(f"| {KINDS[kind]} | {of['triangles']:,} | "
+                     + " | ".join(f"{1e3 * one:.0f}" for one in stages)
+                     + f" | {rate(sum(stages))} | "
+                     + (rate(sum(old[key] for key in ("weld", "edges", "adapted"))) if old else "")
+                     + f" | {rate(of['seconds_on_all_threads'])} | "
+                     f"{rate(sum(of['meshoptimizer_seconds'].values()))} |")
+    of = results["machine"]
+    return (f"Processor time of one thread, and the clock's on all of them; {of['processor']}, "
+            f"{of['cores']} cores, {of['date']}. *Before*: of the code that sorted by comparing, "
+            "processor time of one thread, measured once.\n\n" + "\n".join(lines))
+
+
 def main():
-    results = results_of("throughput", lambda: told_of_models(
-        "release/tests/bench/preprocess_throughput", "THROUGHPUT", NAMES))
+    program = ("release/tests/bench/preprocess_throughput", "THROUGHPUT")
+    results = results_of("throughput", lambda: told_of_models(*program, NAMES))
     replace_between("docs/measured/encodings.md", "throughput", table(results))
+    large = results_of("throughput_large", lambda: told_of(
+        *program, [f"{kind}:{size}" for size in SIZES for kind in KINDS]))
+    replace_between("docs/measured/encodings.md", "large throughput", large_table(large))
 
 
 if __name__ == "__main__":

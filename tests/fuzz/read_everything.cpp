@@ -56,7 +56,7 @@ void packAgain(GltfDocument document) {
     const auto header = readShadowHeader(document);
     const CasterSettings settings = header ? header->settings : CasterSettings();
     PackInput input = readForPacking(std::move(document), settings, true);
-    packBytes(input, Encoding::indexed, settings);
+    packBytes(input, Encoding::indexed);
 }
 
 } // namespace

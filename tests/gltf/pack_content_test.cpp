@@ -296,7 +296,7 @@ TEST(PackContent, AnImageBeyondALimitIsAnError) {
     limits.fileBytes = 100'000;
     const auto path = folder.write("scene.glb", gltf.glb());
     PackInput input = readForPacking(path, {}, limits);
-    expectInputError([&] { packBytes(input, Encoding::none, {}); },
+    expectInputError([&] { packBytes(input, Encoding::none); },
                      {"images[0].uri", "large.png", "limit of a file is 100000"});
 }
 

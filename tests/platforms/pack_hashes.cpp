@@ -21,7 +21,8 @@ struct Way {
 
 /// In shares of the scene's diagonal where they are lengths.
 std::vector<Way> waysFor(double diagonal) {
-    CasterSettings welded, flat, simplified, masked;
+    CasterSettings welded, chosen, flat, simplified, masked;
+    chosen.autoWeld = true;
     welded.weldTolerance = 1e-4 * diagonal;
     flat.flatTolerance = 2.0;
     simplified.casterError = 1e-3 * diagonal;
@@ -31,6 +32,7 @@ std::vector<Way> waysFor(double diagonal) {
             {"expanded", Encoding::expanded, {}},
             {"cast-masked", Encoding::expanded, masked},
             {"weld-tolerance", Encoding::indexed, welded},
+            {"weld-tolerance auto", Encoding::indexed, chosen},
             {"flat-tolerance", Encoding::none, flat},
             {"caster-error", Encoding::indexed, simplified}};
 }
@@ -88,7 +90,7 @@ void print(const std::string& name, const Bytes& asset, const std::filesystem::p
         readForPacking(parseGltf(asset, path), CasterSettings(), false).report.diagonal;
     for (const Way& way : waysFor(diagonal)) {
         PackInput input = readForPacking(parseGltf(asset, path), way.settings, false);
-        const Bytes packed = packBytes(input, way.encoding, way.settings);
+        const Bytes packed = packBytes(input, way.encoding);
         char hash[17];
         std::snprintf(hash, sizeof hash, "%016llx",
                       static_cast<unsigned long long>(hashOf(packed)));

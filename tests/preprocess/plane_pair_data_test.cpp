@@ -224,7 +224,7 @@ TEST(OppositePairs, ManyTrianglesTakeHalfAsManyRecords) {
             edges.edges.begin(), edges.edges.end(),
             [](const Edge& a, const Edge& b) { return a.oppositeCount < b.oppositeCount; });
         std::vector<OppositePair> pairs;
-        pairUp(mesh.welded, edges, *spine, planes, pairs);
+        pairUp(edges, *spine, planes, pairs);
         EXPECT_EQ(pairs.size(), (spine->oppositeCount + 1) / 2);
     }
 }

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace edgeshade {
+
+/// How many threads a stage may use. What it makes is the same for any number of them.
+struct Threads {
+    std::size_t count = available();
+
+    /// As many as the machine runs at once, 1 to 16; in WebAssembly 1.
+    static std::size_t available();
+};
+
+/// Items [first, end).
+struct ItemRange {
+    std::size_t first = 0;
+    std::size_t end = 0;
+
+    std::size_t size() const { return end - first; }
+};
+
+/// Items [0, count) in ranges of equal size, one a thread; fewer where they would have less than
+/// `least` items. At least one range.
+std::vector<ItemRange> partsOf(std::size_t count, std::size_t least, Threads threads);
+
+/// Calls work(0) to work(count - 1), several at once, and returns when all are done. What the first
+/// that fails throws is thrown then.
+void inParallel(std::size_t count, Threads threads, const std::function<void(std::size_t)>& work);
+
+/// Calls work(part, range) for each of `parts`, all at once.
+template <class Work>
+void forEachPart(const std::vector<ItemRange>& parts, const Work& work) {
+    inParallel(parts.size(), {parts.size()}, [&](std::size_t part) { work(part, parts[part]); });
+}
+
+/// Calls work(item) for items [0, count), in parts of at least `least`.
+template <class Work>
+void forEachItem(std::size_t count, std::size_t least, Threads threads, const Work& work) {
+    forEachPart(partsOf(count, least, threads), [&](std::size_t, const ItemRange& range) {
+        for (std::size_t i = range.first; i < range.end; ++i)
+            work(i);
+    });
+}
+
+/// What each part has becomes where each begins; returns the sum.
+template <class Number>
+Number toFirsts(std::vector<Number>& counts) {
+    Number sum = 0;
+    for (Number& count : counts) {
+        const Number own = count;
+        count = sum;
+        sum += own;
+    }
+    return sum;
+}
+
+/// `counts`, by part and bin, become where each part's items of each bin go: bin after bin, in each
+/// the parts in order. Returns where each bin begins, and at its end where the last one ends.
+std::vector<std::size_t> toPlaces(std::vector<std::vector<std::size_t>>& counts);
+
+/// Joins what each part wrote at the beginning of its own range of `items`, `counts` of them, in
+/// order.
+template <class Item>
+void closeGaps(std::vector<Item>& items, const std::vector<ItemRange>& parts,
+               const std::vector<std::size_t>& counts) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto from = items.begin() + static_cast<std::ptrdiff_t>(parts[i].first);
+        if (end != parts[i].first)
+            std::move(from, from + static_cast<std::ptrdiff_t>(counts[i]),
+                      items.begin() + static_cast<std::ptrdiff_t>(end));
+        end += counts[i];
+    }
+    items.resize(end);
+}
+
+} // namespace edgeshade
