@@ -259,7 +259,7 @@ class Course {
         }
         result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes();
         result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
-        result.lights = lightMethods(scene, contender.stage.view(), contender.renderer.settings());
+        result.lights = lightMethods(scene, contender.stage.view(), contender.renderer);
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());
         result.repeated =

@@ -133,6 +133,7 @@ nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
 
 void requireFitting(const RenderOptions& options, const std::vector<Light>& lights) {
     requireExtents(options.settings, lights);
+    requireMapKind(options.settings, lights);
     if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
         throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
                                            " does not go with --soft, which looks up a map "
@@ -195,7 +196,7 @@ void render(const RenderOptions& options) {
                     capabilities.renderer,
                 options.report);
 
-    const std::vector<LightMethod> methods = lightMethods(scene, view, settings);
+    const std::vector<LightMethod> methods = lightMethods(scene, view, renderer);
     nlohmann::ordered_json lights = methodsJson(methods);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const Light& light = view.lights[i].light;

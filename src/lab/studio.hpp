@@ -27,7 +27,7 @@ class Studio {
         GpuScene& scene = sceneFor(loaded, records);
         prepareScene(scene, loaded, view, renderer.settings(), context_.capabilities());
         renderer.draw(scene, view);
-        methods_ = lightMethods(scene, view, renderer.settings());
+        methods_ = lightMethods(scene, view, renderer);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();
     }

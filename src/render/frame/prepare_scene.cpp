@@ -1,5 +1,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 
+#include "src/render/shadow_map/map_words.hpp"
+
 namespace edgeshade {
 namespace {
 
@@ -75,6 +77,7 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
     for (const FrameLight& of : view.lights) {
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
+        if (settings.shadows == ShadowMethod::map) method.why = mapWords(of.light, settings.map);
         if (!settings.looksUpPrimitives()) continue;
         const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
         method.why = state             ? state->why
@@ -87,6 +90,15 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         method.method = "primitive-map";
         method.bytes = state->map->bytes();
     }
+    return methods;
+}
+
+std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
+                                      const Renderer& renderer) {
+    std::vector<LightMethod> methods = lightMethods(scene, view, renderer.settings());
+    if (renderer.settings().shadows == ShadowMethod::map)
+        for (std::size_t i = 0; i < methods.size(); ++i)
+            methods[i].bytes = renderer.mapBytesOf(view.lights[i].light);
     return methods;
 }
 
