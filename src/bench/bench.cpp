@@ -5,6 +5,7 @@
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 

@@ -1,5 +1,6 @@
 #include "src/cli/explanation.hpp"
 
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/plan/explain.hpp"
 

@@ -10,6 +10,7 @@
 #include "src/image/png.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/accumulation/subpixels.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"

@@ -2,6 +2,7 @@
 
 #include "src/gl/headless_context.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/load.hpp"
 

@@ -93,13 +93,4 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
     return methods;
 }
 
-std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
-                                      const Renderer& renderer) {
-    std::vector<LightMethod> methods = lightMethods(scene, view, renderer.settings());
-    if (renderer.settings().shadows == ShadowMethod::map)
-        for (std::size_t i = 0; i < methods.size(); ++i)
-            methods[i].bytes = renderer.mapBytesOf(view.lights[i].light);
-    return methods;
-}
-
 } // namespace edgeshade

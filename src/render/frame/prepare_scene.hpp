@@ -1,6 +1,5 @@
 #pragma once
 
-#include "src/render/frame/frame.hpp"
 #include "src/render/volumes/render_settings.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
@@ -36,10 +35,5 @@ struct LightMethod {
 /// Of each of the view's lights, in a scene that is prepared. Of shadow maps without their bytes.
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
                                       const RenderSettings& settings);
-
-/// The same with the bytes of maps that the renderer has drawn; lights of a kind take turns with
-/// one.
-std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
-                                      const Renderer& renderer);
 
 } // namespace edgeshade
