@@ -6,8 +6,8 @@
 namespace edgeshade {
 namespace {
 
-/// How much splits are of equal ratios: the more, the finer the first ones are. Tried on scenes:
-/// docs/measured/maps.md.
+/// How much splits are of equal ratios: the more, the finer the first ones are. Not tuned by
+/// measurement.
 constexpr double ratioShare = 0.75;
 
 /// Depths are taken in these steps, since what is visible changes from frame to frame.
