@@ -2,6 +2,11 @@
 # `#include "file"` lines replaced by that file. The shaders have no other preprocessing here;
 # the runtime puts the #define lines of a variant in front.
 set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
+# A page's shadow maps are plain ones (src/render/shadow_map/map_build.hpp).
+if(EMSCRIPTEN)
+  set(EDGESHADE_SHADERS_LEFT_OUT
+    cascades.glsl,filtered_distance.glsl,filtered_map.glsl,poisson.glsl,shadow_map_blur.frag)
+endif()
 set(EDGESHADE_GENERATED_DIR ${PROJECT_BINARY_DIR}/generated)
 file(GLOB_RECURSE EDGESHADE_SHADER_FILES CONFIGURE_DEPENDS
   ${EDGESHADE_SHADER_DIR}/*.vert ${EDGESHADE_SHADER_DIR}/*.frag ${EDGESHADE_SHADER_DIR}/*.glsl)
@@ -10,6 +15,7 @@ add_custom_command(
   OUTPUT ${EDGESHADE_GENERATED_DIR}/shaders_es2.hpp
   COMMAND ${CMAKE_COMMAND} -DSHADER_DIR=${EDGESHADE_SHADER_DIR}
     -DOUTPUT=${EDGESHADE_GENERATED_DIR}/shaders_es2.hpp
+    -DLEFT_OUT=${EDGESHADE_SHADERS_LEFT_OUT}
     -P ${PROJECT_SOURCE_DIR}/cmake/embed_shaders_script.cmake
   DEPENDS ${EDGESHADE_SHADER_FILES} ${PROJECT_SOURCE_DIR}/cmake/embed_shaders_script.cmake
     ${PROJECT_SOURCE_DIR}/cmake/shader_text.cmake

@@ -1,5 +1,7 @@
-# Run by EmbedShaders.cmake: -DSHADER_DIR=... -DOUTPUT=... -P this file.
+# Run by EmbedShaders.cmake: -DSHADER_DIR=... -DOUTPUT=... -DLEFT_OUT=... -P this file. LEFT_OUT: files
+# that are embedded nowhere, with commas between them.
 include(${CMAKE_CURRENT_LIST_DIR}/shader_text.cmake)
+string(REPLACE "," ";" LEFT_OUT "${LEFT_OUT}")
 
 file(GLOB_RECURSE stages ${SHADER_DIR}/*.vert ${SHADER_DIR}/*.frag ${SHADER_DIR}/host/*.glsl)
 list(SORT stages)
@@ -7,6 +9,9 @@ set(header "// Generated from shaders_es2/. Do not edit.\n#pragma once\n\n")
 string(APPEND header "namespace edgeshade::shaders {\n\n")
 foreach(stage IN LISTS stages)
   get_filename_component(name ${stage} NAME)
+  if(name IN_LIST LEFT_OUT)
+    continue()
+  endif()
   string(REPLACE "." "_" identifier ${name})
   read_with_includes(${stage} text)
   string(APPEND header "inline constexpr char ${identifier}[] = R\"glsl(${text})glsl\";\n\n")

@@ -1,9 +1,14 @@
-# A shader's text with what it includes.
+# A shader's text with what it includes, but for files of the list LEFT_OUT.
+cmake_policy(VERSION 3.22)
 function(read_with_includes path result)
   file(READ ${path} text)
   string(REGEX MATCH "#include \"([^\"]+)\"" line "${text}")
   while(line)
-    read_with_includes(${SHADER_DIR}/${CMAKE_MATCH_1} included)
+    if(CMAKE_MATCH_1 IN_LIST LEFT_OUT)
+      set(included "")
+    else()
+      read_with_includes(${SHADER_DIR}/${CMAKE_MATCH_1} included)
+    endif()
     string(REPLACE "${line}" "${included}" text "${text}")
     string(REGEX MATCH "#include \"([^\"]+)\"" line "${text}")
   endwhile()

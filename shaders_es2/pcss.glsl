@@ -17,9 +17,7 @@ uniform vec3 u_lightFacing;
 uniform float u_lightRadius; // of a sphere in map space; of a disc its angle's tangent
 #endif
 uniform float u_leastSpread; // what is as wide as a texel; for a cube at distance 1
-#ifdef MAP_DIRECTIONAL
-uniform vec3 u_mapScale; // map space per length in the world, along each axis
-#else
+#ifndef MAP_DIRECTIONAL
 uniform float u_nearestCaster; // in map space
 #endif
 
@@ -56,38 +54,28 @@ float shareOfExtent(vec2 onLight) {
 #endif
 }
 
-struct Receiver {
-    vec3 at;           // in map space
-    float own;         // its distance
-    vec3 plane;        // its normal there
-    vec3 across, up;   // what the light's axes are in the map, per unit of spread
-    float leastSpread; // as wide as a texel
+// What the light's axes are in the map around a receiver, per unit of spread.
+struct Spread {
+    vec3 across, up;
+    float least; // as wide as a texel
 };
 
-Receiver receiverAt(vec3 at, vec3 normal) {
-    Receiver r;
-    r.at = at;
+Spread spreadAt(vec3 at) {
+    Spread s;
+    s.least = u_leastSpread * texelScale(at);
 #ifdef MAP_DIRECTIONAL
-    r.own = at.z;
-    r.plane = u_mapFromWorld * normal / (u_mapScale * u_mapScale);
-    r.across = vec3(u_lightRadius * u_mapScale.x, 0.0, 0.0);
-    r.up = vec3(0.0, u_lightRadius * u_mapScale.y, 0.0);
-    r.leastSpread = u_leastSpread;
+    s.across = vec3(u_lightRadius * u_mapScale.x, 0.0, 0.0);
+    s.up = vec3(0.0, u_lightRadius * u_mapScale.y, 0.0);
+#elif defined(PCSS_RECTANGLE)
+    s.across = u_lightAcross;
+    s.up = u_lightUp;
 #else
-    r.own = length(at);
-    r.plane = normal;
-    r.leastSpread = u_leastSpread * largestAxis(at);
-#ifdef PCSS_RECTANGLE
-    r.across = u_lightAcross;
-    r.up = u_lightUp;
-#else
-    vec3 along = at / r.own;
+    vec3 along = normalize(at);
     vec3 aside = abs(along.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-    r.across = u_lightRadius * normalize(cross(along, aside));
-    r.up = cross(along, r.across);
+    s.across = u_lightRadius * normalize(cross(along, aside));
+    s.up = cross(along, s.across);
 #endif
-#endif
-    return r;
+    return s;
 }
 
 // How widely what a caster at that distance leaves of the light spreads over the map: a length in
@@ -100,35 +88,14 @@ float spreadOf(float caster, float own) {
 #endif
 }
 
-// The distance that the receiver's plane has where a tap is, so that a wide filter doesn't find the
-// receiver before itself (Isidoro 2006).
-float planeDistance(Receiver r, vec3 tap) {
-    vec3 aside = tap - r.at;
-#ifdef MAP_DIRECTIONAL
-    float steepest = steepSlope * length(aside.xy / u_mapScale.xy) * abs(u_mapScale.z);
-    float rise = -dot(r.plane.xy, aside.xy) / min(r.plane.z, -1e-6);
-    return min(r.own + min(rise, steepest), 1.0);
-#else
-    float distance = dot(r.plane, r.at) / min(dot(r.plane, tap), -1e-6) * length(tap);
-    return min(min(distance, r.own + steepSlope * length(aside)), 1.0);
-#endif
-}
-
-float storedDistance(vec3 tap) {
-#ifdef MAP_DIRECTIONAL
-    return unpackDistance(texture2D(u_map, tap.xy));
-#else
-    return unpackDistance(texelTowards(tap));
-#endif
-}
-
-vec3 tapAt(Receiver r, vec2 onLight, float spread) {
-    return r.at + spread * (onLight.x * r.across + onLight.y * r.up);
+vec3 tapAt(Receiver r, Spread s, vec2 onLight, float spread) {
+    return r.at + spread * (onLight.x * s.across + onLight.y * s.up);
 }
 
 // `normal` and `light` as in shadow_map_lookup.glsl.
 float lightFromMap(vec3 normal, vec3 light) {
     Receiver r = receiverAt(biasedReceiver(normal, light, 1.0), normal);
+    Spread s = spreadAt(r.at);
 #ifdef PCSS_RECTANGLE
     if (dot(u_lightFacing, r.at) <= 0.0) return 0.0; // behind it
 #endif
@@ -137,18 +104,18 @@ float lightFromMap(vec3 normal, vec3 light) {
 #else
     float widest = spreadOf(max(u_nearestCaster, nearestShare * r.own), r.own);
 #endif
-    widest = max(widest, r.leastSpread);
+    widest = max(widest, s.least);
     float before = 0.0, casters = 0.0;
     for (int i = 0; i < searchTaps; ++i) {
         // Densest where the light's middle is seen, for casters near the receiver.
         vec2 onLight = searchTap(float(i));
         float away = shareOfExtent(onLight);
         float reach = widest * away * away * away;
-        vec3 tap = tapAt(r, onLight, reach);
-        float stored = storedDistance(tap);
+        vec3 tap = tapAt(r, s, onLight, reach);
+        float stored = unpackDistance(texelAt(tap));
         float gap = planeDistance(r, tap) - stored;
         // What lies beside all ways to the light is no caster.
-        bool isBetween = reach * away <= max(spreadOf(stored, stored + gap), r.leastSpread);
+        bool isBetween = reach * away <= max(spreadOf(stored, stored + gap), s.least);
         if (gap > 0.0 && isBetween) {
             before += gap;
             casters += 1.0;
@@ -156,11 +123,11 @@ float lightFromMap(vec3 normal, vec3 light) {
     }
     if (casters == 0.0) return 1.0;
     float caster = max(r.own - before / casters, 1e-6);
-    float spread = clamp(spreadOf(caster, r.own), r.leastSpread, widest);
+    float spread = clamp(spreadOf(caster, r.own), s.least, widest);
     float lit = 0.0;
     for (int i = 0; i < filterTaps; ++i) {
-        vec3 tap = tapAt(r, filterTap(float(i)), spread);
-        lit += planeDistance(r, tap) <= storedDistance(tap) ? 1.0 : 0.0;
+        vec3 tap = tapAt(r, s, filterTap(float(i)), spread);
+        lit += planeDistance(r, tap) <= unpackDistance(texelAt(tap)) ? 1.0 : 0.0;
     }
     return lit / float(filterTaps);
 }

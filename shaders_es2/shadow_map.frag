@@ -1,4 +1,8 @@
-// Writes a caster's distance from the light. Variants: MAP_DIRECTIONAL, one flat map; ALPHA_TEST.
+// Writes a caster's distance from the light. Variants: MAP_DIRECTIONAL, a flat map; MAP_PARABOLOID, see
+// shadow_map.vert, with DERIVATIVES the distance in the texel's own direction; ALPHA_TEST.
+#ifdef DERIVATIVES
+#extension GL_OES_standard_derivatives : enable
+#endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -16,12 +20,36 @@ varying float v_alphaLookup;
 
 varying vec3 v_mapPosition;
 
+#ifdef MAP_PARABOLOID
+uniform float u_halfSide;
+uniform vec2 u_onDisc; // a pixel's place, times x, plus y: on the disc of a half
+
+// Between vertices positions are in the triangle's plane still, but not where the texel looks: what is
+// stored is where its ray meets the plane.
+float distanceAlongRay() {
+    float distance = length(v_mapPosition);
+#ifdef DERIVATIVES
+    vec2 onDisc = gl_FragCoord.xy * u_onDisc.x + u_onDisc.y;
+    float square = dot(onDisc, onDisc);
+    vec3 ray = vec3(2.0 * onDisc.x, u_halfSide * (1.0 - square), 2.0 * onDisc.y) / (1.0 + square);
+    vec3 normal = cross(dFdx(v_mapPosition), dFdy(v_mapPosition));
+    float across = dot(normal, ray);
+    float met = dot(normal, v_mapPosition) / (abs(across) < 1e-30 ? 1e-30 : across);
+    // A plane seen from its edge, where rounding decides, keeps what is between its vertices.
+    if (met > 0.1 * distance && met < 10.0 * distance) distance = met;
+#endif
+    return distance;
+}
+#endif
+
 void main() {
 #ifdef ALPHA_TEST
     if (texture2D(u_texture, v_texcoord).a * u_alphaScale * v_alphaLookup < u_alphaCutoff) discard;
 #endif
 #ifdef MAP_DIRECTIONAL
     gl_FragColor = packDistance(v_mapPosition.z);
+#elif defined(MAP_PARABOLOID)
+    gl_FragColor = packDistance(distanceAlongRay());
 #else
     gl_FragColor = packDistance(length(v_mapPosition));
 #endif

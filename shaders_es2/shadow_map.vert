@@ -1,4 +1,6 @@
-// Casters as a light sees them, for its shadow map. Variant ALPHA_TEST: alpha-tested materials.
+// Casters as a light sees them, for its shadow map. Variants: MAP_PARABOLOID, one half of all directions
+// as a paraboloid mirrors them (Brabec et al. 2002), right at vertices alone: edges stay straight;
+// ALPHA_TEST, alpha-tested materials.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -7,7 +9,12 @@ attribute vec2 a_texcoord;
 attribute vec4 a_color;
 #endif
 
+#ifdef MAP_PARABOLOID
+uniform float u_halfSide; // 1: upwards, -1: downwards
+uniform float u_mapShare; // see shadow_map_faces.glsl
+#else
 uniform mat4 u_clipFromObject;
+#endif
 uniform mat4 u_mapFromObject; // see ShadowMapView
 
 varying vec3 v_mapPosition;
@@ -22,5 +29,13 @@ void main() {
     v_texcoord = a_texcoord;
     v_alphaLookup = a_color.a;
 #endif
+#ifdef MAP_PARABOLOID
+    // Homogeneous, so that what is far in the other half, infinitely far out, is clipped.
+    float distance = max(length(v_mapPosition), 1e-30);
+    vec3 towards = v_mapPosition / distance;
+    float w = 1.0 + u_halfSide * towards.y;
+    gl_Position = vec4(u_mapShare * towards.xz, (2.0 * distance - 1.0) * w, w);
+#else
     gl_Position = clipPosition(u_clipFromObject, vec4(a_position, 1.0));
+#endif
 }

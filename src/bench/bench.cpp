@@ -5,6 +5,7 @@
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/plan/volume_fill.hpp"
@@ -285,7 +286,7 @@ class Course {
         }
         result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes();
         result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
-        result.lights = lightMethods(scene, contender.stage.view(), contender.renderer.settings());
+        result.lights = lightMethods(scene, contender.stage.view(), contender.renderer);
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());
         result.repeated =

@@ -75,8 +75,10 @@ void benchScene(const BenchOptions& options) {
         task.warmUp = options.warmUp;
         task.frustumAt = flightFor(view, loaded.scene);
         task.lights = requestFor(view, loaded.scene).lights;
-        for (const BenchSetting& setting : settings)
+        for (const BenchSetting& setting : settings) {
             requireExtents(setting.settings, task.lights);
+            requireMapKind(setting.settings, task.lights);
+        }
         task.lightMoves = options.lightMoves;
         task.near = view.depth.near;
         task.timing = options.timing;

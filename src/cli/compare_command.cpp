@@ -157,6 +157,8 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     lab::CompareTask task;
     lookAt(task, options.view, loaded.scene, options.views, viewsTyped);
     task.limits = options.glLimits;
+    for (const DrawSettings& one : settings)
+        requireMapKind(one, task.lights);
     task.contenders.push_back(contenderOf(shortName(settings[0]), settings[0], nullptr));
     CasterVariants variants(options.input, loaded);
     for (std::size_t i = 0; i < options.against.size(); ++i)

@@ -38,6 +38,11 @@ const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
 const Choices<Shading> shadingNames = {{"full", Shading::full}, {"base", Shading::base}};
 const Choices<SoftShadows> softNames = {
     {"none", SoftShadows::none}, {"pcf", SoftShadows::pcf}, {"pcss", SoftShadows::pcss}};
+const Choices<MapKind> mapKindNames = {
+    {"cube", MapKind::cube}, {"cascades", MapKind::cascades}, {"paraboloid", MapKind::paraboloid}};
+const Choices<FilterChoice> filterNames = {
+    {"none", FilterChoice::none}, {"pcf", FilterChoice::pcf}, {"poisson", FilterChoice::poisson},
+    {"vsm", FilterChoice::vsm},   {"esm", FilterChoice::esm}, {"pcss", FilterChoice::pcss}};
 const Choices<bool> terminatorNames = {{"soft", true}, {"exact", false}};
 const Choices<int> maskScaleNames = {{"1", 1}, {"1/2", 2}, {"1/4", 4}};
 
@@ -46,6 +51,23 @@ std::string nameIn(const Choices<Value>& names, Value value) {
     for (const auto& [name, candidate] : names)
         if (candidate == value) return name;
     return "auto";
+}
+
+/// What --filter would call it.
+FilterChoice filterOf(const ShadowMapSettings& map) {
+    switch (map.filter) {
+    case MapFilter::poisson:
+        return FilterChoice::poisson;
+    case MapFilter::variance:
+        return FilterChoice::vsm;
+    case MapFilter::exponential:
+        return FilterChoice::esm;
+    case MapFilter::compare:
+        break;
+    }
+    return map.soft == SoftShadows::pcss ? FilterChoice::pcss
+           : map.pcf > 1                 ? FilterChoice::pcf
+                                         : FilterChoice::none;
 }
 
 /// Notes in `typed` that the option was, for resolve().
@@ -68,7 +90,22 @@ void addMapOptions(CLI::App& verb, DrawSettings& settings) {
         ->check(finite())
         ->check(CLI::Range(0.0, 100.0))
         ->type_name("TEXELS");
-    add("--pcf", map.pcf, "Texels that are compared, N x N: 1, 3, 5 or 7 (1: hard edges)")
+    addChoice(verb, "--map-kind", map.kind, mapKindNames,
+              "Which maps lights get: six faces of a cube around lamps and one map for suns, or "
+              "cascades for suns, or two paraboloids around lamps (cube)");
+    noted(verb.get_option("--map-kind"), settings.mapOptions);
+    add("--cascades", map.cascades,
+        "Maps of each sun, of what is near the eye and farther off, 1 to 4 (4)")
+        ->check(CLI::Range(1, mostCascades))
+        ->type_name("N");
+    addChoice(verb, "--filter", settings.filter, filterNames,
+              "What is made of a map's texels: one compared, or --pcf of them, Poisson taps, a "
+              "variance map, an exponential map, percentage-closer soft shadows (as --pcf and "
+              "--soft say)");
+    noted(verb.get_option("--filter"), settings.mapOptions);
+    add("--pcf", map.pcf,
+        "How wide maps are filtered, in texels; of --filter pcf N x N are compared: 1, 3, 5 or 7 "
+        "(1: hard edges; of --filter pcf 3, of poisson, vsm and esm 5)")
         ->check(CLI::IsMember({1, 3, 5, 7}))
         ->type_name("N");
     addChoice(
@@ -135,10 +172,49 @@ void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
         noted(verb.get_option(option), settings.volumeOptions);
 }
 
+/// The filter's part of ShadowMapSettings, and how wide it is where nobody has said.
+void resolveFilter(DrawSettings& settings) {
+    ShadowMapSettings& map = settings.render.map;
+    if (!settings.filter) return;
+    const FilterChoice choice = *settings.filter;
+    const std::string typed = "--filter " + nameIn(filterNames, choice);
+    const bool pcss = choice == FilterChoice::pcss;
+    if (settings.typedOfMaps("--soft") && (map.soft == SoftShadows::pcss) != pcss)
+        throw Error(ExitStatus::usage,
+                    typed + " does not go with --soft " + nameIn(softNames, map.soft) + ".");
+    map.filter = choice == FilterChoice::poisson ? MapFilter::poisson
+                 : choice == FilterChoice::vsm   ? MapFilter::variance
+                 : choice == FilterChoice::esm   ? MapFilter::exponential
+                                                 : MapFilter::compare;
+    if (pcss)
+        map.soft = SoftShadows::pcss;
+    else if (map.soft == SoftShadows::pcss)
+        map.soft = SoftShadows::none; // of a setting on top of another
+    const bool one = choice == FilterChoice::none;
+    if (!settings.typedOfMaps("--pcf"))
+        map.pcf = one || pcss ? 1 : choice == FilterChoice::pcf ? 3 : 5;
+    if (one && map.pcf > 1)
+        throw Error(ExitStatus::usage, "--pcf " + std::to_string(map.pcf) +
+                                           " does not go with --filter none, which compares one "
+                                           "texel.");
+}
+
+void resolveMap(DrawSettings& settings) {
+    resolveFilter(settings);
+    const ShadowMapSettings& map = settings.render.map;
+    const std::string soft = "Percentage-closer soft shadows (--soft pcss)";
+    if (map.soft == SoftShadows::pcss && map.filter != MapFilter::compare)
+        throw Error(ExitStatus::usage, soft + " need texels that are compared: --filter pcss.");
+    if (map.soft == SoftShadows::pcss && map.kind != MapKind::cube)
+        throw Error(ExitStatus::usage, soft + " need --map-kind cube.");
+    if (settings.typedOfMaps("--cascades") && map.kind != MapKind::cascades)
+        throw Error(ExitStatus::usage, "--cascades needs --map-kind cascades.");
+}
+
 } // namespace
 
-bool DrawSettings::hasMapBias() const {
-    return std::find(mapOptions.begin(), mapOptions.end(), "--map-bias") != mapOptions.end();
+bool DrawSettings::typedOfMaps(const std::string& option) const {
+    return std::find(mapOptions.begin(), mapOptions.end(), option) != mapOptions.end();
 }
 
 void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
@@ -222,6 +298,7 @@ void resolve(DrawSettings& settings) {
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
+    resolveMap(settings);
     if (settings.render.shadows == ShadowMethod::automatic && !settings.volumeOptions.empty())
         settings.render.shadows = ShadowMethod::volumes;
     if (!settings.render.looksUpPrimitives() && !settings.primitiveMapOptions.empty())
@@ -238,10 +315,23 @@ void requireExtents(const DrawSettings& settings, std::span<const Light> lights)
     if (settings.extentOptions.empty() && !soft) return;
     if (std::ranges::any_of(lights, [](const Light& light) { return light.extent.has_value(); }))
         return;
-    throw Error(ExitStatus::usage,
-                (soft ? "--soft " + nameIn(softNames, choice) : settings.extentOptions.front()) +
-                    " needs a light with an extent: --light-radius, "
-                    "--light-size or --sun-angle.");
+    throw Error(ExitStatus::usage, (settings.filter == FilterChoice::pcss ? "--filter pcss"
+                                    : soft ? "--soft " + nameIn(softNames, choice)
+                                           : settings.extentOptions.front()) +
+                                       " needs a light with an extent: --light-radius, "
+                                       "--light-size or --sun-angle.");
+}
+
+void requireMapKind(const DrawSettings& settings, std::span<const Light> lights) {
+    const MapKind kind = settings.render.map.kind;
+    if (settings.render.shadows != ShadowMethod::map || kind == MapKind::cube || lights.empty())
+        return;
+    const bool suns = kind == MapKind::cascades;
+    if (std::ranges::any_of(lights,
+                            [&](const Light& of) { return (of.position.w == 0.0) == suns; }))
+        return;
+    throw Error(ExitStatus::usage, "--map-kind " + nameIn(mapKindNames, kind) + " needs " +
+                                       (suns ? "a sun." : "a lamp."));
 }
 
 DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
@@ -301,6 +391,10 @@ std::string shortName(const DrawSettings& settings) {
     const RenderSettings& render = settings.render;
     std::string name = nameIn(shadowNames, render.shadows);
     if (render.shadows == ShadowMethod::map) name += " " + std::to_string(render.map.size);
+    if (render.shadows == ShadowMethod::map && render.map.kind != MapKind::cube)
+        name += ", " + nameIn(mapKindNames, render.map.kind);
+    if (render.shadows == ShadowMethod::map && render.map.filter != MapFilter::compare)
+        name += ", " + nameIn(filterNames, filterOf(render.map));
     if (render.shadows == ShadowMethod::map && render.map.soft != SoftShadows::none)
         name += ", " + nameIn(softNames, render.map.soft);
     if (render.shadows == ShadowMethod::volumes && render.maskScale > 1)
@@ -333,8 +427,12 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     if (render.shadows == ShadowMethod::map)
         json.update({{"map-size", render.map.size},
                      {"map-bias", render.map.biasTexels},
+                     {"map-kind", nameIn(mapKindNames, render.map.kind)},
+                     {"filter", nameIn(filterNames, filterOf(render.map))},
                      {"pcf", render.map.pcf},
                      {"soft", nameIn(softNames, render.map.soft)}});
+    if (render.shadows == ShadowMethod::map && render.map.kind == MapKind::cascades)
+        json["cascades"] = render.map.cascades;
     if (render.looksUpPrimitives()) json["primitive-map-memory"] = render.primitiveMap.mostBytes;
     return json;
 }

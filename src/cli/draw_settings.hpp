@@ -17,6 +17,9 @@ namespace edgeshade::cli {
 
 enum class InstancingChoice { automatic, on, off, multiDraw };
 
+/// What --filter names: one texel, or MapFilter's, or SoftShadows::pcss.
+enum class FilterChoice { none, pcf, poisson, vsm, esm, pcss };
+
 /// How pictures are drawn, as typed: what `--against` can vary.
 struct DrawSettings {
     DrawSettings() { render.shading = Shading::full; }
@@ -28,6 +31,7 @@ struct DrawSettings {
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;               ///< nothing: as many as pay
     std::optional<float> ambient;                 ///< as typed; see resolve()
+    std::optional<FilterChoice> filter;           ///< likewise
     std::string environment;                      ///< a file; see resolve()
     std::vector<std::string> fullOptions;         ///< those that only full shading has
     std::vector<std::string> mapOptions;          ///< those typed that only shadow maps have
@@ -36,7 +40,9 @@ struct DrawSettings {
     std::vector<std::string> extentOptions;       ///< those that only lights with an extent have
     CasterChanges casters;                        ///< of `--against`: on top of the call's own
 
-    bool hasMapBias() const;
+    bool hasMapBias() const { return typedOfMaps("--map-bias"); }
+    /// Whether an option that only shadow maps have was typed.
+    bool typedOfMaps(const std::string& option) const;
 };
 
 /// Adds the options; `settings` must outlive parsing.
@@ -51,6 +57,10 @@ void resolve(DrawSettings& settings);
 /// Throws Error(usage) where there is an option or a choice that only lights with an extent have,
 /// and none of these has one.
 void requireExtents(const DrawSettings& settings, std::span<const Light> lights);
+
+/// Throws Error(usage) where there is a kind of map that none of these lights gets. None at all:
+/// not known, and any kind may be.
+void requireMapKind(const DrawSettings& settings, std::span<const Light> lights);
 
 /// "name=value,name=value" on top of `base`, names without dashes, e.g. "shadows=map,map-size=512",
 /// casters' too, e.g. "caster-error=0.01".

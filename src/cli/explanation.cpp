@@ -1,5 +1,6 @@
 #include "src/cli/explanation.hpp"
 
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/plan/explain.hpp"
 
@@ -25,6 +26,18 @@ std::string methodsOf(const GpuScene& scene, const FrameView& view,
     return text;
 }
 
+/// Which map each light has.
+std::string mapsOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view) {
+    std::string text = "shadow maps: every light draws all casters into each part of its map";
+    const std::vector<LightMethod> methods = lightMethods(scene, view, renderer);
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        text += "\nlight " + std::to_string(i) + ": " + methods[i].why + ", " +
+                std::to_string(methods[i].bytes) + " bytes";
+    if (const std::size_t all = renderer.mapBytes(); renderer.settings().map.isFiltered())
+        text += "\nall maps and what filters them: " + std::to_string(all) + " bytes";
+    return text;
+}
+
 } // namespace
 
 std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view) {
@@ -34,7 +47,7 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
     case ShadowMethod::none:
         return "no shadows are drawn";
     case ShadowMethod::map:
-        return "shadow maps: every light draws all casters, a point light up to six times";
+        return mapsOf(renderer, scene, view);
     case ShadowMethod::automatic:
     case ShadowMethod::primitiveMap:
         methods = methodsOf(scene, view, settings);

@@ -10,6 +10,7 @@
 #include "src/image/png.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/accumulation/subpixels.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
@@ -133,6 +134,7 @@ nlohmann::ordered_json lightSamplesJson(const FrameView& view) {
 
 void requireFitting(const RenderOptions& options, const std::vector<Light>& lights) {
     requireExtents(options.settings, lights);
+    requireMapKind(options.settings, lights);
     if (options.settings.render.countedPoints() == 0 && !options.settings.extentOptions.empty())
         throw Error(ExitStatus::usage, options.settings.extentOptions.front() +
                                            " does not go with --soft, which looks up a map "
@@ -195,7 +197,7 @@ void render(const RenderOptions& options) {
                     capabilities.renderer,
                 options.report);
 
-    const std::vector<LightMethod> methods = lightMethods(scene, view, settings);
+    const std::vector<LightMethod> methods = lightMethods(scene, view, renderer);
     nlohmann::ordered_json lights = methodsJson(methods);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const Light& light = view.lights[i].light;

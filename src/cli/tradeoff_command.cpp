@@ -81,7 +81,8 @@ void requirePlottable(const std::string& path) {
 std::vector<Row> possibleRows(const TradeoffOptions& options, const LoadedScene& loaded,
                               std::vector<std::string>& warnings) {
     std::vector<TradeSetting> all =
-        tradeSettings(options.largestMap, worldBounds(loaded.scene).diagonal());
+        tradeSettings(options.largestMap, worldBounds(loaded.scene).diagonal(),
+                      requestFor(options.view, loaded.scene).lights);
     for (const std::string& text : options.against)
         all.push_back({text, text});
     CasterVariants variants(options.input, loaded);

@@ -1,5 +1,6 @@
 #include "src/cli/tradeoff_settings.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -30,9 +31,26 @@ void addCasters(std::vector<TradeSetting>& settings, double diagonal) {
                             "shadows=volumes,flat-tolerance=" + shortNumber(degrees)});
 }
 
+/// Maps of other kinds and with other filters, coarse and fine.
+void addMapKinds(std::vector<TradeSetting>& settings, int largestMap,
+                 std::span<const Light> lights) {
+    const auto isSun = [](const Light& light) { return light.position.w == 0.0; };
+    for (const int size : {512, 2048}) {
+        if (size > largestMap) continue;
+        const std::string number = std::to_string(size), map = "shadows=map,map-size=" + number;
+        if (std::ranges::any_of(lights, isSun))
+            settings.push_back({"cascades 4 x " + number, map + ",map-kind=cascades"});
+        if (!std::ranges::all_of(lights, isSun))
+            settings.push_back({"paraboloid " + number, map + ",map-kind=paraboloid"});
+        for (const char* filter : {"poisson", "vsm", "esm"})
+            settings.push_back({std::string(filter) + " " + number, map + ",filter=" + filter});
+    }
+}
+
 } // namespace
 
-std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal) {
+std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal,
+                                        std::span<const Light> lights) {
     std::vector<TradeSetting> settings = {
         {"volumes", "shadows=volumes"},
         {"primitive map", "shadows=primitive-map"},
@@ -58,6 +76,7 @@ std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal) {
             }
             settings.push_back({name, text});
         }
+    addMapKinds(settings, largestMap, lights);
     return settings;
 }
 

@@ -12,8 +12,10 @@ struct TradeSetting {
 
 /// The settings that there are to choose from: what users turn when they trade time for accuracy.
 /// One more setting is one more entry. `largestMap`: texels; larger maps are left out. `diagonal`:
-/// of the scene, scene units.
-std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal);
+/// of the scene, scene units. `lights`: what is timed; kinds of maps that none of them gets are
+/// left out.
+std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal,
+                                        std::span<const Light> lights);
 
 /// "shadows=map,map-size=512" as "--shadows map --map-size 512".
 std::string asOptions(const std::string& text);

@@ -70,7 +70,9 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
     state.lights = request.lights;
     state.lightSamples = render.lightSamples;
     requireExtents(options.settings, state.lights);
-    state.left = {render.shadows, render.map.size, render.multiplicity, render.maskScale};
+    requireMapKind(options.settings, state.lights);
+    state.left = {render.shadows,  render.map.size,     render.multiplicity, render.maskScale,
+                  render.map.kind, render.map.cascades, render.map.filter,   render.map.pcf};
     state.shading = render.shading;
     state.ambient = render.ambient;
     state.exposure = render.exposure;

@@ -4,14 +4,19 @@
 #include "src/lab/studio.hpp"
 #include "src/lab/texture_alpha.hpp"
 
-#include <array>
+#include <algorithm>
 #include <map>
 #include <memory>
 
 namespace edgeshade::lab {
 namespace {
 
-constexpr std::array<float, 7> mapBiases = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f}; // texels
+/// Texels. Filtered maps, which know how steep what they show is, do with less.
+std::vector<float> mapBiases(const ShadowMapSettings& map) {
+    std::vector<float> biases = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f};
+    if (map.isFiltered()) biases.insert(biases.begin(), {0.0f, 0.25f});
+    return biases;
+}
 constexpr std::size_t tuningViews = 3;
 
 /// One view with its oracle, which all contenders share.
@@ -126,15 +131,16 @@ class Jury {
 /// The bias with the fewest wrong pixels over the first views.
 float tunedBias(Jury& jury, const CompareTask& task, Renderer& renderer,
                 const Contender& contender) {
-    std::array<std::size_t, mapBiases.size()> wrong{};
+    const std::vector<float> biases = mapBiases(contender.settings.map);
+    std::vector<std::size_t> wrong(biases.size(), 0);
     for (std::size_t v = 0; v < std::min(tuningViews, task.views.size()); ++v) {
         jury.see(task.views[v]);
-        for (std::size_t b = 0; b < mapBiases.size(); ++b) {
-            renderer.setMapBias(mapBiases[b]);
+        for (std::size_t b = 0; b < biases.size(); ++b) {
+            renderer.setMapBias(biases[b]);
             wrong[b] += jury.compare(renderer, contender).counts.wrongImagePixels;
         }
     }
-    return mapBiases[std::min_element(wrong.begin(), wrong.end()) - wrong.begin()];
+    return biases[std::min_element(wrong.begin(), wrong.end()) - wrong.begin()];
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "src/gl/headless_context.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/load.hpp"
 
@@ -27,7 +28,7 @@ class Studio {
         GpuScene& scene = sceneFor(loaded, records);
         prepareScene(scene, loaded, view, renderer.settings(), context_.capabilities());
         renderer.draw(scene, view);
-        methods_ = lightMethods(scene, view, renderer.settings());
+        methods_ = lightMethods(scene, view, renderer);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();
     }

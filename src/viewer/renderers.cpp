@@ -6,8 +6,14 @@ namespace edgeshade::viewer {
 Renderers::Key Renderers::keyOf(const SideSettings& side, Shading shading) {
     const bool map = side.shadows == ShadowMethod::map;
     const bool volumes = side.shadows != ShadowMethod::map && side.shadows != ShadowMethod::none;
-    return {side.shadows, map ? side.mapSize : 0,
-            volumes ? side.multiplicity : MultiplicityMethod::plane, volumes ? side.maskScale : 1,
+    return {side.shadows,
+            map ? side.mapSize : 0,
+            volumes ? side.multiplicity : MultiplicityMethod::plane,
+            volumes ? side.maskScale : 1,
+            map ? side.mapKind : MapKind::cube,
+            map && side.mapKind == MapKind::cascades ? side.cascades : 0,
+            map ? side.filter : MapFilter::compare,
+            map ? side.pcf : 1,
             shading};
 }
 
@@ -19,6 +25,10 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
         settings.shading = state.shading;
         settings.multiplicity = side.multiplicity;
         settings.map.size = side.mapSize;
+        settings.map.kind = side.mapKind;
+        settings.map.cascades = side.cascades;
+        settings.map.filter = side.filter;
+        settings.map.pcf = side.pcf;
         settings.maskScale = side.maskScale;
         renderer = std::make_unique<Renderer>(settings, capabilities_);
     }

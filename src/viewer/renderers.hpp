@@ -33,7 +33,8 @@ class Renderers {
     std::size_t volumeBytes() const;
 
   private:
-    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int, Shading>;
+    using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int, MapKind, int, MapFilter, int,
+                           Shading>;
     static Key keyOf(const SideSettings& side, Shading shading);
 
     RenderSettings base_;

@@ -21,6 +21,13 @@ constexpr Words<MultiplicityMethod, 4> multiplicityWords = {
      {"reference-edge", MultiplicityMethod::referenceEdge},
      {"three-edge", MultiplicityMethod::threeEdge},
      {"single-edge", MultiplicityMethod::singleEdge}}};
+constexpr Words<MapKind, 3> mapKindWords = {{{"cube", MapKind::cube},
+                                             {"cascades", MapKind::cascades},
+                                             {"paraboloid", MapKind::paraboloid}}};
+constexpr Words<MapFilter, 4> filterWords = {{{"pcf", MapFilter::compare},
+                                              {"poisson", MapFilter::poisson},
+                                              {"vsm", MapFilter::variance},
+                                              {"esm", MapFilter::exponential}}};
 constexpr Words<Shading, 2> shadingWords = {{{"full", Shading::full}, {"base", Shading::base}}};
 constexpr Words<bool, 2> cullWords = {{{"auto", true}, {"off", false}}};
 constexpr Words<DebugView, 2> debugWords = {
@@ -75,6 +82,12 @@ int maskScaleFrom(const Field& field) {
     return scale;
 }
 
+int filterWidthFrom(const Field& field) {
+    const int width = field.integer(1, 7);
+    if (width % 2 == 0) field.fail("1, 3, 5 or 7");
+    return width;
+}
+
 /// Minutes that divide a day.
 int stepFrom(const Field& field) {
     constexpr int day = 24 * 60;
@@ -93,6 +106,14 @@ SideSettings sideFrom(const Field& field, SideSettings side) {
             side.multiplicity = value.oneOf(multiplicityWords);
         else if (key == "mask_scale")
             side.maskScale = maskScaleFrom(value);
+        else if (key == "map_kind")
+            side.mapKind = value.oneOf(mapKindWords);
+        else if (key == "cascades")
+            side.cascades = value.integer(1, mostCascades);
+        else if (key == "filter")
+            side.filter = value.oneOf(filterWords);
+        else if (key == "pcf")
+            side.pcf = filterWidthFrom(value);
         else
             return false;
         return true;
@@ -104,7 +125,11 @@ Json toJson(const SideSettings& side) {
     return {{"shadows", wordOf(shadowWords, side.shadows)},
             {"map_size", side.mapSize},
             {"multiplicity", wordOf(multiplicityWords, side.multiplicity)},
-            {"mask_scale", side.maskScale}};
+            {"mask_scale", side.maskScale},
+            {"map_kind", wordOf(mapKindWords, side.mapKind)},
+            {"cascades", side.cascades},
+            {"filter", wordOf(filterWords, side.filter)},
+            {"pcf", side.pcf}};
 }
 
 /// The number as a person types it: 0.35, where the float nearest to it is 0.34999999.

@@ -262,6 +262,12 @@ TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
         EXPECT_GT(light["bytes"], 0);
         EXPECT_GT(light["build_ms"], 0.0);
     }
+    // 3 x 256 x 256 texels of distances, and of depth.
+    lights = lightsOf({"--shadows", "map", "--map-size", "256", "--map-kind", "cascades",
+                       "--cascades", "3", "--sun", "0.1,1,0.2"});
+    EXPECT_EQ(lights[0]["method"], "map");
+    EXPECT_EQ(lights[0]["bytes"], (3 * 4 + 4) * 256 * 256);
+    EXPECT_NE(lights[0]["why"].get<std::string>().find("cascades"), std::string::npos);
     lights = lightsOf({"--shadows", "primitive-map", "--gl-limits", "es2-minimum"});
     EXPECT_EQ(lights[0]["method"], "volumes");
     EXPECT_EQ(lights[0]["why"], "the GL looks up no floats");
@@ -302,6 +308,13 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
         explained({"--light", "2,3,2", "--light-range", "0.5"}).find("out of the light's range"),
         std::string::npos);
     EXPECT_NE(explained({"--shadows", "map"}).find("shadow maps"), std::string::npos);
+    const std::string maps =
+        explained({"--shadows", "map", "--map-size", "256", "--filter", "vsm", "--map-kind",
+                   "cascades", "--cascades", "3", "--sun", "0,1,0", "--light", "2,3,2"});
+    EXPECT_NE(maps.find("up to 3 cascades of 256 x 256 texels, variance, 5 wide"),
+              std::string::npos)
+        << maps;
+    EXPECT_NE(maps.find("a cube's six faces of 256 x 256 texels"), std::string::npos) << maps;
     EXPECT_NE(explained({"--layout", "published"}).find("opposite-vertex records"),
               std::string::npos);
 }

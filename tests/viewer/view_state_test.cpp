@@ -136,6 +136,10 @@ TEST(ViewState, AValueOutOfRangeIsRefused) {
     expectRefused(R"({"chosen_light": 0.5})", "chosen_light", "0.5");
     expectRefused(R"({"left": {"map_size": 15}})", "left.map_size", "15");
     expectRefused(R"({"right": {"shadows": "soft"}})", "right.shadows", "soft");
+    expectRefused(R"({"left": {"map_kind": "warped"}})", "left.map_kind", "warped");
+    expectRefused(R"({"left": {"cascades": 5}})", "left.cascades", "5");
+    expectRefused(R"({"left": {"filter": "pcss"}})", "left.filter", "pcss");
+    expectRefused(R"({"right": {"pcf": 4}})", "right.pcf", "4");
     expectRefused(R"({"split_at": -0.1})", "split_at", "-0.1");
     expectRefused(R"({"speed": 11})", "speed", "11");
     expectRefused(R"({"time": -1})", "time", "-1");

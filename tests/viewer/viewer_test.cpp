@@ -48,6 +48,10 @@ class ViewerTest : public testing::Test {
         settings.shadows = side.shadows;
         settings.multiplicity = side.multiplicity;
         settings.map.size = side.mapSize;
+        settings.map.kind = side.mapKind;
+        settings.map.cascades = side.cascades;
+        settings.map.filter = side.filter;
+        settings.map.pcf = side.pcf;
         settings.maskScale = side.maskScale;
         const ViewState& state = viewer.state();
         settings.shading = state.shading;
@@ -122,6 +126,19 @@ TEST_F(ViewerTest, DrawsMapsToo) {
     viewer.change(Json::parse(R"({"left": {"shadows": "map", "map_size": 256}})"));
     const Pixels drawn = picture();
     EXPECT_TRUE(drawn == plainPicture(viewer.state().left));
+}
+
+TEST_F(ViewerTest, DrawsOtherKindsOfMapsSideBySide) {
+    viewer.change(Json::parse(R"({"split": true, "split_at": 0.5, "lights": [[0.3, 1, 0.2, 0]],
+        "left": {"shadows": "map", "map_size": 128, "map_kind": "cascades", "cascades": 2},
+        "right": {"shadows": "map", "map_size": 128, "filter": "vsm", "pcf": 5}})"));
+    const Pixels drawn = picture();
+    const Pixels left = plainPicture(viewer.state().left);
+    const Pixels right = plainPicture(viewer.state().right);
+    EXPECT_TRUE(columns(drawn, 0, width / 2 - 2) == columns(left, 0, width / 2 - 2));
+    EXPECT_TRUE(columns(drawn, width / 2 + 2, width) == columns(right, width / 2 + 2, width));
+    EXPECT_GT(differing(left, right), 0u);
+    EXPECT_EQ(viewer::toJson(viewer.state())["right"]["filter"], "vsm");
 }
 
 TEST_F(ViewerTest, BothSidesOfASplitAreTheirWholePictures) {

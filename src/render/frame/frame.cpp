@@ -396,8 +396,7 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
 std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_t light) {
     if (settings_.shadows != ShadowMethod::map || visibilityOf(light)) return std::nullopt;
     const StageScope stage(pass.clock, FrameStage::map);
-    const ShadowMapLookup map =
-        maps_->draw(pass.scene, pass.view.bounds, pass.view.lights[light].light);
+    const ShadowMapLookup map = maps_->draw(pass.scene, pass.view, pass.view.lights[light].light);
     vertexRuns_ += maps_->vertexRuns();
     glViewport(0, 0, pass.view.width, pass.view.height);
     glDisable(GL_STENCIL_TEST);

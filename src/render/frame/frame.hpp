@@ -82,6 +82,9 @@ class Renderer {
     /// Memory of the shadow maps that were drawn so far.
     std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
 
+    /// Of the map of the light's kind, which lights of that kind take turns with.
+    std::size_t mapBytesOf(const Light& light) const { return maps_ ? maps_->bytesOf(light) : 0; }
+
     /// What draws shadow volumes; null where shadows are something else.
     const VolumeRenderer* volumes() const { return volumes_.get(); }
 

@@ -1,5 +1,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 
+#include "src/render/shadow_map/map_words.hpp"
+
 namespace edgeshade {
 namespace {
 
@@ -90,6 +92,7 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
     for (const FrameLight& of : view.lights) {
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
+        if (settings.shadows == ShadowMethod::map) method.why = mapWords(of.light, settings.map);
         if (const CulledCasters::Kept* kept = scene.culled.of(of)) {
             method.why = std::to_string(kept->gone) + " of " + std::to_string(kept->casters) +
                          " casting triangles are left out, wholly in the shadow of others";

@@ -27,12 +27,12 @@ const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light);
 /// How a light's shadows are made.
 struct LightMethod {
     std::string method;   ///< as --shadows has it
-    std::string why;      ///< a clause; empty: it was asked for
+    std::string why;      ///< a clause, of a map what map it is; empty: it was asked for
     double buildMs = 0.0; ///< of its primitive map, on the CPU
     std::size_t bytes = 0;
 };
 
-/// Of each of the view's lights, in a scene that is prepared.
+/// Of each of the view's lights, in a scene that is prepared. Of shadow maps without their bytes.
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
                                       const RenderSettings& settings);
 

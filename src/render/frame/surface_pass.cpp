@@ -3,6 +3,7 @@
 #include "shaders_es2.hpp"
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/cull_scope.hpp"
+#include "src/render/shadow_map/map_defines.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace edgeshade {
 namespace {
@@ -52,7 +54,7 @@ void setFullShading(gl::Program& program, const FullShading& full) {
 
 /// Which units the lookups of light.glsl leave to a material, the environment and its textures.
 constexpr int unitsOfLookups(const SurfaceShading& shading) {
-    if (shading.map) return shading.map->kind == ShadowMapKind::pointApart ? 7 : 2;
+    if (shading.map) return 1 + std::max(shading.map->faces, 1);
     if (shading.primitives) return shading.primitives->cutouts ? 5 : 4;
     if (shading.visibility) return 2;
     return shading.coarse ? 3 : 1;
@@ -65,24 +67,31 @@ void setPcss(gl::Program& program, const PcssLight& light) {
     program.set("u_lightFacing", light.facing);
     program.set("u_leastSpread", light.leastSpread);
     program.set("u_nearestCaster", light.nearestCaster);
-    program.set("u_mapScale", light.mapScale);
 }
 
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
-    const bool apart = map.kind == ShadowMapKind::pointApart;
-    const GLenum target = map.kind == ShadowMapKind::point ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    const GLenum target = map.faces > 0 ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP;
     constexpr const char* faces[] = {"u_face0", "u_face1", "u_face2",
                                      "u_face3", "u_face4", "u_face5"};
-    for (int face = 0; face < (apart ? 6 : 1); ++face) {
+    for (int face = 0; face < std::max(map.faces, 1); ++face) {
         glActiveTexture(GL_TEXTURE1 + static_cast<GLenum>(face));
         glBindTexture(target, map.textures[static_cast<std::size_t>(face)]);
-        program.setSampler(apart ? faces[face] : "u_map", 1 + face);
+        program.setSampler(map.faces > 0 ? faces[face] : "u_map", 1 + face);
     }
     program.set("u_mapFromObject", view.mapFromObject);
     program.set("u_mapFromWorld", glm::mat3(map.mapFromWorld));
     program.set("u_mapStep", map.step);
     program.set("u_mapTexel", map.texel);
     program.set("u_mapBias", map.biasTexels);
+    program.set("u_mapShare", map.share);
+    program.set("u_mapTexels", map.texels);
+    program.set("u_mapScale", map.mapScale);
+    if (map.kind == ShadowMapKind::cascades) {
+        program.set(
+            "u_cascades[0]",
+            std::span<const glm::vec4>(map.cascades).first(static_cast<std::size_t>(map.faces)));
+        program.set("u_cascadeMargin", map.cascadeMargin);
+    }
     program.set("u_casts", casts ? 1.0f : 0.0f);
     if (map.pcss) setPcss(program, *map.pcss);
 }
@@ -307,7 +316,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     const Material& material = scene.materials[chunk.material];
     Variant variant{};
     variant.alphaMode = material.alphaMode;
-    if (shading.map) variant.map = shading.map->kind;
+    if (shading.map) variant.map = {shading.map->kind, shading.map->faces, shading.map->filter};
     variant.softMap = shading.map && shading.map->soft;
     variant.pcss = variant.softMap && shading.map->pcss;
     variant.rectangle = variant.pcss && shading.map->pcss->rectangle;
@@ -361,9 +370,9 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.sliced) defines.push_back("SLICED");
     if (variant.map) {
         defines.push_back("MAP");
-        defines.push_back("PCF " + std::to_string(pcf_));
-        if (*variant.map == ShadowMapKind::directional) defines.push_back("MAP_DIRECTIONAL");
-        if (*variant.map == ShadowMapKind::pointApart) defines.push_back("MAP_APART");
+        std::ranges::copy(filterDefines(variant.map->filter, pcf_), std::back_inserter(defines));
+        std::ranges::copy(faceDefines(variant.map->kind, variant.map->faces),
+                          std::back_inserter(defines));
         if (variant.softMap) defines.push_back("SOFT_MAP");
         if (variant.pcss) defines.push_back("PCSS");
         if (variant.rectangle) defines.push_back("PCSS_RECTANGLE");

@@ -102,10 +102,17 @@ class SurfacePass {
 
         auto operator<=>(const PrimitiveMapVariant&) const = default;
     };
+    struct MapVariant {
+        ShadowMapKind kind;
+        int faces;
+        MapFilter filter;
+
+        auto operator<=>(const MapVariant&) const = default;
+    };
     struct Variant {
         AlphaMode alphaMode;
         std::optional<MaterialFeatures> material; ///< of material.frag
-        std::optional<ShadowMapKind> map;
+        std::optional<MapVariant> map;
         std::optional<PrimitiveMapVariant> primitives;
         bool softMap;        ///< the map is that of a light with an extent
         bool pcss;           ///< which gets percentage-closer soft shadows

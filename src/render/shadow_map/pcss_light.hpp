@@ -13,7 +13,6 @@ struct PcssLight {
     glm::vec3 facing{0.0f};           ///< where a rectangle does, of length 1
     float leastSpread = 0.0f;         ///< what makes a penumbra as wide as a texel; of cubes at 1
     float nearestCaster = 0.0f;       ///< of a point light, in map space
-    glm::vec3 mapScale{1.0f};         ///< map space per length in the world, along each axis
 };
 
 } // namespace edgeshade

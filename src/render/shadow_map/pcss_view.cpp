@@ -9,10 +9,8 @@ namespace edgeshade {
 
 PcssLight pcssLight(const Light& light, const ShadowMapView& view) {
     const LightExtent& extent = *light.extent;
-    const glm::dmat3 rows = glm::transpose(glm::dmat3(view.mapFromWorld));
-    const glm::dvec3 scale(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
+    const glm::dvec3 scale = view.scale();
     PcssLight pcss;
-    pcss.mapScale = glm::vec3(scale);
     pcss.nearestCaster = static_cast<float>(view.near);
     double smallest = 0.0;
     switch (extent.shape) {

@@ -16,31 +16,70 @@ enum class SoftShadows {
     pcss, ///< percentage-closer soft shadows (Fernando 2005) of the map of their centre
 };
 
+/// Which maps lights get: some of them are of suns alone, or of lamps alone; the others get the
+/// first.
+enum class MapKind {
+    cube,       ///< six faces around a lamp; of a sun one map of all casters
+    cascades,   ///< of a sun several, of what is visible near the eye and farther off
+    paraboloid, ///< of a lamp two, of all directions up and down
+};
+
+/// What is made of a map's texels around a place.
+enum class MapFilter {
+    compare,     ///< each of pcf x pcf is compared: percentage-closer filtering, or one alone
+    poisson,     ///< so are sixteen in a disc pcf texels wide, turned in every pixel
+    variance,    ///< a variance map (Donnelly and Lauritzen 2006), filtered pcf texels wide
+    exponential, ///< an exponential map (Annen et al. 2008), likewise
+};
+
+inline constexpr int mostCascades = 4;
+
 /// How shadow maps are made and read.
 struct ShadowMapSettings {
     int size = 2048;         ///< texels along an edge, of each face of a cube; at least 16
     float biasTexels = 1.5f; ///< in texels as large as they are on the receiver
-    int pcf = 1;             ///< compares pcf x pcf texels; odd, 1: a single one
-    SoftShadows soft = SoftShadows::none;
+    int pcf = 1;             ///< how many texels wide the filter is; odd, 1: a single one
+    SoftShadows soft = SoftShadows::none; ///< pcss: of MapKind::cube and MapFilter::compare
     bool facesApart = false; ///< a cube's faces apart even where the GL holds them in one texture
+    MapKind kind = MapKind::cube;
+    int cascades = mostCascades; ///< 1..mostCascades
+    MapFilter filter = MapFilter::compare;
+
+    bool isFiltered() const {
+        return filter == MapFilter::variance || filter == MapFilter::exponential;
+    }
 };
 
 enum class ShadowMapKind {
     point,       ///< a cube map
     pointApart,  ///< six textures for a cube's faces, where the GL can't hold them in one
+    paraboloid,  ///< two textures for halves of all directions
     directional, ///< one parallel projection
+    cascades,    ///< several
 };
+
+constexpr bool isParallel(ShadowMapKind kind) {
+    return kind == ShadowMapKind::directional || kind == ShadowMapKind::cascades;
+}
 
 /// A light's finished map, with what a receiver needs to look itself up in it.
 struct ShadowMapLookup {
     ShadowMapKind kind = ShadowMapKind::point;
-    std::array<gl::Name, 6> textures{}; ///< six where the faces are apart, else one
+    std::array<gl::Name, 6> textures{}; ///< of a cube map one
+    int faces = 0;                      ///< how many textures; of a cube map 0
     glm::dmat4 mapFromWorld{1.0};       ///< see ShadowMapView
-    float step = 0.0f;  ///< from texel to texel in the map; for a cube at distance 1
+    float step = 0.0f;  ///< from texel to texel in the map; of a point light's at distance 1
     float texel = 0.0f; ///< the same as a length in the world
     float biasTexels = 0.0f;
     bool soft = false; ///< of a light with an extent, instead of maps of its points
     std::optional<PcssLight> pcss{};
+    MapFilter filter = MapFilter::compare;
+    float texels = 0.0f;      ///< along an edge
+    float share = 1.0f;       ///< see ShadowMapView
+    glm::vec3 mapScale{1.0f}; ///< map space per length in the world, along each axis
+    std::array<glm::vec4, mostCascades>
+        cascades{};             ///< see ShadowMapView; unused ones repeat the last
+    float cascadeMargin = 0.0f; ///< likewise
 };
 
 } // namespace edgeshade

@@ -4,6 +4,7 @@
 #include "shaders_es2.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/drawing/attributes.hpp"
+#include "src/render/shadow_map/map_build.hpp"
 #include "src/render/shadow_map/pcss_view.hpp"
 
 #include <algorithm>
@@ -23,13 +24,20 @@ bool hasSurfaces(const GpuScene& scene) {
 ShadowMapPass::ShadowMapPass(const ShadowMapSettings& settings,
                              const gl::Capabilities& capabilities)
     : settings_(settings), capabilities_(capabilities) {
+    const bool plain = settings.kind == MapKind::cube && settings.filter == MapFilter::compare;
+    if (!allMapKinds && !plain)
+        throw Error(ExitStatus::unavailable,
+                    "This build's shadow maps are cubes and single ones, compared, alone.");
     requireMapSize(settings.size, capabilities);
 }
 
 const ShadowMapTarget& ShadowMapPass::target(ShadowMapKind kind) {
     auto found = targets_.find(kind);
     if (found == targets_.end())
-        found = targets_.emplace(kind, ShadowMapTarget(kind, settings_.size, capabilities_)).first;
+        found = targets_
+                    .emplace(kind, ShadowMapTarget(kind, settings_.size, settings_.cascades,
+                                                   capabilities_))
+                    .first;
     return found->second;
 }
 
@@ -37,7 +45,9 @@ gl::Program& ShadowMapPass::program(const Variant& variant) {
     auto found = programs_.find(variant);
     if (found == programs_.end()) {
         std::vector<std::string> defines;
-        if (variant.kind == ShadowMapKind::directional) defines.push_back("MAP_DIRECTIONAL");
+        if (isParallel(variant.kind)) defines.push_back("MAP_DIRECTIONAL");
+        if (variant.kind == ShadowMapKind::paraboloid) defines.push_back("MAP_PARABOLOID");
+        if (capabilities_.has("GL_OES_standard_derivatives")) defines.push_back("DERIVATIVES");
         if (variant.alphaTest) defines.push_back("ALPHA_TEST");
         found =
             programs_
@@ -48,41 +58,63 @@ gl::Program& ShadowMapPass::program(const Variant& variant) {
     return found->second;
 }
 
-ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const Box& bounds, const Light& light) {
-    if (bounds.empty() && hasSurfaces(scene))
+ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& frame,
+                                    const Light& light) {
+    if (frame.bounds.empty() && hasSurfaces(scene))
         throw Error(ExitStatus::unavailable,
                     "A shadow map needs the scene's bounds, and this view has none.");
     const gl::FramebufferKeeper keeper;
-    const ShadowMapKind kind = light.position.w == 0.0 ? ShadowMapKind::directional
-                               : settings_.facesApart  ? ShadowMapKind::pointApart
-                                                       : ShadowMapKind::point;
+    const ShadowMapKind kind = mapKindOf(light, settings_);
     const ShadowMapTarget& map = target(kind);
-    const Box fitted = bounds.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : bounds;
-    const ShadowMapView view = shadowMapView(light, fitted, settings_, map.depthBits());
-    Subject subject = subjectOf(scene, fitted, light);
+    const ShadowMapView view =
+        shadowMapView(light, subjectOf(scene, frame.bounds), frame, settings_, map.depthBits());
+    Drawn wanted = drawnOf(scene, view);
     vertexRuns_ = 0;
-    if (drawn_[kind] != subject) {
+    if (drawn_[kind] != wanted) {
         drawFaces(scene, view, map);
-        drawn_[kind] = std::move(subject);
+        drawn_[kind] = std::move(wanted);
     }
     ShadowMapLookup lookup{map.kind(),
                            map.textures(),
+                           map.flatCount(),
                            view.mapFromWorld,
                            static_cast<float>(view.step),
                            static_cast<float>(view.texel),
                            settings_.biasTexels};
     lookup.soft = settings_.soft != SoftShadows::none && light.extent;
     if (settings_.soft == SoftShadows::pcss && light.extent) lookup.pcss = pcssLight(light, view);
+    lookup.filter = settings_.filter;
+    lookup.texels = static_cast<float>(settings_.size);
+    lookup.share = static_cast<float>(view.share);
+    lookup.mapScale = glm::vec3(view.scale());
+    for (std::size_t i = 0; i < lookup.cascades.size() && !view.cascades.empty(); ++i) {
+        const std::size_t drawn = std::min(i, view.cascades.size() - 1);
+        lookup.cascades[i] = glm::vec4(view.cascades[drawn]);
+        lookup.textures[i] = lookup.textures[drawn];
+    }
+    lookup.cascadeMargin = static_cast<float>(view.cascadeMargin);
     return lookup;
 }
 
-ShadowMapPass::Subject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds,
-                                                const Light& light) {
-    Subject subject{scene.identity,   light.position, light.range, bounds.low, bounds.high, {},
-                    scene.cutoutsCast};
-    for (const GpuBatch& batch : scene.batches)
-        subject.batches.emplace_back(batch.worldFromBatch, batch.hidden);
+MapSubject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds) {
+    MapSubject subject;
+    subject.bounds = bounds.empty() ? Box{glm::dvec3(0.0), glm::dvec3(0.0)} : bounds;
+    for (const GpuBatch& batch : scene.batches) {
+        if (batch.hidden) continue;
+        for (const SurfaceChunk& chunk : *batch.surfaces) {
+            if (!scene.castsInMaps(scene.materials[chunk.material])) continue;
+            subject.casters.push_back(chunk.bounds);
+            subject.worldFromCasters.push_back(batch.worldFromBatch);
+        }
+    }
     return subject;
+}
+
+ShadowMapPass::Drawn ShadowMapPass::drawnOf(const GpuScene& scene, const ShadowMapView& view) {
+    Drawn drawn{scene.identity, view, {}, scene.cutoutsCast};
+    for (const GpuBatch& batch : scene.batches)
+        drawn.batches.emplace_back(batch.worldFromBatch, batch.hidden);
+    return drawn;
 }
 
 void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
@@ -100,13 +132,20 @@ void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
     for (std::size_t face = 0; face < view.faces.size(); ++face) {
         map.bindFace(face);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        if (view.faces[face].seesScene) drawCasters(scene, view, view.faces[face].clipFromMap);
+        if (view.faces[face].seesScene) drawCasters(scene, view, face);
     }
+    if constexpr (allMapKinds)
+        if (settings_.isFiltered()) {
+            if (!blur_) blur_.emplace(settings_);
+            for (std::size_t face = 0; face < view.faces.size(); ++face)
+                blur_->filter(map, face);
+            glEnable(GL_DEPTH_TEST);
+        }
     glEnable(GL_DITHER);
 }
 
 void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view,
-                                const glm::dmat4& clipFromMap) {
+                                std::size_t face) {
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
         const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
@@ -116,11 +155,23 @@ void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view
             // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.
             gl::Program& variant = program({view.kind, material.alphaMode == AlphaMode::mask});
             variant.use();
-            variant.set("u_clipFromObject", glm::mat4(clipFromMap * mapFromObject));
+            if (view.kind == ShadowMapKind::paraboloid)
+                setHalf(variant, view, face);
+            else
+                variant.set("u_clipFromObject",
+                            glm::mat4(view.faces[face].clipFromMap * mapFromObject));
             variant.set("u_mapFromObject", glm::mat4(mapFromObject));
             drawChunk(scene, chunk, variant);
         }
     }
+}
+
+/// See shaders_es2/shadow_map.vert and .frag.
+void ShadowMapPass::setHalf(const gl::Program& program, const ShadowMapView& view,
+                            std::size_t face) const {
+    program.set("u_halfSide", face == 0 ? 1.0f : -1.0f);
+    program.set("u_mapShare", static_cast<float>(view.share));
+    program.set("u_onDisc", glm::vec2(2.0 / (settings_.size * view.share), -1.0 / view.share));
 }
 
 void ShadowMapPass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk,
@@ -151,7 +202,14 @@ std::size_t ShadowMapPass::bytes() const {
     std::size_t total = 0;
     for (const auto& [kind, map] : targets_)
         total += map.bytes();
+    if constexpr (allMapKinds)
+        if (blur_) total += blur_->bytes();
     return total;
+}
+
+std::size_t ShadowMapPass::bytesOf(const Light& light) const {
+    const auto found = targets_.find(mapKindOf(light, settings_));
+    return found == targets_.end() ? 0 : found->second.bytes();
 }
 
 } // namespace edgeshade

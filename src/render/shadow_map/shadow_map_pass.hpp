@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/gl/program.hpp"
+#include "src/render/shadow_map/map_blur.hpp"
 #include "src/render/shadow_map/shadow_map_target.hpp"
 #include "src/render/shadow_map/shadow_map_view.hpp"
 #include "src/scene/gpu_scene.hpp"
@@ -10,23 +11,26 @@
 namespace edgeshade {
 
 /// Draws shadow maps (Williams 1978), the method that shadow volumes are measured against: six
-/// faces of a cube around a point light, one parallel projection for a directional light. One map
-/// of each kind is kept, and drawn anew only for another light or where something has moved.
+/// faces of a cube or two paraboloids around a point light, one parallel projection or several for
+/// a directional light; and filters them, if so set. One map of each kind is kept, and drawn anew
+/// only for another light, where something has moved, or cascades by a texel.
 class ShadowMapPass {
   public:
     /// Throws Error(unavailable) if the maps are larger than the GL allows.
     ShadowMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
 
-    /// Draws the light's map of all casters, from both sides. `bounds`: the scene's in the world.
-    /// The framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
+    /// Draws the light's map of all casters, from both sides, for what `frame` shows. The
+    /// framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
     /// state are left changed. The map is valid until the next call.
-    ShadowMapLookup draw(const GpuScene& scene, const Box& bounds, const Light& light);
+    ShadowMapLookup draw(const GpuScene& scene, const FrameView& frame, const Light& light);
 
     /// Of lookups from now on.
     void setBias(float texels) { settings_.biasTexels = texels; }
 
-    /// Of the maps that were needed so far.
+    /// Of the maps that were needed so far, with what filters them.
     std::size_t bytes() const;
+    /// Of the one that the light's kind has, without what filters it; 0 before one was drawn.
+    std::size_t bytesOf(const Light& light) const;
 
     /// Vertices that the last call of draw() sent through shaders: 0 where the map was kept.
     std::size_t vertexRuns() const { return vertexRuns_; }
@@ -39,29 +43,29 @@ class ShadowMapPass {
         auto operator<=>(const Variant&) const = default;
     };
     /// What a map shows.
-    struct Subject {
+    struct Drawn {
         std::shared_ptr<const int> scene; ///< GpuScene::identity; held, so that it stays unique
-        glm::dvec4 light{0.0};
-        double range = 0.0;                               ///< the light's
-        glm::dvec3 low{0.0}, high{0.0};                   ///< bounds
+        ShadowMapView view;
         std::vector<std::pair<glm::dmat4, bool>> batches; ///< worldFromBatch, hidden
         bool cutoutsCast;
 
-        bool operator==(const Subject&) const = default;
+        bool operator==(const Drawn&) const = default;
     };
-    static Subject subjectOf(const GpuScene& scene, const Box& bounds, const Light& light);
+    static MapSubject subjectOf(const GpuScene& scene, const Box& bounds);
+    static Drawn drawnOf(const GpuScene& scene, const ShadowMapView& view);
     const ShadowMapTarget& target(ShadowMapKind kind);
     void drawFaces(const GpuScene& scene, const ShadowMapView& view, const ShadowMapTarget& map);
     gl::Program& program(const Variant& variant);
-    void drawCasters(const GpuScene& scene, const ShadowMapView& view,
-                     const glm::dmat4& clipFromMap);
+    void drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face);
+    void setHalf(const gl::Program& program, const ShadowMapView& view, std::size_t face) const;
     void drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, gl::Program& program);
 
     ShadowMapSettings settings_;
     gl::Capabilities capabilities_;
     std::map<ShadowMapKind, ShadowMapTarget> targets_;
-    std::map<ShadowMapKind, Subject> drawn_; ///< what each target holds
+    std::map<ShadowMapKind, Drawn> drawn_; ///< what each target holds
     std::map<Variant, gl::Program> programs_;
+    std::optional<MapBlur> blur_; ///< once a map was filtered
     std::size_t vertexRuns_ = 0;
 };
 

@@ -11,8 +11,17 @@
 namespace edgeshade {
 namespace {
 
-std::size_t faceCount(ShadowMapKind kind) {
-    return kind == ShadowMapKind::directional ? 1 : 6;
+std::size_t faceCount(ShadowMapKind kind, int cascades) {
+    switch (kind) {
+    case ShadowMapKind::directional:
+        return 1;
+    case ShadowMapKind::cascades:
+        return static_cast<std::size_t>(cascades);
+    case ShadowMapKind::paraboloid:
+        return 2;
+    default:
+        return 6;
+    }
 }
 
 GLenum faceTarget(ShadowMapKind kind, std::size_t face) {
@@ -50,16 +59,16 @@ Error tooLarge(int size) {
 
 } // namespace
 
-ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabilities& capabilities)
-    : kind_(kind), size_(size) {
+ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, int cascades,
+                                 const gl::Capabilities& capabilities)
+    : kind_(kind), size_(size), faces_(faceCount(kind, cascades)) {
     std::optional<gl::Texture> whole;
-    if (kind != ShadowMapKind::pointApart) whole = makeMapTexture(kind, size);
-    if (!whole && kind == ShadowMapKind::directional) throw tooLarge(size);
+    if (kind == ShadowMapKind::point) whole = makeMapTexture(kind, size);
     if (whole) {
         textures_.push_back(std::move(*whole));
     } else {
-        kind_ = ShadowMapKind::pointApart;
-        while (textures_.size() < faceCount(kind_)) {
+        if (kind == ShadowMapKind::point) kind_ = ShadowMapKind::pointApart;
+        while (textures_.size() < faces_) {
             std::optional<gl::Texture> face = makeMapTexture(kind_, size);
             if (!face) throw tooLarge(size);
             textures_.push_back(std::move(*face));
@@ -90,7 +99,7 @@ ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabil
 void ShadowMapTarget::bindFace(std::size_t face) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, faceTarget(kind_, face),
-                           textures_[kind_ == ShadowMapKind::pointApart ? face : 0].name(), 0);
+                           textures_[kind_ == ShadowMapKind::point ? 0 : face].name(), 0);
 }
 
 std::array<gl::Name, 6> ShadowMapTarget::textures() const {
@@ -103,7 +112,7 @@ std::array<gl::Name, 6> ShadowMapTarget::textures() const {
 std::size_t ShadowMapTarget::bytes() const {
     const std::size_t texels = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
     const std::size_t depthBytes = depthBits_ > 16 ? 4 : 2;
-    return texels * (4 * faceCount(kind_) + depthBytes);
+    return texels * (4 * faces_ + depthBytes);
 }
 
 void requireMapSize(int size, const gl::Capabilities& capabilities) {

@@ -8,26 +8,34 @@
 
 namespace edgeshade {
 
-/// What a shadow map is drawn into: RGBA8 texels, a cube's six faces or one, and a depth buffer
-/// that they share. Needs no extension; uses 24 bits of depth where it can. Some GLs limit the size
-/// of a whole cube map (Mesa's software ones to 1 GiB): there its faces are textures of their own.
+/// What a shadow map is drawn into: RGBA8 texels, a cube's six faces, several flat ones or one, and
+/// a depth buffer that they share. Needs no extension; uses 24 bits of depth where it can. Some GLs
+/// limit the size of a whole cube map (Mesa's software ones to 1 GiB): there its faces are textures
+/// of their own.
 class ShadowMapTarget {
   public:
-    /// `kind`: what is wanted; a cube comes apart where it must. Changes the framebuffer binding.
-    /// Throws Error(unavailable) if the GL can't.
-    ShadowMapTarget(ShadowMapKind kind, int size, const gl::Capabilities& capabilities);
+    /// `kind`: what is wanted; a cube comes apart where it must. `cascades`: how many of that kind.
+    /// Changes the framebuffer binding. Throws Error(unavailable) if the GL can't.
+    ShadowMapTarget(ShadowMapKind kind, int size, int cascades,
+                    const gl::Capabilities& capabilities);
 
     /// Binds a face for drawing. The viewport is the caller's.
     void bindFace(std::size_t face) const;
 
     ShadowMapKind kind() const { return kind_; }
+    /// Of a cube map one, else one for each face.
     std::array<gl::Name, 6> textures() const;
+    /// How many are flat: of a cube map none.
+    int flatCount() const {
+        return kind_ == ShadowMapKind::point ? 0 : static_cast<int>(textures_.size());
+    }
     int depthBits() const { return depthBits_; }
     std::size_t bytes() const;
 
   private:
     ShadowMapKind kind_;
     int size_;
+    std::size_t faces_;
     int depthBits_ = 0;
     std::vector<gl::Texture> textures_;
     gl::Renderbuffer depth_;

@@ -1,5 +1,7 @@
 #include "src/render/shadow_map/shadow_map_view.hpp"
 
+#include "src/render/shadow_map/cascades.hpp"
+#include "src/render/shadow_map/map_build.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
@@ -26,10 +28,10 @@ constexpr CubeFace cubeFaces[] = {
     {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
     {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}}};
 
-/// Whether some corner is on the inside of each plane through the light around the face.
-bool sees(const CubeFace& face, const std::array<glm::dvec3, 8>& offsets) {
-    for (const glm::dvec3& plane :
-         {face.axis + face.s, face.axis - face.s, face.axis + face.t, face.axis - face.t})
+/// Whether some corner is on the inside of each plane through the light around the face's texture.
+bool sees(const CubeFace& face, double share, const std::array<glm::dvec3, 8>& offsets) {
+    const glm::dvec3 s = share * face.s, t = share * face.t;
+    for (const glm::dvec3& plane : {face.axis + s, face.axis - s, face.axis + t, face.axis - t})
         if (std::none_of(offsets.begin(), offsets.end(),
                          [&](const glm::dvec3& offset) { return glm::dot(plane, offset) >= 0.0; }))
             return false;
@@ -41,8 +43,18 @@ Box reached(const Box& bounds, const glm::dvec3& light, double range) {
     return {glm::max(bounds.low, light - range), glm::min(bounds.high, light + range)};
 }
 
+/// How much of a face's width is left by texels that a filter, and the GL's own way of averaging,
+/// reach.
+double shareOfFace(ShadowMapKind kind, const ShadowMapSettings& settings) {
+    if (kind == ShadowMapKind::point ||
+        !(settings.isFiltered() || kind == ShadowMapKind::paraboloid))
+        return 1.0;
+    const double margin = std::min(2.0 + settings.pcf / 2, 0.25 * settings.size);
+    return 1.0 - 2.0 * margin / settings.size;
+}
+
 ShadowMapView pointView(const glm::dvec3& light, const Box& sceneBounds, double lightRange,
-                        const ShadowMapSettings& settings, int depthBits) {
+                        const ShadowMapSettings& settings, ShadowMapKind kind, int depthBits) {
     Box bounds = reached(sceneBounds, light, lightRange);
     const bool apart = glm::any(glm::greaterThan(bounds.low, bounds.high));
     if (apart) bounds = sceneBounds;
@@ -61,63 +73,135 @@ ShadowMapView pointView(const glm::dvec3& light, const Box& sceneBounds, double 
     near = std::max(near, 0.99 * std::max({outside.x, outside.y, outside.z}) / range);
 
     ShadowMapView view;
-    view.kind = ShadowMapKind::point;
+    view.kind = kind;
+    view.share = shareOfFace(kind, settings);
     view.mapFromWorld =
         fromRows({1.0 / range, 0, 0, -light.x / range}, {0, 1.0 / range, 0, -light.y / range},
                  {0, 0, 1.0 / range, -light.z / range});
-    for (const CubeFace& face : cubeFaces)
-        view.faces.push_back(
-            {fromRows({face.s, 0.0}, {face.t, 0.0}, {face.axis, -2.0 * near}, {face.axis, 0.0}),
-             !apart && sees(face, offsets)});
-    view.step = 2.0 / settings.size;
+    if (kind == ShadowMapKind::paraboloid) {
+        view.faces.assign(2, {glm::dmat4(1.0), !apart}); // a half's margin shows the other, too
+    } else {
+        for (const CubeFace& face : cubeFaces)
+            view.faces.push_back({fromRows({view.share * face.s, 0.0}, {view.share * face.t, 0.0},
+                                           {face.axis, -2.0 * near}, {face.axis, 0.0}),
+                                  !apart && sees(face, view.share, offsets)});
+    }
+    view.step = 2.0 / (settings.size * view.share);
     view.texel = view.step * range;
     view.near = near;
     return view;
 }
 
-ShadowMapView sunView(const glm::dvec3& towards, const Box& bounds,
-                      const ShadowMapSettings& settings) {
+/// Right, up and back of a directional light.
+glm::dmat3 lightAxes(const glm::dvec3& towards) {
     const glm::dvec3 back = unitOf(towards);
     const bool vertical = std::hypot(back.x, back.z) < 1e-9;
     const glm::dvec3 right =
         vertical ? glm::dvec3(1, 0, 0) : glm::normalize(glm::cross({0, 1, 0}, back));
-    const glm::dmat3 worldFromLight(right, glm::cross(back, right), back);
+    return {right, glm::cross(back, right), back};
+}
 
-    const glm::dvec3 center = bounds.center();
-    glm::dvec3 half(0.0);
-    for (const glm::dvec3& corner : cornersOf(bounds))
-        half = glm::max(half, glm::abs(glm::transpose(worldFromLight) * (corner - center)));
-    const double smallest = bounds.diagonal() > 0.0 ? 1e-6 * bounds.diagonal() : 1.0;
-    half = glm::max(half, glm::dvec3(smallest));
+/// A box around all casters in the light's axes, which is tighter than one around their box in the
+/// world; from the middle of the scene, so that doubles keep their digits far from the origin.
+Box castersInLight(const MapSubject& subject, const glm::dmat3& worldFromLight) {
+    const glm::dmat3 lightFromWorld = glm::transpose(worldFromLight);
+    const glm::dvec3 center = subject.bounds.center();
+    Box box;
+    for (std::size_t i = 0; i < subject.casters.size(); ++i)
+        if (!subject.casters[i].empty())
+            for (const glm::dvec3& corner : cornersOf(subject.casters[i]))
+                box.add(
+                    lightFromWorld *
+                    (glm::dvec3(subject.worldFromCasters[i] * glm::dvec4(corner, 1.0)) - center));
+    if (box.empty())
+        for (const glm::dvec3& corner : cornersOf(subject.bounds))
+            box.add(lightFromWorld * (corner - center));
+    return box;
+}
 
-    // A frame of empty texels, as wide as a kernel reaches; a little room in depth.
+/// Texels around what a parallel map shows, of each side: a kernel reaches them, and so may bias.
+double frameTexels(const ShadowMapSettings& settings) {
     const double frame = 2.0 + settings.pcf / 2;
-    const double inner = settings.size - 2.0 * frame;
+    if (settings.kind != MapKind::cascades) return frame;
+    const double moved = 0.5 * (settings.pcf + 1) * static_cast<double>(settings.biasTexels);
+    return std::min(frame + moved, 0.25 * settings.size);
+}
+
+ShadowMapView sunView(const glm::dvec3& towards, const MapSubject& subject, const FrameView& frame,
+                      const ShadowMapSettings& settings, ShadowMapKind kind) {
+    const glm::dmat3 worldFromLight = lightAxes(towards);
+    const Box casters = castersInLight(subject, worldFromLight);
+    const glm::dvec3 middle = casters.center();
+    const glm::dvec3 center = subject.bounds.center() + worldFromLight * middle;
+    const double diagonal = subject.bounds.diagonal();
+    const double smallest = diagonal > 0.0 ? 1e-6 * diagonal : 1.0;
+    glm::dvec3 half = glm::max(0.5 * (casters.high - casters.low), glm::dvec3(smallest));
+    const glm::dvec2 castersHalf(half);
+    const bool cascaded = kind == ShadowMapKind::cascades;
+    if (cascaded) half.x = half.y = std::max(half.x, half.y); // texels are square everywhere
+
+    // A frame of empty texels; a little room in depth.
+    const double margin = frameTexels(settings);
+    const double inner = settings.size - 2.0 * margin;
     const double share = inner / settings.size;
     const glm::dvec3 scale(0.5 * share / half.x, 0.5 * share / half.y, -0.49 / half.z);
 
     ShadowMapView view;
-    view.kind = ShadowMapKind::directional;
+    view.kind = kind;
     std::array<glm::dvec4, 3> rows;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const glm::dvec3 direction = scale[axis] * worldFromLight[axis];
         rows[static_cast<std::size_t>(axis)] = {direction, 0.5 - glm::dot(direction, center)};
     }
     view.mapFromWorld = fromRows(rows[0], rows[1], rows[2]);
-    view.faces.push_back({fromRows({2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}), true});
     view.step = 1.0 / settings.size;
     view.texel = 2.0 * std::max(half.x, half.y) / inner;
+    if (!cascaded) {
+        view.faces.push_back({fromRows({2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}), true});
+        return view;
+    }
+    view.cascadeMargin = margin / settings.size;
+    if constexpr (allMapKinds) {
+        const CascadeSquare all{glm::dvec2(center * worldFromLight), castersHalf};
+        for (const CascadeSquare& part :
+             cascadeSquares(frame, worldFromLight, all, settings.cascades, inner)) {
+            const glm::dvec2 times = half.x / part.half;
+            const glm::dvec2 aside = part.middle - all.middle;
+            const glm::dvec2 plus = 0.5 - times * (0.5 + glm::dvec2(scale) * aside);
+            view.cascades.emplace_back(times, plus);
+            view.faces.push_back(
+                {fromRows({2.0 * times.x, 0, 0, 2.0 * plus.x - 1.0},
+                          {0, 2.0 * times.y, 0, 2.0 * plus.y - 1.0}, {0, 0, 2, -1}),
+                 true});
+        }
+    }
     return view;
 }
 
 } // namespace
 
-ShadowMapView shadowMapView(const Light& light, const Box& bounds,
+glm::dvec3 ShadowMapView::scale() const {
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(mapFromWorld));
+    return {glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])};
+}
+
+ShadowMapKind mapKindOf(const Light& light, const ShadowMapSettings& settings) {
+    if (light.position.w == 0.0)
+        return settings.kind == MapKind::cascades ? ShadowMapKind::cascades
+                                                  : ShadowMapKind::directional;
+    if (settings.kind == MapKind::paraboloid) return ShadowMapKind::paraboloid;
+    // Filtered texels are averaged in the shader, which needs to know its four.
+    return settings.facesApart || settings.isFiltered() ? ShadowMapKind::pointApart
+                                                        : ShadowMapKind::point;
+}
+
+ShadowMapView shadowMapView(const Light& light, const MapSubject& subject, const FrameView& frame,
                             const ShadowMapSettings& settings, int depthBits) {
     const glm::dvec3 position(light.position);
-    return light.position.w == 0.0
-               ? sunView(position, bounds, settings)
-               : pointView(position / light.position.w, bounds, light.range, settings, depthBits);
+    const ShadowMapKind kind = mapKindOf(light, settings);
+    return light.position.w == 0.0 ? sunView(position, subject, frame, settings, kind)
+                                   : pointView(position / light.position.w, subject.bounds,
+                                               light.range, settings, kind, depthBits);
 }
 
 } // namespace edgeshade

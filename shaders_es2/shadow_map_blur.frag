@@ -1,0 +1,60 @@
+// One direction of a separable filter over a shadow map's texels, PCF of them, the middle one's weight
+// the largest. VSM or ESM: what is written, see filtered_distance.glsl; DISTANCES: of VSM, what is
+// read are distances still.
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+#include "shadow_map_distance.glsl"
+#include "filtered_distance.glsl"
+
+uniform mediump sampler2D u_from;
+uniform vec2 u_texel;  // 1 / texels
+uniform vec2 u_along;  // from texel to texel
+
+#ifdef VSM
+// Mean and standard deviation.
+vec2 read(vec2 at) {
+    vec4 texel = texture2D(u_from, at);
+#ifdef DISTANCES
+    return vec2(unpackDistance(texel), 0.0);
+#else
+    return vec2(unpackHalf(texel.rg), unpackHalf(texel.ba));
+#endif
+}
+#else
+float read(vec2 at) { return unpackDistance(texture2D(u_from, at)); }
+#endif
+
+void main() {
+    const float reach = 0.5 * float(PCF - 1);
+    vec2 middle = gl_FragCoord.xy * u_texel;
+    float weights = 0.0;
+#ifdef VSM
+    // From the middle texel, so that squares keep their digits.
+    float from = read(middle).x, mean = 0.0, square = 0.0;
+#else
+    float from = read(middle), sum = 0.0;
+#endif
+    for (int i = 0; i < PCF; ++i) {
+        float aside = float(i) - reach;
+        float weight = 1.0 - abs(aside) / (reach + 1.0);
+        weights += weight;
+#ifdef VSM
+        vec2 there = read(middle + aside * u_along);
+        float away = there.x - from;
+        mean += weight * away;
+        square += weight * (away * away + there.y * there.y);
+#else
+        sum += weight * exp(sharpness * (read(middle + aside * u_along) - from));
+#endif
+    }
+#ifdef VSM
+    mean /= weights;
+    float deviation = sqrt(max(square / weights - mean * mean, 0.0));
+    gl_FragColor = vec4(packHalf(from + mean), packHalf(deviation));
+#else
+    gl_FragColor = packDistance(from + log(sum / weights) / sharpness);
+#endif
+}

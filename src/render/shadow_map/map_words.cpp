@@ -1,0 +1,45 @@
+#include "src/render/shadow_map/map_words.hpp"
+
+#include "src/render/shadow_map/shadow_map_view.hpp"
+
+namespace edgeshade {
+namespace {
+
+std::string facesOf(ShadowMapKind kind, int cascades) {
+    switch (kind) {
+    case ShadowMapKind::directional:
+        return "one map";
+    case ShadowMapKind::cascades:
+        return "up to " + std::to_string(cascades) + " cascades";
+    case ShadowMapKind::paraboloid:
+        return "two paraboloids";
+    default:
+        return "a cube's six faces";
+    }
+}
+
+const char* filterOf(MapFilter filter) {
+    switch (filter) {
+    case MapFilter::poisson:
+        return "Poisson taps";
+    case MapFilter::variance:
+        return "variance";
+    case MapFilter::exponential:
+        return "exponential";
+    default:
+        return "compared";
+    }
+}
+
+} // namespace
+
+std::string mapWords(const Light& light, const ShadowMapSettings& settings) {
+    const std::string size = std::to_string(settings.size), wide = std::to_string(settings.pcf);
+    std::string words = facesOf(mapKindOf(light, settings), settings.cascades) + " of " + size +
+                        " x " + size + " texels, ";
+    if (settings.soft == SoftShadows::pcss && light.extent)
+        return words + "percentage-closer soft shadows";
+    return words + filterOf(settings.filter) + ", " + wide + " wide";
+}
+
+} // namespace edgeshade

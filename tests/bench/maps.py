@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Shadow maps of all kinds and filters, of a sun and of a lamp: wrong pixels, frames, bytes. The tables
+of docs/measured/maps.md and the picture docs/pictures/maps.png.
+
+    tests/bench/maps.py             measures, then tables and the picture
+    tests/bench/maps.py --table     tables from the results that are there
+    tests/bench/maps.py --picture   the picture alone
+
+EDGESHADE names the program.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from edgeshade_runs import PROGRAM, ROOT, SCENES, figure, percent, replace_between, report, results_of
+from png_bytes import Picture, read_png, side_by_side, write_png
+from soft_shadows import lights_for
+
+MODELS = {"pavilion": ROOT / "assets" / "pavilion.glb"}
+MODELS |= {name: SCENES / file for name, file in {
+    "bunny": "bunny.draco.glb", "car": "car.draco.glb", "city": "city.draco.glb", "duck": "duck.glb",
+    "engine": "engine.glb", "garden": "garden.draco.glb", "hospital": "hospital-electrical.glb",
+    "oaktree": "oaktree.glb", "temple": "temple.glb", "truck": "truck.draco.glb"}.items()}
+SIZE, VIEWS, FRAMES = "320x180", 2, 3
+MAP = "shadows=map,map-size="
+
+# Of as many texels each: 1024 x 1024, and of lamps 6 x 512 x 512.
+SUN = {"one map 1024": "1024", "PCF 3": "1024,pcf=3", "Poisson": "1024,filter=poisson",
+       "VSM": "1024,filter=vsm", "ESM": "1024,filter=esm",
+       "cascades 4 x 512": "512,map-kind=cascades", "cascades 4 x 512, Poisson": "512,map-kind=cascades,filter=poisson",
+       "cascades 4 x 512, VSM": "512,map-kind=cascades,filter=vsm",
+       "cascades 1 x 1024": "1024,map-kind=cascades,cascades=1",
+       "cascades 4 x 1024": "1024,map-kind=cascades"}
+LAMP = {"cube 6 x 512": "512", "PCF 3": "512,pcf=3", "Poisson": "512,filter=poisson",
+        "VSM": "512,filter=vsm", "ESM": "512,filter=esm",
+        "paraboloids 2 x 888": "888,map-kind=paraboloid",
+        "paraboloids 2 x 888, VSM": "888,map-kind=paraboloid,filter=vsm"}
+
+
+def case(path, light, contenders):
+    """Biases are tuned by `compare`, as a user would: the fewest wrong pixels over its views."""
+    against = [word for of in contenders.values() for word in ("--against", MAP + of)]
+    judged = report("compare", path, *light, "--size", SIZE, "--views", VIEWS, *against)["results"]
+    tuned = [f"{MAP}{of},map-bias={result['settings']['map-bias']}"
+             for of, result in zip(contenders.values(), judged[1:])]
+    told = report("bench", path, *light, "--size", SIZE, "--frames", FRAMES, "--warm-up", 1,
+                  *(word for of in tuned for word in ("--against", of)))
+    rows = {}
+    for name, errors, times in zip(["volumes", *contenders], judged, told["results"]):
+        visible = errors["visible_pixels"]
+        rows[name] = {"wrong": percent(errors["wrong_image_pixels"], visible),
+                      "beyond": percent(errors["wrong_image_beyond_1px"], visible),
+                      "bias": errors["settings"].get("map-bias"),
+                      "ms": times["frame_ms"]["median"], "bytes": times["bytes_gpu"]}
+    return {"renderer": told["results"][0]["device"]["renderer"], "rows": rows}
+
+
+def measured():
+    results = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, path in MODELS.items():
+            lights = lights_for(path, folder)
+            for kind, contenders in (("sun", SUN), ("lamp", LAMP)):
+                print(name, kind, file=sys.stderr)
+                results[f"{name}, {kind}"] = case(path, lights[kind][:2], contenders)
+    return results
+
+
+def bytes_text(count):
+    return figure(count / 2**20)
+
+
+def row_of(name, shadows, row):
+    bias = "" if row["bias"] is None else f"{row['bias']:g}"
+    return (f"| {name} | {shadows} | {figure(row['wrong'])} | {figure(row['beyond'])} | {bias} | "
+            f"{figure(row['ms'])} | {bytes_text(row['bytes'])} |")
+
+
+def head(first):
+    return [f"| {first} | shadows | image wrong, % | beyond 1 px, % | bias | frame, ms | MB |",
+            "|" + " --- |" * 7]
+
+
+def table(results):
+    """Of each light the means over scenes, which weigh every scene alike, then all of them."""
+    machine, scenes = results["machine"], results["scenes"]
+    renderer = next(iter(scenes.values()))["renderer"]
+    lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, {SIZE}, "
+             f"{VIEWS} views, {FRAMES} frames.", ""]
+    lines += ["| light | shadows | image wrong, % | beyond 1 px, % | scenes where less is wrong than of the first map |",
+              "|" + " --- |" * 5]
+    for kind, first in (("sun", next(iter(SUN))), ("lamp", next(iter(LAMP)))):
+        of = [scene["rows"] for name, scene in scenes.items() if name.endswith(kind)]
+        for shadows in of[0]:
+            mean = {key: sum(rows[shadows][key] for rows in of) / len(of) for key in ("wrong", "beyond")}
+            better = sum(rows[shadows]["wrong"] < rows[first]["wrong"] for rows in of)
+            lines.append(f"| {kind} | {shadows} | {figure(mean['wrong'])} | {figure(mean['beyond'])} | "
+                         f"{'' if shadows == first else f'{better} of {len(of)}'} |")
+    lines += ["", *head("scene, light")]
+    lines += [row_of(name, shadows, row) for name, of in scenes.items() for shadows, row in of["rows"].items()]
+    return "\n".join(lines)
+
+
+def below(pictures, gap=4):
+    """One picture of several as wide, from top to bottom."""
+    blank = [bytes([255] * len(pictures[0].rows[0]))] * gap
+    rows = []
+    for picture in pictures:
+        rows += ([] if not rows else blank) + list(picture.rows)
+    return Picture(pictures[0].width, len(rows), pictures[0].channels, rows)
+
+
+def draw_picture():
+    """The pavilion by every method, coarse enough to tell them apart."""
+    view = ("--size", "240x180", "--camera-from", "3.4,2.2,4.6", "--camera-to", "0.4,0.5,0.6", "--fov", "40")
+    sun, lamp = ("--sun", "0.6,0.7,0.5"), ("--light", "0.4,2.1,0.9")
+    rows = [
+        [(sun, "shadows=volumes"), (sun, MAP + "512"), (sun, MAP + "256,map-kind=cascades"), (sun, MAP + "512,pcf=3")],
+        [(sun, MAP + "512,filter=poisson"), (sun, MAP + "512,filter=vsm,map-bias=0.5"),
+         (sun, MAP + "512,filter=esm"), (sun, MAP + "256,map-kind=cascades,filter=vsm,map-bias=0.5")],
+        [(lamp, "shadows=volumes"), (lamp, MAP + "256"), (lamp, MAP + "444,map-kind=paraboloid"),
+         (lamp, MAP + "444,map-kind=paraboloid,filter=vsm,map-bias=0.5")]]
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "out.png"
+
+        def drawn(light, setting):
+            words = [word for part in setting.split(",") for word in ("--" + part.split("=")[0], part.split("=")[1])]
+            subprocess.run([PROGRAM, "render", MODELS["pavilion"], out, *view, *light, *words], check=True,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            return read_png(out)
+
+        write_png(ROOT / "docs" / "pictures" / "maps.png",
+                  below([side_by_side([drawn(*one) for one in row]) for row in rows]))
+
+
+def main():
+    if sys.argv[1:2] != ["--picture"]:
+        replace_between(ROOT / "docs" / "measured" / "maps.md", "maps", table(results_of("maps", measured)))
+    if sys.argv[1:2] != ["--table"]:
+        draw_picture()
+
+
+if __name__ == "__main__":
+    main()
