@@ -63,8 +63,8 @@ TEST(Help, EveryVerbNamesItsOptions) {
                              "--place",
                              "--time-of-day",
                              "--north",
-                              "--volume-ends",
-                              "--caster-culling"})
+                             "--volume-ends",
+                             "--caster-culling"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);
