@@ -163,7 +163,7 @@ void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
               "where a light rests and all is seen from both sides (off)");
     addChoice(verb, "--volume-ends", settings.render.ends, endNames,
               "Where volumes end whose end is not seen: beyond all that is visible or at "
-              "infinity, by what filling is estimated to cost, or always one of these (cost)");
+              "infinity, by what filling is estimated to cost, or always one of these (planes)");
     addChoice(
         verb, "--mask-scale", settings.render.maskScale, maskScaleNames,
         "Resolution at which volumes are counted, as a share of the picture's; less is faster "

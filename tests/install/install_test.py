@@ -22,7 +22,8 @@ from culling import box, floor, glb  # noqa: E402
 from png_bytes import read_png  # noqa: E402
 
 CXX = os.environ.get("CXX", "c++")
-HEADERS = ("packing.hpp", "shadow_masks.hpp", "silhouettes.hpp")
+HEADERS = ("light_lookup.hpp", "matrix.hpp", "packing.hpp", "shadow_masks.hpp", "silhouettes.hpp")
+OWN = {f'"edgeshade/{name}"' for name in HEADERS}
 INCLUDE = re.compile(r"^\s*#include\s*(\S+)", re.M)
 STANDARD = re.compile("<[a-z_]+>")
 VIEW = ("--size", "320x240", "--camera-from", "4,5,6", "--camera-to", "0,0.5,0", "--fov", "45",
@@ -65,7 +66,8 @@ def check_files(prefix):
 def check_headers(prefix, folder):
     for name in HEADERS:
         path = prefix / "include/edgeshade" / name
-        others = [header for header in INCLUDE.findall(path.read_text()) if not STANDARD.fullmatch(header)]
+        others = [header for header in INCLUDE.findall(path.read_text())
+                  if header not in OWN and not STANDARD.fullmatch(header)]
         require(not others, f"{name} includes {others}.")
         alone = folder / "alone.cpp"
         alone.write_text(f"#include <edgeshade/{name}>\n#include <edgeshade/{name}>\n")

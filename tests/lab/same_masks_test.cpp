@@ -79,11 +79,11 @@ void expectAlike(const Pixels& a, const Pixels& b) {
 
 /// Other ways of filling, and their names.
 std::vector<std::pair<const char*, RenderSettings>> ways() {
-    RenderSettings planes;
-    planes.ends = VolumeEnds::atPlanes;
+    RenderSettings byCost;
+    byCost.ends = VolumeEnds::byCost;
     RenderSettings culled;
     culled.casterCulling = true;
-    return {{"ends at planes", planes}, {"casters culled", culled}};
+    return {{"ends by cost", byCost}, {"casters culled", culled}};
 }
 
 void expectSame(const LoadedScene& loaded, const std::vector<View>& views) {

@@ -115,7 +115,7 @@ TEST(ViewState, FewerLightsLeaveOneChosen) {
 TEST(ViewState, AnUnknownKeyIsRefused) {
     expectRefused(R"({"colour": 7})", "'colour'", "7");
     expectRefused(R"({"camera": {"roll": 8}})", "'camera.roll'", "8");
-    expectRefused(R"({"left": {"pcf": 3}})", "'left.pcf'", "3");
+    expectRefused(R"({"left": {"taps": 3}})", "'left.taps'", "3");
 }
 
 TEST(ViewState, AValueOutOfRangeIsRefused) {

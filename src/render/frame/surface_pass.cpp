@@ -370,9 +370,9 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.sliced) defines.push_back("SLICED");
     if (variant.map) {
         defines.push_back("MAP");
-        std::ranges::copy(filterDefines(variant.map->filter, pcf_), std::back_inserter(defines));
-        std::ranges::copy(faceDefines(variant.map->kind, variant.map->faces),
-                          std::back_inserter(defines));
+        for (const auto& of : {filterDefines(variant.map->filter, pcf_),
+                               faceDefines(variant.map->kind, variant.map->faces)})
+            defines.insert(defines.end(), of.begin(), of.end());
         if (variant.softMap) defines.push_back("SOFT_MAP");
         if (variant.pcss) defines.push_back("PCSS");
         if (variant.rectangle) defines.push_back("PCSS_RECTANGLE");

@@ -32,7 +32,7 @@ struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
-    VolumeEnds ends = VolumeEnds::byCost;                     ///< likewise
+    VolumeEnds ends = VolumeEnds::atPlanes;                   ///< likewise
     SidesLayout layout = SidesLayout::instanced;
     bool casterCulling = false;        ///< of lights at rest, casters wholly in shadow cast nothing
     ShadowMapSettings map;             ///< where shadows are maps

@@ -33,8 +33,8 @@ struct PlanSettings {
     int mantissaBits = 23;                       ///< of the vertex shader's floats
     PotentialSilhouettes* silhouettes = nullptr; ///< null: all records are drawn
     KeptSolids* solids = nullptr; ///< of scenes that cull; null: no cluster is known to be solid
-    VolumeEnds ends = VolumeEnds::byCost; ///< where silhouettes are known; else at planes
-    FillWeights weights{};                ///< of what draws
+    VolumeEnds ends = VolumeEnds::atPlanes; ///< others where silhouettes are known
+    FillWeights weights{};                  ///< of what draws
 };
 
 /// Plans what is drawn of a group of casters for the view's light with that index. `materials`:
