@@ -47,6 +47,13 @@ export type Shadows = 'auto' | 'volumes' | 'primitive-map' | 'map' | 'none';
 export interface SideSettings {
   shadows: Shadows;
   map_size: number;
+  /** Of maps; the program for pages draws 'cube' (one map for a sun) with 'pcf' alone. */
+  map_kind: 'cube' | 'cascades' | 'paraboloid';
+  /** 1 to 4. */
+  cascades: number;
+  filter: 'pcf' | 'poisson' | 'vsm' | 'esm';
+  /** Texels along the filter's edge. */
+  pcf: number;
   multiplicity: string;
   /** Volumes are counted once for so many by so many pixels: 1, 2 or 4. */
   mask_scale: number;
