@@ -52,7 +52,8 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         return plan;
     }
     const glm::dmat4 clipFromWorld = view.clipFromView(slice) * view.frustum.viewFromWorld;
-    const PixelRectangle reach = lightReach(view, slice, source);
+    const bool choosesEnds = settings.ends != VolumeEnds::atPlanes; // where planVolumes() has them
+    const PixelRectangle reach = choosesEnds ? lightReach(view, slice, source) : PixelRectangle{};
     for (std::size_t i = 0; i < plan.batches.size(); ++i) {
         BatchPlan& of = plan.batches[i];
         if (of.volumes.drawn.empty()) continue;
@@ -64,8 +65,11 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
             }
             of.silhouettes = &settings.silhouettes->of(key, of.light);
         }
-        const FillMeter meter(clipFromWorld * of.worldFromBatch, view.width, view.height, reach);
-        chooseEnds(of, places[i], settings.ends, meter, settings.weights);
+        if (choosesEnds) {
+            const FillMeter meter(clipFromWorld * of.worldFromBatch, view.width, view.height,
+                                  reach);
+            chooseEnds(of, places[i], settings.ends, meter, settings.weights);
+        }
         mergeAlike(of.volumes);
         appendDraws(of, i, places[i], materials, plan.draws);
     }
