@@ -233,6 +233,9 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
         verb, "--silhouette", settings.silhouette, silhouetteNames,
         "Which plane-pair records reach the vertex shader: those that can be silhouettes in this "
         "light, or all of them (proposed)");
+    addChoice(verb, "--cull-solids", settings.cullSolids, onOffNames,
+              "Backs of closed solids are not drawn where nobody can see them (on; off with "
+              "--layout published)");
     addVolumeOptions(verb, settings);
     addChoice(
         verb, "--instancing", settings.instancing, instancingNames,
@@ -294,6 +297,7 @@ void resolve(DrawSettings& settings) {
     for (const std::string& option : settings.volumeOptions)
         if (!planes && option != "--mask-scale")
             throw Error(ExitStatus::usage, option + " needs --layout adapted.");
+    settings.render.cullSolids = settings.cullSolids.value_or(planes);
     settings.render.silhouette =
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
@@ -409,6 +413,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"layout", nameIn(layoutNames, volumeLayoutOf(render.multiplicity))},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
         {"silhouette", nameIn(silhouetteNames, render.silhouette)},
+        {"cull-solids", nameIn(onOffNames, render.cullSolids)},
         {"caster-culling", nameIn(onOffNames, render.casterCulling)},
         {"volume-ends", nameIn(endNames, render.ends)},
         {"instancing", nameIn(instancingNames, settings.instancing)},

@@ -28,6 +28,7 @@ struct DrawSettings {
     std::optional<MultiplicityMethod> multiplicity; ///< as typed; see resolve()
     std::optional<VolumeLayout> layout;             ///< likewise
     std::optional<SilhouetteChoice> silhouette;     ///< likewise
+    std::optional<bool> cullSolids;                 ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;               ///< nothing: as many as pay
     std::optional<float> ambient;                 ///< as typed; see resolve()

@@ -64,7 +64,8 @@ TEST(Help, EveryVerbNamesItsOptions) {
                              "--time-of-day",
                              "--north",
                              "--volume-ends",
-                             "--caster-culling"})
+                             "--caster-culling",
+                             "--cull-solids"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

@@ -83,7 +83,10 @@ std::vector<std::pair<const char*, RenderSettings>> ways() {
     byCost.ends = VolumeEnds::byCost;
     RenderSettings culled;
     culled.casterCulling = true;
-    return {{"ends by cost", byCost}, {"casters culled", culled}};
+    RenderSettings withoutBacks;
+    withoutBacks.cullSolids = true;
+    return {
+        {"ends by cost", byCost}, {"casters culled", culled}, {"backs of solids", withoutBacks}};
 }
 
 void expectSame(const LoadedScene& loaded, const std::vector<View>& views) {

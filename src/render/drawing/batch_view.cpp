@@ -1,5 +1,7 @@
 #include "src/render/drawing/batch_view.hpp"
 
+#include "src/shadow/geometry/near_rectangle.hpp"
+
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -16,6 +18,9 @@ BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthS
     result.alpha = batch.alpha ? &*batch.alpha : nullptr;
     result.mirrored = batch.mirrored();
     result.culls = view.culls;
+    result.beforeNear =
+        volumeBefore(slice.near, view.frustum,
+                     glm::inverse(view.frustum.viewFromWorld * batch.worldFromBatch));
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/geometry/separation.hpp"
 #include "src/shadow/geometry/view_planes.hpp"
 
 namespace edgeshade {
@@ -19,6 +20,8 @@ struct BatchView {
     const AlphaLookup* alpha = nullptr; ///< the batch's own; null: its materials' are taken
     bool mirrored = false;
     bool culls = false; ///< see Scene
+    NearClipVolume beforeNear;  ///< what is between the eye and the slice, in the batch's space
+    bool nothingBefore = false; ///< none of its triangles is there
 };
 
 /// Where the view's camera sees a batch from, drawn with the slice's depth range.

@@ -89,7 +89,7 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
     : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
-      counter_(capabilities), surfaces_(capabilities, settings.map.pcf) {
+      counter_(capabilities), surfaces_(capabilities, settings.map.pcf, settings.cullSolids) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);

@@ -1,6 +1,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 
 #include "src/render/shadow_map/map_words.hpp"
+#include "src/scene/solid_surfaces.hpp"
 
 namespace edgeshade {
 namespace {
@@ -64,6 +65,7 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
         scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
                                  capabilities);
     }
+    if (settings.cullSolids) sortSolidsLast(scene, loaded);
     const auto records = settings.records();
     if (records) scene.groups.upload(loaded, view.lights, *records);
     if (mayCullCasters(loaded, view, settings))

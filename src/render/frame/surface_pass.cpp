@@ -229,6 +229,16 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
                         [&](const glm::dvec4& plane) { return isOutside(chunk.bounds, plane); });
 }
 
+/// Whether none of the backs of the chunk's solids can be seen: nothing of them is between the eye
+/// and the slice (docs/method.md, C44).
+bool areBacksHidden(const SurfaceChunk& chunk, const BatchView& view) {
+    return std::all_of(chunk.solids.begin(), chunk.solids.end(),
+                       [&](const Box& solid) {
+                           return isOutsideOf(solid, view.beforeNear.light) &&
+                                  (view.nothingBefore || areApart(view.beforeNear, solid));
+                       });
+}
+
 } // namespace
 
 bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes) {
@@ -243,6 +253,8 @@ bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes) {
 BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                         const DepthSlice& slice, const SurfaceShading& shading) {
     BatchView result = batchViewOf(batch, view, slice);
+    const auto number = static_cast<std::size_t>(&batch - scene.batches.data());
+    result.nothingBefore = slice.near <= view.nearestDepths[number];
     if (shading.light && shading.light->isSpot())
         result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
     if (shading.map)
@@ -250,7 +262,7 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
     if (shading.primitives) {
         result.mapFromObject = glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
         result.sided =
-            &shading.primitives->sided[static_cast<std::size_t>(&batch - scene.batches.data())];
+            &shading.primitives->sided[number];
     }
     return result;
 }
@@ -429,6 +441,22 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
     return drawSeen(scene, chunk, view, eye, shading);
 }
 
+/// Those of the chunk's own indices, which are bound.
+void SurfacePass::drawTriangles(const SurfaceChunk& chunk, const BatchView& view) const {
+    const bool hidden = cullsSolids_ && !chunk.solids.empty() && areBacksHidden(chunk, view);
+    const int both = hidden ? chunk.firstSolidIndex : chunk.indexCount;
+    if (both > 0) glDrawElements(GL_TRIANGLES, both, GL_UNSIGNED_SHORT, nullptr);
+    if (!hidden) return;
+    const GLboolean culling = glIsEnabled(GL_CULL_FACE); // fronts alone are drawn already
+    if (!culling) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(view.mirrored ? GL_FRONT : GL_BACK);
+    }
+    glDrawElements(GL_TRIANGLES, chunk.indexCount - both, GL_UNSIGNED_SHORT,
+                   reinterpret_cast<const void*>(static_cast<std::size_t>(both) * 2));
+    if (!culling) glDisable(GL_CULL_FACE);
+}
+
 std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chunk,
                                   const BatchView& view, const glm::dvec3& eye,
                                   const SurfaceShading& shading) {
@@ -481,7 +509,10 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
                         attribute.offset, false);
         }
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, (variant.sided ? sided->indices : chunk.indices).name());
-    glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
+    if (variant.sided)
+        glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
+    else
+        drawTriangles(chunk, view);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     return static_cast<std::size_t>(chunk.indexCount);
 }

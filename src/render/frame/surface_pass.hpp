@@ -73,16 +73,19 @@ bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes);
 BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                         const DepthSlice& slice, const SurfaceShading& shading);
 
-/// Draws visible surfaces, from both sides but where the scene culls single-sided ones; depth,
-/// stencil and blending are the caller's state.
+/// Draws visible surfaces, from both sides but where the scene culls single-sided ones, and where
+/// they are backs of solids that can't be seen; depth, stencil and blending are the caller's state.
 /// Those of unlit materials have their own colour whatever the light; masks show where it falls on
 /// them.
 class SurfacePass {
   public:
     /// `pcf`: how many texels of a shadow map are compared, along each axis; odd.
-    explicit SurfacePass(const gl::Capabilities& capabilities, int pcf = 1)
+    /// `cullsSolids`: whether backs of solids that can't be seen are left out.
+    explicit SurfacePass(const gl::Capabilities& capabilities, int pcf = 1,
+                         bool cullsSolids = false)
         : textureUnits_(capabilities.textureUnits),
-          derivatives_(capabilities.has("GL_OES_standard_derivatives")), pcf_(pcf) {}
+          derivatives_(capabilities.has("GL_OES_standard_derivatives")), pcf_(pcf),
+          cullsSolids_(cullsSolids) {}
 
     /// Draws the batch's surfaces of the given kind, in the order of its chunks. Returns vertex
     /// runs.
@@ -159,6 +162,7 @@ class SurfacePass {
     };
     static const std::array<Attribute, 8> attributes_; ///< in the order of their locations
 
+    void drawTriangles(const SurfaceChunk& chunk, const BatchView& view) const;
     std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                          const glm::dvec3& eye, const SurfaceShading& shading);
     Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
@@ -171,6 +175,7 @@ class SurfacePass {
     int textureUnits_;
     bool derivatives_;
     int pcf_;
+    bool cullsSolids_;
     std::map<Variant, gl::Program> programs_;
 };
 

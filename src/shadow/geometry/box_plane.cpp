@@ -1,5 +1,7 @@
 #include "src/shadow/geometry/box_plane.hpp"
 
+#include <algorithm>
+
 namespace edgeshade {
 
 double largestOver(const Box& box, const glm::dvec4& plane, double w) {
@@ -15,6 +17,15 @@ double roundingOf(const Box& box, const glm::dvec4& plane) {
 
 bool isOutside(const Box& box, const glm::dvec4& plane) {
     return largestOver(box, plane) < -roundingOf(box, plane);
+}
+
+bool isOutsideOf(const Box& box, const glm::dvec4& point) {
+    if (point.w == 0.0) return true;
+    const glm::dvec3 at = glm::dvec3(point) / point.w;
+    const double margin =
+        placingError * std::max({glm::length(box.low), glm::length(box.high), glm::length(at)});
+    return glm::any(glm::lessThan(box.high + margin, at)) ||
+           glm::any(glm::lessThan(at + margin, box.low));
 }
 
 } // namespace edgeshade

@@ -18,4 +18,7 @@ double roundingOf(const Box& box, const glm::dvec4& plane);
 /// Whether the whole box is certainly outside the plane.
 bool isOutside(const Box& box, const glm::dvec4& plane);
 
+/// Whether a light or an eye, homogeneous, is certainly outside of the box.
+bool isOutsideOf(const Box& box, const glm::dvec4& point);
+
 } // namespace edgeshade

@@ -4,6 +4,7 @@
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/geometry/near_rectangle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,6 @@ constexpr double endMargin = 2e-3;
 /// How far below the light, of its own height above a plane, casters must be whose volumes end
 /// there.
 constexpr double leastBelow = 1e-2;
-
-/// Corners of the picture at a depth, in the batch.
-std::array<glm::dvec3, 4> rectangleAt(double depth, const FrameView& view,
-                                      const glm::dmat4& batchFromView) {
-    const Frustum& frustum = view.frustum;
-    const double unit = frustum.orthographic ? 1.0 : depth;
-    std::array<glm::dvec3, 4> corners;
-    const std::array<glm::dvec2, 4> signs = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-    for (std::size_t i = 0; i < 4; ++i)
-        corners[i] =
-            glm::dvec3(batchFromView * glm::dvec4(unit * frustum.windowAt(signs[i]), -depth, 1.0));
-    return corners;
-}
 
 /// Whether the box and all that is behind it in the light are outside the plane: extruding leads
 /// farther out.
@@ -53,30 +41,9 @@ bool mayBackCapsBeSeen(const Box& box, const PlanView& view) {
     });
 }
 
-bool mayOverlap(const Box& box, const Box& other) {
-    const double margin =
-        placingError * std::max({glm::length(box.low), glm::length(box.high),
-                                 glm::length(other.low), glm::length(other.high)});
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        if (box.high[axis] + margin < other.low[axis] || other.high[axis] + margin < box.low[axis])
-            return false;
-    return true;
-}
-
-Box boxAround(const glm::dvec3& point) {
-    Box box;
-    box.add(point);
-    return box;
-}
-
-/// Whether a light or an eye, homogeneous, is certainly outside of the cluster's box.
-bool isOutsideOf(const ShadowCluster& cluster, const glm::dvec4& point) {
-    return point.w == 0.0 || !mayOverlap(cluster.bounds, boxAround(glm::dvec3(point) / point.w));
-}
-
 /// Whether both winding numbers are certainly 0.
 bool areOutside(const ShadowCluster& cluster, const PlanView& view) {
-    return isOutsideOf(cluster, view.eye) && isOutsideOf(cluster, view.light);
+    return isOutsideOf(cluster.bounds, view.eye) && isOutsideOf(cluster.bounds, view.light);
 }
 
 /// Whether the eye may see through backs of the cluster: some single-sided triangle of it may be
@@ -85,7 +52,7 @@ bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, co
                  bool solid) {
     if (!view.culls || cluster.singleSided == 0) return false;
     // A front is met first then.
-    if (solid && isOutsideOf(cluster, view.eye) &&
+    if (solid && isOutsideOf(cluster.bounds, view.eye) &&
         !anyCapTouches(view.beforeNearest, cluster, shadow))
         return false;
     const auto aside = [&](const glm::dvec4& plane) { return isOutside(cluster.bounds, plane); };
@@ -271,10 +238,10 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     if (light.isSpot())
         for (const glm::dvec4& plane : planesAround(light))
             result.cone.push_back(glm::transpose(worldFromBatch) * plane);
-    result.eye = view.frustum.orthographic ? batchFromView[2] : batchFromView[3];
-    result.fromNear = {rectangleAt(slice.near, view, batchFromView), result.light};
-    result.fromNearest = {rectangleAt(view.near(), view, batchFromView), result.light};
-    result.beforeNearest = {result.fromNearest.corners, result.eye};
+    result.fromNear = {rectangleAt(slice.near, view.frustum, batchFromView), result.light};
+    result.beforeNearest = volumeBefore(view.near(), view.frustum, batchFromView);
+    result.fromNearest = {result.beforeNearest.corners, result.light};
+    result.eye = result.beforeNearest.light;
     result.planes = viewPlanes(view, slice, worldFromBatch);
     addEnd(result.planes.back(), result);
     if (!view.visible.empty())
@@ -366,7 +333,7 @@ VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
         const glm::dvec4 beforeNear = -view.planes[4]; // >= 0 before the near plane
         draw.nearDiscard = draw.zFail() && draw.frontCaps && !isOutside(cluster.bounds, beforeNear);
         draw.fannedCaps = draw.zFail() && !cluster.alphaTested && !draw.nearDiscard &&
-                          (!draw.backCaps || isOutsideOf(cluster, view.light));
+                          (!draw.backCaps || isOutsideOf(cluster.bounds, view.light));
         draw.culledCaps = culled && inView;
         plan.drawn.push_back(draw);
     }
