@@ -40,7 +40,7 @@ struct GpuScene {
     bool cutoutsCast = false; ///< LoadedScene's
     bool seeThrough = false;  ///< some surfaces are BLEND and take light
     SidesLayout oppositeVertexLayout = SidesLayout::instanced; ///< of what is there of them
-    bool solidsLast = false; ///< sortSolidsLast() was here
+    bool solidsLast = false;                                   ///< sortSolidsLast() was here
     bool plain = false; ///< all that its surfaces do is scatter light, see Material::isPlain()
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);

@@ -18,9 +18,8 @@ BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthS
     result.alpha = batch.alpha ? &*batch.alpha : nullptr;
     result.mirrored = batch.mirrored();
     result.culls = view.culls;
-    result.beforeNear =
-        volumeBefore(slice.near, view.frustum,
-                     glm::inverse(view.frustum.viewFromWorld * batch.worldFromBatch));
+    result.beforeNear = volumeBefore(
+        slice.near, view.frustum, glm::inverse(view.frustum.viewFromWorld * batch.worldFromBatch));
     return result;
 }
 

@@ -19,7 +19,7 @@ struct BatchView {
     const std::vector<SidedChunk>* sided = nullptr;
     const AlphaLookup* alpha = nullptr; ///< the batch's own; null: its materials' are taken
     bool mirrored = false;
-    bool culls = false; ///< see Scene
+    bool culls = false;         ///< see Scene
     NearClipVolume beforeNear;  ///< what is between the eye and the slice, in the batch's space
     bool nothingBefore = false; ///< none of its triangles is there
 };

@@ -232,11 +232,10 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
 /// Whether none of the backs of the chunk's solids can be seen: nothing of them is between the eye
 /// and the slice (docs/method.md, C44).
 bool areBacksHidden(const SurfaceChunk& chunk, const BatchView& view) {
-    return std::all_of(chunk.solids.begin(), chunk.solids.end(),
-                       [&](const Box& solid) {
-                           return isOutsideOf(solid, view.beforeNear.light) &&
-                                  (view.nothingBefore || areApart(view.beforeNear, solid));
-                       });
+    return std::all_of(chunk.solids.begin(), chunk.solids.end(), [&](const Box& solid) {
+        return isOutsideOf(solid, view.beforeNear.light) &&
+               (view.nothingBefore || areApart(view.beforeNear, solid));
+    });
 }
 
 } // namespace
@@ -261,8 +260,7 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
         result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
     if (shading.primitives) {
         result.mapFromObject = glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
-        result.sided =
-            &shading.primitives->sided[number];
+        result.sided = &shading.primitives->sided[number];
     }
     return result;
 }

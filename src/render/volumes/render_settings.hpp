@@ -35,7 +35,7 @@ struct RenderSettings {
     VolumeEnds ends = VolumeEnds::atPlanes;                   ///< likewise
     SidesLayout layout = SidesLayout::instanced;
     bool casterCulling = false;        ///< of lights at rest, casters wholly in shadow cast nothing
-    bool cullSolids = false; ///< backs of solids aren't drawn where they can't be seen
+    bool cullSolids = false;           ///< backs of solids aren't drawn where they can't be seen
     ShadowMapSettings map;             ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
