@@ -1,4 +1,4 @@
-// The shadow volume of one triangle A < B < C, no matter what is next to it (van Sambeek 2007): its
+// The shadow volume of one triangle A < B < C, no matter what is next to it (Sambeek 2007): its
 // front cap, its three sides, its back cap, all turned by the one sign of that triangle, so that it is
 // closed whatever the sign is (docs/method.md, C3).
 //

@@ -286,8 +286,8 @@ class Course {
             result.sideBytes += volumes->sideBytes();
             result.capBytes += volumes->capBytes();
         }
-        result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes() +
-                          scene.planes.bytes();
+        result.mapBytes =
+            contender.renderer.mapBytes() + scene.primitiveMaps.bytes() + scene.planes.bytes();
         result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
         result.lights = lightMethods(scene, contender.stage.view(), contender.renderer);
         const auto first = contender.frameMs.begin();

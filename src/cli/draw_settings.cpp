@@ -183,8 +183,8 @@ void addRivalOptions(CLI::App& verb, DrawSettings& settings) {
               "before them and, by the light's own view of it, before the near plane (z-fail)");
     noted(verb.add_option("--planes", settings.render.planes,
                           "Onto how many planes shadows are projected, the largest of the scene, 1 "
-                          "to " + std::to_string(mostShadowPlanes) +
-                              " (4)"),
+                          "to " +
+                              std::to_string(mostShadowPlanes) + " (4)"),
           settings.planarOptions)
         ->check(CLI::Range(std::size_t{1}, mostShadowPlanes))
         ->type_name("N");
@@ -197,9 +197,10 @@ void resolveRivals(DrawSettings& settings) {
         throw Error(ExitStatus::usage, "--count needs --layout brute-force.");
     settings.render.count = settings.count.value_or(BruteForceCount::zFail);
     if (bruteForce && settings.instancing == InstancingChoice::multiDraw)
-        throw Error(ExitStatus::usage,
-                    "--instancing multi-draw does not go with --layout brute-force, whose triangles "
-                    "are drawn whole.");
+        throw Error(
+            ExitStatus::usage,
+            "--instancing multi-draw does not go with --layout brute-force, whose triangles "
+            "are drawn whole.");
     if (settings.render.shadows != ShadowMethod::planar && !settings.planarOptions.empty())
         throw Error(ExitStatus::usage, settings.planarOptions.front() + " needs --shadows planar.");
 }
@@ -266,10 +267,11 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--multiplicity", settings.multiplicity, multiplicityNames,
               "How a triangle's facing is decided (plane; reference-edge with --layout published, "
               "triangle with brute-force); single-edge is not robust");
-    addChoice(verb, "--layout", settings.layout, layoutNames,
-              "What volumes are drawn from: records of what the scene requires, which hold planes, "
-              "the published ones of opposite vertices, or casting triangles, each with a volume of "
-              "its own (adapted)");
+    addChoice(
+        verb, "--layout", settings.layout, layoutNames,
+        "What volumes are drawn from: records of what the scene requires, which hold planes, "
+        "the published ones of opposite vertices, or casting triangles, each with a volume of "
+        "its own (adapted)");
     addChoice(
         verb, "--silhouette", settings.silhouette, silhouetteNames,
         "Which plane-pair records reach the vertex shader: those that can be silhouettes in this "

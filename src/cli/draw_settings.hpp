@@ -52,8 +52,8 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
 /// Reads the environment, and works out render.ambient, render.multiplicity and render.silhouette
 /// from what was typed: plane-pair records hold planes, published ones opposite vertices, brute
-/// force needs neither, so that layout or method follows from the other. Throws Error(usage) where they don't go together, and
-/// for options that another one makes meaningless; InputError.
+/// force needs neither, so that layout or method follows from the other. Throws Error(usage) where
+/// they don't go together, and for options that another one makes meaningless; InputError.
 void resolve(DrawSettings& settings);
 
 /// Throws Error(usage) where there is an option or a choice that only lights with an extent have,

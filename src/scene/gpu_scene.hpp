@@ -43,7 +43,7 @@ struct GpuScene {
     SidesLayout oppositeVertexLayout = SidesLayout::instanced; ///< of what is there of them
     SidesLayout triangleLayout = SidesLayout::instanced;       ///< likewise
     ShadowPlanes planes{}; ///< where shadows are projected onto planes
-    bool plain = false; ///< all that its surfaces do is scatter light, see Material::isPlain()
+    bool plain = false;    ///< all that its surfaces do is scatter light, see Material::isPlain()
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);
 

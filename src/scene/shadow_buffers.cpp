@@ -39,7 +39,8 @@ void uploadCaps(const CapsData& caps, SidesLayout layout, int vertices,
         chunks.push_back({gl::vertexBuffer<glm::vec4>(caps.records), 0, caps.recordCount()});
         return;
     }
-    const std::size_t limit = recordsPerChunk(CapsData::vectorsPerRecord, static_cast<std::size_t>(vertices));
+    const std::size_t limit =
+        recordsPerChunk(CapsData::vectorsPerRecord, static_cast<std::size_t>(vertices));
     for (std::size_t first = 0; first < caps.recordCount(); first += limit) {
         const std::size_t count = std::min(limit, caps.recordCount() - first);
         chunks.push_back(

@@ -1,5 +1,5 @@
-// Volumes of single triangles against ray casting: right for any soup of triangles, behind surfaces and
-// before them, with the eye in shadow, on any device.
+// Volumes of single triangles against ray casting: right for any soup of triangles, behind surfaces
+// and before them, with the eye in shadow, on any device.
 
 #include "preprocess/base/error.hpp"
 #include "src/shadow/plan/brute_force/triangle_draws.hpp"
@@ -61,7 +61,8 @@ TEST(BruteForce, AnEdgeWithManyTriangles) {
     SceneBuilder builder = SceneBuilder().floor(6);
     for (int i = 0; i < 9; ++i) {
         const float angle = 0.7f * static_cast<float>(i);
-        builder.triangle({0, 0.5f, 0}, {0, 2.5f, 0}, {2 * std::cos(angle), 1.5f, 2 * std::sin(angle)});
+        builder.triangle({0, 0.5f, 0}, {0, 2.5f, 0},
+                         {2 * std::cos(angle), 1.5f, 2 * std::sin(angle)});
     }
     for (const Light& light : {pointLight({0.3, 5, 0.4}), sun({0.3, 1, 0.2})})
         expectRight({builder.scene(), corner, light});
@@ -75,8 +76,8 @@ Scene soup(bool slivers) {
     SceneBuilder builder = SceneBuilder().floor(6);
     for (int i = 0; i < 60; ++i) {
         const glm::vec3 a = place(), b = place();
-        const glm::vec3 c = slivers ? a + 0.5f * (b - a) + glm::vec3(0, 1e-5f, 2e-5f)
-                                    : a + 0.6f * (place() - a);
+        const glm::vec3 c =
+            slivers ? a + 0.5f * (b - a) + glm::vec3(0, 1e-5f, 2e-5f) : a + 0.6f * (place() - a);
         builder.triangle(a, a + 0.6f * (b - a), c);
     }
     return builder.scene();
@@ -104,8 +105,8 @@ TEST(BruteForce, EyeInShadow) {
                             .box({-2, 3, -2}, {2, 3.3f, 2})
                             .box({-0.4f, 0.3f, -3}, {0.4f, 1, -2.4f})
                             .scene();
-    for (const Camera& camera : {Camera{{0.3, 1.5, 0.4}, {0, 0.4, -4}, 60.0},
-                                 Camera{{1.9, 1.5, 0.4}, {0, 0.4, -6}, 75.0}})
+    for (const Camera& camera :
+         {Camera{{0.3, 1.5, 0.4}, {0, 0.4, -4}, 60.0}, Camera{{1.9, 1.5, 0.4}, {0, 0.4, -6}, 75.0}})
         for (const Light& light : {pointLight({0.5, 6, 0.8}), pointLight({0.5, 6, -1.8}),
                                    sun({0.2, 1, 0.3}), sun({0.2, 1, -0.3})})
             expectRight({scene, camera, light});
@@ -113,18 +114,15 @@ TEST(BruteForce, EyeInShadow) {
 
 // The light beyond the near plane, with casters in between, and behind the eye.
 TEST(BruteForce, EyeInTheShadowOfWhatIsAhead) {
-    const Scene scene = SceneBuilder()
-                            .floor(9)
-                            .quad({-1, 0, -3}, {1, 0, -3}, {1, 3, -3}, {-1, 3, -3})
-                            .scene();
+    const Scene scene =
+        SceneBuilder().floor(9).quad({-1, 0, -3}, {1, 0, -3}, {1, 3, -3}, {-1, 3, -3}).scene();
     expectRight({scene, {{0.2, 1, 2}, {1, 0.2, -1}, 80.0}, pointLight({0, 2, -5})});
     expectRight({scene, {{0.2, 1, -4}, {1, 0.2, -9}, 80.0}, pointLight({0, 2, 3})});
 }
 
 // A caster through the near plane, with the eye on either side of it.
 TEST(BruteForce, ACasterThroughTheNearPlane) {
-    const Scene scene =
-        SceneBuilder().floor(8).box({-3, 1.8f, -3}, {3, 2, 0.9f}).scene();
+    const Scene scene = SceneBuilder().floor(8).box({-3, 1.8f, -3}, {3, 2, 0.9f}).scene();
     for (const double y : {1.5, 2.6})
         for (const Light& light : {pointLight({1, 5, -0.5}), sun({0.1, 1, 0.4})})
             expectRight({scene, {{0.3, y, 1}, {0, 0, -4}, 80.0}, light, 0.5});

@@ -63,7 +63,8 @@ TEST(LargestPlanes, TellRoundingFromSteps) {
     };
     for (int i = 0; i < 200; ++i) {
         const double x = 0.05 * i, step = i % 2 == 0 ? 0.0 : 0.01;
-        builder.quad(at(x, step, 1), at(x + 0.05, step, 1), at(x + 0.05, step, -1), at(x, step, -1));
+        builder.quad(at(x, step, 1), at(x + 0.05, step, 1), at(x + 0.05, step, -1),
+                     at(x, step, -1));
     }
     const auto planes = largestPlanes(builder.scene(), 8);
     ASSERT_EQ(planes.size(), 2u);
@@ -74,7 +75,7 @@ TEST(LargestPlanes, TellRoundingFromSteps) {
 // What is smaller than the tolerance lies near many planes, and in none that it stands on.
 TEST(LargestPlanes, TinyAndDegenerateTriangles) {
     SceneBuilder builder = SceneBuilder().floor(5);
-    builder.triangle({0, 0, 0}, {1e-6f, 0, 0}, {0, 1e-6f, 0});  // stands
+    builder.triangle({0, 0, 0}, {1e-6f, 0, 0}, {0, 1e-6f, 0});      // stands
     builder.triangle({1, 0, 0}, {1 + 1e-3f, 0, 0}, {1, 0, -1e-3f}); // lies
     builder.triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0});
     builder.triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1});
@@ -91,9 +92,11 @@ TEST(LargestPlanes, TinyAndDegenerateTriangles) {
 TEST(LargestPlanes, LeaveOutWhatMovesAndWhatIsSeenThrough) {
     Material blend;
     blend.alphaMode = AlphaMode::blend;
-    const Scene seenThrough =
-        SceneBuilder().floor(1).material(blend).quad({-5, 1, 5}, {5, 1, 5}, {5, 1, -5}, {-5, 1, -5})
-            .scene();
+    const Scene seenThrough = SceneBuilder()
+                                  .floor(1)
+                                  .material(blend)
+                                  .quad({-5, 1, 5}, {5, 1, 5}, {5, 1, -5}, {-5, 1, -5})
+                                  .scene();
     const auto planes = largestPlanes(seenThrough, 4);
     ASSERT_EQ(planes.size(), 1u);
     EXPECT_NEAR(planes[0].area, 4.0, 1e-6);

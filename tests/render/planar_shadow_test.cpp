@@ -100,8 +100,8 @@ const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 TEST(PlanarShadows, BoxOverFloor) {
     const glm::vec3 low{-1, 0.5f, -1}, high{1, 2, 1};
     const Scene alone = SceneBuilder().box(low, high).scene();
-    for (const Light& light : {pointLight({1.7, 4, 0.7}), pointLight({7, 4.5, -3}),
-                               sun({0.5, 1, -0.3}), sun({0, 1, 0})})
+    for (const Light& light :
+         {pointLight({1.7, 4, 0.7}), pointLight({7, 4.5, -3}), sun({0.5, 1, -0.3}), sun({0, 1, 0})})
         expectRight({floorAnd(low, high).scene(), corner, light}, alone);
 }
 
@@ -111,14 +111,14 @@ TEST(PlanarShadows, StandingOnTheFloorAndThroughIt) {
             expectRight({floorAnd({-1, y, -1}, {1, 1.2f, 1}).scene(), corner, light});
 }
 
-// What is above the lamp, at its height or below the floor casts nothing onto the floor; what crosses
-// its height casts a part of itself.
+// What is above the lamp, at its height or below the floor casts nothing onto the floor; what
+// crosses its height casts a part of itself.
 TEST(PlanarShadows, LampBetweenCastersAndPlane) {
     const Light lamp = pointLight({0.3, 1.5, 0.2});
-    expectRight({floorAnd({-1, 2, -1}, {1, 3, 1}).scene(), corner, lamp},
-                SceneBuilder().scene(), false);
-    expectRight({floorAnd({-1, -2, -1}, {1, -1, 1}).scene(), corner, lamp},
-                SceneBuilder().scene(), false);
+    expectRight({floorAnd({-1, 2, -1}, {1, 3, 1}).scene(), corner, lamp}, SceneBuilder().scene(),
+                false);
+    expectRight({floorAnd({-1, -2, -1}, {1, -1, 1}).scene(), corner, lamp}, SceneBuilder().scene(),
+                false);
     expectRight({floorAnd({1, 0.6f, -1}, {1.4f, 3, 1}).scene(), corner, lamp});
     expectRight({floorAnd({-1.5f, 0.5f, -1}, {-0.5f, 1.5f, 1}).scene(), corner, lamp});
 }
@@ -126,7 +126,8 @@ TEST(PlanarShadows, LampBetweenCastersAndPlane) {
 // From behind the eye, from ahead, with the eye in shadow.
 TEST(PlanarShadows, EyeInShadow) {
     const Scene scene = floorAnd({-3, 3, -3}, {3, 3.2f, 3}).scene();
-    for (const Light& light : {pointLight({0.5, 6, 4}), pointLight({0.5, 6, -4}), sun({0.2, 1, 0.3})})
+    for (const Light& light :
+         {pointLight({0.5, 6, 4}), pointLight({0.5, 6, -4}), sun({0.2, 1, 0.3})})
         expectRight({scene, {{0.3, 1.5, 2}, {0, 0.2, -4}, 70.0}, light});
 }
 
@@ -164,7 +165,8 @@ TEST(PlanarShadows, SeveralPlanesAndNoMoreThanAskedFor) {
         const Counted floorAlone = compare({room(blue), camera, light, 1}, wall);
         EXPECT_EQ(floorAlone.wrongBeyondOnePixel, 0);
         EXPECT_GT(floorAlone.others, 500);
-        EXPECT_LT(floorAlone.othersWrong, 500); // the box's sides, which the wall's answers aren't of
+        EXPECT_LT(floorAlone.othersWrong,
+                  500); // the box's sides, which the wall's answers aren't of
     }
 }
 
@@ -217,8 +219,11 @@ TEST(PlanarShadows, SeeThroughCasters) {
 
 // In colours shadow is darkened once, where two casters overlap as where one casts.
 TEST(PlanarShadows, DarkenOnce) {
-    const Scene scene =
-        SceneBuilder().floor(6).box({-1, 0.5f, -1}, {1, 1, 1}).box({-1, 2, -1}, {1, 2.5f, 1}).scene();
+    const Scene scene = SceneBuilder()
+                            .floor(6)
+                            .box({-1, 0.5f, -1}, {1, 1, 1})
+                            .box({-1, 2, -1}, {1, 2.5f, 1})
+                            .scene();
     Setup setup{scene, {{0, 9, 6}, {0, 0, 0}, 50.0}, sun({0.3, 1, 0.2})};
     RenderSettings settings;
     settings.planes = 1;

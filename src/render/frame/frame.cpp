@@ -34,9 +34,8 @@ void requireCountable(const RenderSettings& settings, const FrameView& view) {
                                  ? "Brute-force volumes"
                                  : "Opposite-vertex records";
     if (view.frustum.orthographic)
-        throw Error(ExitStatus::unavailable,
-                    what + " can't be counted in an orthographic picture; "
-                           "'--multiplicity plane' can.");
+        throw Error(ExitStatus::unavailable, what + " can't be counted in an orthographic picture; "
+                                                    "'--multiplicity plane' can.");
     if (view.culls)
         throw Error(ExitStatus::unavailable,
                     what + " don't say which side of a triangle is its front, so "
@@ -180,7 +179,9 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
                    .planCount = {}};
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
     if (planar_) { // counted in one stencil, without volumes
-        task.groupCount = [&](std::size_t light) -> std::size_t { return visibilityOf(light) ? 0 : 1; };
+        task.groupCount = [&](std::size_t light) -> std::size_t {
+            return visibilityOf(light) ? 0 : 1;
+        };
         task.planCount = [](const DepthSlice&, std::size_t, std::size_t) { return CountPlan(); };
     }
     if (!volumes_) return planFrame(task);
@@ -410,8 +411,8 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
     setCounting();
     if constexpr (hasRivals)
         if (planar_) {
-            vertexRuns_ += planar_->mark(pass.scene, pass.view, pass.slice,
-                                         pass.view.lights[light].light);
+            vertexRuns_ +=
+                planar_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light);
             return;
         }
     counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});

@@ -183,7 +183,7 @@ class Renderer {
     LightSum sum_;                             ///< likewise
     SurfacePass surfaces_;
     ShadowMark mark_;
-    std::optional<ShadowMapPass> maps_; ///< where shadows are maps
+    std::optional<ShadowMapPass> maps_;      ///< where shadows are maps
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
     std::optional<LinearTarget> linear_;
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it

@@ -7,10 +7,9 @@
 namespace edgeshade {
 
 /// Makes and uploads what the view's lights need of a scene beyond its records: groups of casters
-/// that a stencil can count, planes, and primitive maps, also those that see-through surfaces alone are
-/// looked up in. Kept while lights and casters rest. For a
-/// renderer of `settings` in the context of `capabilities`. Throws Error(unavailable) if the GL
-/// can't.
+/// that a stencil can count, planes, and primitive maps, also those that see-through surfaces alone
+/// are looked up in. Kept while lights and casters rest. For a renderer of `settings` in the
+/// context of `capabilities`. Throws Error(unavailable) if the GL can't.
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities);
 

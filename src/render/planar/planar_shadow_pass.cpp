@@ -34,8 +34,8 @@ bool isGrazed(const ShadowPlane& plane, const Light& light) {
 }
 
 bool isOutOfView(const ShadowPlane& plane, const ViewPlanes& planes) {
-    return std::ranges::any_of(
-        planes, [&](const glm::dvec4& of) { return isOutside(plane.bounds, of); });
+    return std::ranges::any_of(planes,
+                               [&](const glm::dvec4& of) { return isOutside(plane.bounds, of); });
 }
 
 glm::dvec4 inObject(const glm::dvec4& plane, const glm::dmat4& worldFromObject) {
@@ -53,11 +53,11 @@ const gl::Program& PlanarShadowPass::program(const Variant& variant) {
         std::vector<std::string> defines;
         if (variant.clipped) defines.push_back("CLIPPED");
         if (variant.alphaTest) defines.push_back("ALPHA_TEST");
-        found = programs_
-                    .emplace(variant, gl::Program(shaders::projected_caster_vert,
-                                                  shaders::projected_frag, defines,
-                                                  casterAttributes))
-                    .first;
+        found =
+            programs_
+                .emplace(variant, gl::Program(shaders::projected_caster_vert,
+                                              shaders::projected_frag, defines, casterAttributes))
+                .first;
     }
     found->second.use();
     return found->second;
@@ -141,9 +141,9 @@ void PlanarShadowPass::projectChunk(const Target& target, const ShadowPlane& pla
     const glm::dvec4 up = inObject(towardsLight(plane, target.light), worldFromBatch);
     const glm::dvec4& light = target.light.position;
     const double least = leastHeight * plane.tolerance;
-    const double most =
-        light.w == 0.0 ? std::numeric_limits<float>::max()
-                       : mostHeight * std::abs(glm::dot(plane.plane, light)) / light.w;
+    const double most = light.w == 0.0
+                            ? std::numeric_limits<float>::max()
+                            : mostHeight * std::abs(glm::dot(plane.plane, light)) / light.w;
     const double rounding = roundingOf(chunk.bounds, up);
     const double highest = largestOver(chunk.bounds, up), lowest = -largestOver(chunk.bounds, -up);
     if (highest + rounding <= least || lowest - rounding >= most) return;

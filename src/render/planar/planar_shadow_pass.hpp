@@ -8,17 +8,18 @@
 
 namespace edgeshade {
 
-/// Shadows of all casters on a scene's ShadowPlanes, and on nothing else (van Sambeek 2007): casters
+/// Shadows of all casters on a scene's ShadowPlanes, and on nothing else (Sambeek 2007): casters
 /// are projected by the light onto each plane, which is exact there. Every pixel is dark once or
 /// not at all, since the stencil says so.
 class PlanarShadowPass {
   public:
     PlanarShadowPass();
 
-    /// Marks what of the planes' surfaces in the depth buffer is in the light's shadow: the stencil,
-    /// which must be 0, is not 0 there, also where casters in a plane are seen from the side that is
-    /// turned away from the light. Colour and depth masks are the caller's state, the viewport the
-    /// picture's. Leaves the depth test on and LESS, the stencil's test on. Returns vertex runs.
+    /// Marks what of the planes' surfaces in the depth buffer is in the light's shadow: the
+    /// stencil, which must be 0, is not 0 there, also where casters in a plane are seen from the
+    /// side that is turned away from the light. Colour and depth masks are the caller's state, the
+    /// viewport the picture's. Leaves the depth test on and LESS, the stencil's test on. Returns
+    /// vertex runs.
     std::size_t mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
                      const Light& light);
 

@@ -10,7 +10,7 @@ enum class MultiplicityMethod {
     referenceEdge, ///< Milet 2020: one edge decides for the triangle
     threeEdge,     ///< Peciva 2013: three edges must agree
     singleEdge,    ///< Kim 2008: every edge for itself; not robust, the failing baseline
-    triangle,      ///< van Sambeek 2007: every triangle for itself, without edges: brute force
+    triangle,      ///< Sambeek 2007: every triangle for itself, without edges: brute force
 };
 
 /// The records that have what the method needs: planes are in adapted ones, opposite vertices in

@@ -42,9 +42,9 @@ struct RenderSettings {
     VolumeEnds ends = VolumeEnds::atPlanes;                   ///< likewise
     SidesLayout layout = SidesLayout::instanced;
     BruteForceCount count = BruteForceCount::zFail; ///< of brute-force volumes
-    std::size_t planes = 4; ///< where shadows are planar: onto how many, 1..mostShadowPlanes
-    bool casterCulling = false;        ///< of lights at rest, casters wholly in shadow cast nothing
-    ShadowMapSettings map;             ///< where shadows are maps
+    std::size_t planes = 4;     ///< where shadows are planar: onto how many, 1..mostShadowPlanes
+    bool casterCulling = false; ///< of lights at rest, casters wholly in shadow cast nothing
+    ShadowMapSettings map;      ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
     int maskScale = 1; ///< where they are volumes: counted once for so many by so many pixels

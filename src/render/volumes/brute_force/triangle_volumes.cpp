@@ -120,9 +120,8 @@ void TriangleVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) cons
         const float height = glm::dot(near, light);
         const float side = height < 0.0f ? -1.0f : 1.0f;
         program.set("u_plane", side * near);
-        program.set("u_heights", glm::vec2(0.0f, light.w == 0.0f
-                                                     ? std::numeric_limits<float>::max()
-                                                     : std::abs(height) / light.w));
+        program.set("u_heights", glm::vec2(0.0f, light.w == 0.0f ? std::numeric_limits<float>::max()
+                                                                 : std::abs(height) / light.w));
     }
     const Vertices all = verticesOf(draw, batch);
     if (!draw.alphaTested) {

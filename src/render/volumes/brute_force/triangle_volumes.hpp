@@ -9,13 +9,14 @@
 
 namespace edgeshade {
 
-/// Draws the shadow volume of every casting triangle by itself (van Sambeek 2007): nothing is known
-/// of edges, so that any soup of triangles is counted right, and nothing cancels before it is drawn.
+/// Draws the shadow volume of every casting triangle by itself (Sambeek 2007): nothing is known
+/// of edges, so that any soup of triangles is counted right, and nothing cancels before it is
+/// drawn.
 ///
-/// Behind surfaces (z-fail) that is two caps and three sides each. Before them (z-pass) sides alone,
-/// and each triangle is projected by the light onto the near plane, where it says which pixels begin
-/// within its volume (ZP+: Hornus et al. 2005). Where the light all but lies in that plane nothing
-/// is seen of such a projection, and volumes are counted behind surfaces.
+/// Behind surfaces (z-fail) that is two caps and three sides each. Before them (z-pass) sides
+/// alone, and each triangle is projected by the light onto the near plane, where it says which
+/// pixels begin within its volume (ZP+: Hornus et al. 2005). Where the light all but lies in that
+/// plane nothing is seen of such a projection, and volumes are counted behind surfaces.
 class TriangleVolumes : public VolumeRenderer {
   public:
     /// `instancing` must be there unless the layout is notInstanced; of the others there is one.
