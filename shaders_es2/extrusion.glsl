@@ -30,13 +30,18 @@ vec4 movedToInfinity(vec4 clip) {
 // 1 / 65536. Moves such a vertex by the same share of its distance.
 const float leastDepthShare = 0.0000152587890625;
 
-// The place of a vertex for gl_Position, kept off the plane through the eye. Next to it (the light,
-// the vertex and the eye's picture plane in one plane, say) a vertex projects so far away that
-// fixed-point rasterisers overflow and lose the triangle. A vertex at infinity (z = w) stays there.
-// `matrix` made `clip`: that of an orthographic picture has no such plane, w is the vertex's own.
+// The w of a vertex, kept off the plane through the eye. Next to it (the light, the vertex and the
+// eye's picture plane in one plane, say) a vertex projects so far away that fixed-point rasterisers
+// overflow and lose the triangle.
+float keptOffEye(vec4 clip) {
+    float least = leastDepthShare * max(abs(clip.x), abs(clip.y));
+    return abs(clip.w) < least ? (clip.w < 0.0 ? -least : least) : clip.w;
+}
+
+// The place of such a vertex for gl_Position. A vertex at infinity (z = w) stays there. `matrix` made
+// `clip`: that of an orthographic picture has no such plane, w is the vertex's own.
 vec4 rasterizable(mat4 matrix, vec4 clip) {
     if (matrix[0].w == 0.0 && matrix[1].w == 0.0 && matrix[2].w == 0.0) return clip;
-    float least = leastDepthShare * max(abs(clip.x), abs(clip.y));
-    float w = clip.w < 0.0 ? -least : least;
-    return abs(clip.w) < least ? vec4(clip.xy, w + (clip.z - clip.w), w) : clip;
+    float w = keptOffEye(clip);
+    return w == clip.w ? clip : vec4(clip.xy, w + (clip.z - clip.w), w);
 }

@@ -3,7 +3,8 @@
 // MAP_DIRECTIONAL, PCF and PCSS as in shadow_map_lookup.glsl; SOFT_MAP: of a light with an extent), by a mask of lower resolution
 // (COARSE_MASK), by a primitive map (PRIMITIVE_MAP, see primitive_map_lookup.glsl; with
 // PRIMITIVE_MAP_POINTS how many of a light's places reach there, see primitive_map_points.glsl), by how many of
-// its points are seen from there (VISIBILITY), or as the stencil says. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
+// its points are seen from there (VISIBILITY), or as the stencil says, and with SELF_SHADOWED where
+// the surface faces it. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach
 // everywhere, see light_window.glsl. DERIVATIVES: the GL has some, which COARSE_MASK needs.
 #ifdef DIRECTIONAL
 uniform vec3 u_towardsLight; // of length 1
@@ -124,6 +125,9 @@ float lightThrough(float lit, vec3 normal, vec3 light, float weight) {
 #endif
 #ifdef VISIBILITY
     lit = seenOfLight();
+#endif
+#ifdef SELF_SHADOWED
+    if (dot(normal, light) <= 0.0) lit = 0.0;
 #endif
     return lit;
 }

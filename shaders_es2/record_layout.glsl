@@ -15,3 +15,9 @@
 // Vertices that a side (two triangles) and a pair of caps (front, back) take.
 #define VERTICES_PER_SIDE 6
 #define VERTICES_PER_CAP_PAIR 6
+
+// Those of the volume of one triangle, in the order of brute_force/triangle_volume.vert.
+#define VERTICES_PER_TRIANGLE_VOLUME 24
+#define FIRST_SIDE_VERTEX 3
+#define SECOND_SIDE_VERTEX 12
+#define BACK_CAP_VERTEX 21

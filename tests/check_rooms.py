@@ -18,18 +18,19 @@ DRAWING = ROOT / "docs/figures/rooms.svg"
 ROOMS = (
     "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
     "preprocess/volumes",
-    "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/culling", "src/shadow/plan", "src/shadow/plan/published",
+    "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/culling", "src/shadow/plan", "src/shadow/plan/published", "src/shadow/plan/brute_force", "src/shadow/planar",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/hours", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
-    "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/frame", "src/render/accumulation",
+    "src/render/planar",
+    "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/volumes/brute_force", "src/render/frame", "src/render/accumulation",
     "src/engine", "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 
 # Libraries' headers, by the start of the name that is included, and the rooms that may see them.
 GL = ("GLES2/", "EGL/", "GLFW/", "emscripten")
 JSON = ("nlohmann/", "tiny_gltf.h")
-PURE = ROOMS[:12]                      # neither GL nor JSON
-NO_GL = ROOMS[:18]
+PURE = ROOMS[:14]                      # neither GL nor JSON
+NO_GL = ROOMS[:20]
 # Nor do these see JSON: what draws and what judges know nothing of files.
 NO_FILES = PURE + ("src/gl",) + tuple(
     room for room in ROOMS if room.startswith(("src/render/", "src/lab", "src/bench", "src/plot")))

@@ -27,13 +27,15 @@ struct Needs {
     bool proposed = false;                ///< most records never reach the GPU
     bool primitiveMaps = false;
     bool culledCasters = false;
+    std::size_t planes = 0; ///< shadows are projected onto
 
     auto operator<=>(const Needs&) const = default;
 };
 
 Needs needsOf(const RenderSettings& settings) {
     return {settings.records(), settings.silhouette == SilhouetteChoice::proposed,
-            settings.looksUpPrimitives(), settings.casterCulling};
+            settings.looksUpPrimitives(), settings.casterCulling,
+            settings.shadows == ShadowMethod::planar ? settings.planes : 0};
 }
 
 /// A scene that some of the contenders draw, with what they share of it.
@@ -284,7 +286,8 @@ class Course {
             result.sideBytes += volumes->sideBytes();
             result.capBytes += volumes->capBytes();
         }
-        result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes();
+        result.mapBytes =
+            contender.renderer.mapBytes() + scene.primitiveMaps.bytes() + scene.planes.bytes();
         result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
         result.lights = lightMethods(scene, contender.stage.view(), contender.renderer);
         const auto first = contender.frameMs.begin();

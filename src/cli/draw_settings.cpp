@@ -17,14 +17,19 @@ const Choices<ShadowMethod> shadowNames = {{"auto", ShadowMethod::automatic},
                                            {"volumes", ShadowMethod::volumes},
                                            {"primitive-map", ShadowMethod::primitiveMap},
                                            {"map", ShadowMethod::map},
+                                           {"planar", ShadowMethod::planar},
                                            {"none", ShadowMethod::none}};
 const Choices<MultiplicityMethod> multiplicityNames = {
     {"plane", MultiplicityMethod::plane},
     {"reference-edge", MultiplicityMethod::referenceEdge},
     {"three-edge", MultiplicityMethod::threeEdge},
-    {"single-edge", MultiplicityMethod::singleEdge}};
+    {"single-edge", MultiplicityMethod::singleEdge},
+    {"triangle", MultiplicityMethod::triangle}};
 const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::planePairs},
-                                           {"published", VolumeLayout::oppositeVertices}};
+                                           {"published", VolumeLayout::oppositeVertices},
+                                           {"brute-force", VolumeLayout::triangles}};
+const Choices<BruteForceCount> countNames = {{"z-fail", BruteForceCount::zFail},
+                                             {"z-pass", BruteForceCount::zPass}};
 const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
                                                    {"all", SilhouetteChoice::all}};
 const Choices<bool> onOffNames = {{"on", true}, {"off", false}};
@@ -172,6 +177,41 @@ void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
         noted(verb.get_option(option), settings.volumeOptions);
 }
 
+void addRivalOptions(CLI::App& verb, DrawSettings& settings) {
+    addChoice(verb, "--count", settings.count, countNames,
+              "Which part of brute-force volumes is counted: what is behind surfaces, or what is "
+              "before them and, by the light's own view of it, before the near plane (z-fail)");
+    noted(verb.add_option("--planes", settings.render.planes,
+                          "Onto how many planes shadows are projected, the largest of the scene, 1 "
+                          "to " +
+                              std::to_string(mostShadowPlanes) + " (4)"),
+          settings.planarOptions)
+        ->check(CLI::Range(std::size_t{1}, mostShadowPlanes))
+        ->type_name("N");
+}
+
+/// What brute force and planar shadows alone have.
+void resolveRivals(DrawSettings& settings) {
+    const bool bruteForce = volumeLayoutOf(settings.render.multiplicity) == VolumeLayout::triangles;
+    if (settings.count && !bruteForce)
+        throw Error(ExitStatus::usage, "--count needs --layout brute-force.");
+    settings.render.count = settings.count.value_or(BruteForceCount::zFail);
+    if (bruteForce && settings.instancing == InstancingChoice::multiDraw)
+        throw Error(
+            ExitStatus::usage,
+            "--instancing multi-draw does not go with --layout brute-force, whose triangles "
+            "are drawn whole.");
+    if (settings.render.shadows != ShadowMethod::planar && !settings.planarOptions.empty())
+        throw Error(ExitStatus::usage, settings.planarOptions.front() + " needs --shadows planar.");
+}
+
+/// The method that goes with a layout where nobody says.
+MultiplicityMethod methodFor(std::optional<VolumeLayout> layout) {
+    if (layout == VolumeLayout::oppositeVertices) return MultiplicityMethod::referenceEdge;
+    return layout == VolumeLayout::triangles ? MultiplicityMethod::triangle
+                                             : MultiplicityMethod::plane;
+}
+
 /// The filter's part of ShadowMapSettings, and how wide it is where nobody has said.
 void resolveFilter(DrawSettings& settings) {
     ShadowMapSettings& map = settings.render.map;
@@ -220,15 +260,18 @@ bool DrawSettings::typedOfMaps(const std::string& option) const {
 void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--shadows", settings.render.shadows, shadowNames,
               "How shadows are made; auto: looked up exactly in a primitive map where a light "
-              "rests and it pays, else volumes (" +
+              "rests and it pays, else volumes; planar: projected onto the scene's largest planes, "
+              "exact there and absent elsewhere (" +
                   nameIn(shadowNames, settings.render.shadows) + ")");
     addMapOptions(verb, settings);
     addChoice(verb, "--multiplicity", settings.multiplicity, multiplicityNames,
-              "How a triangle's facing is decided (plane; reference-edge with --layout published); "
-              "single-edge is not robust");
-    addChoice(verb, "--layout", settings.layout, layoutNames,
-              "What volumes are drawn from: records of what the scene requires, which hold planes, "
-              "or the published ones of opposite vertices (adapted)");
+              "How a triangle's facing is decided (plane; reference-edge with --layout published, "
+              "triangle with brute-force); single-edge is not robust");
+    addChoice(
+        verb, "--layout", settings.layout, layoutNames,
+        "What volumes are drawn from: records of what the scene requires, which hold planes, "
+        "the published ones of opposite vertices, or casting triangles, each with a volume of "
+        "its own (adapted)");
     addChoice(
         verb, "--silhouette", settings.silhouette, silhouetteNames,
         "Which plane-pair records reach the vertex shader: those that can be silhouettes in this "
@@ -237,6 +280,7 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
               "Backs of closed solids are not drawn where nobody can see them (on; off with "
               "--layout published)");
     addVolumeOptions(verb, settings);
+    addRivalOptions(verb, settings);
     addChoice(
         verb, "--instancing", settings.instancing, instancingNames,
         "A record an instance, a copy for every vertex, or one draw a side, as plane-pair records "
@@ -283,14 +327,12 @@ void resolve(DrawSettings& settings) {
             std::make_shared<const Environment>(readEnvironment(settings.environment));
     if (!full && !settings.fullOptions.empty())
         throw Error(ExitStatus::usage, settings.fullOptions.front() + " needs --shading full.");
-    const bool published = settings.layout == VolumeLayout::oppositeVertices;
     MultiplicityMethod& method = settings.render.multiplicity;
-    method = settings.multiplicity.value_or(published ? MultiplicityMethod::referenceEdge
-                                                      : MultiplicityMethod::plane);
+    method = settings.multiplicity.value_or(methodFor(settings.layout));
     if (settings.layout && volumeLayoutOf(method) != *settings.layout)
         throw Error(ExitStatus::usage, std::string("--multiplicity ") +
                                            nameIn(multiplicityNames, method) + " needs --layout " +
-                                           (published ? "adapted." : "published."));
+                                           nameIn(layoutNames, volumeLayoutOf(method)) + ".");
     const bool planes = volumeLayoutOf(method) == VolumeLayout::planePairs;
     if (!planes && settings.silhouette == SilhouetteChoice::proposed)
         throw Error(ExitStatus::usage, "--silhouette proposed needs --layout adapted.");
@@ -303,6 +345,7 @@ void resolve(DrawSettings& settings) {
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
     resolveMap(settings);
+    resolveRivals(settings);
     if (settings.render.shadows == ShadowMethod::automatic && !settings.volumeOptions.empty())
         settings.render.shadows = ShadowMethod::volumes;
     if (!settings.render.looksUpPrimitives() && !settings.primitiveMapOptions.empty())
@@ -345,10 +388,12 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     settings.primitiveMapOptions.clear();
     settings.fullOptions.clear();
     settings.extentOptions.clear();
+    settings.planarOptions.clear();
     // Either of the two that is typed here says what the other one is.
     settings.multiplicity.reset();
     settings.layout.reset();
     settings.silhouette.reset();
+    settings.count.reset();
     CLI::App parser;
     parser.set_help_flag();
     addDrawOptions(parser, settings);
@@ -373,6 +418,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
         settings.multiplicity = base.multiplicity;
         settings.layout = base.layout;
         if (!settings.silhouette) settings.silhouette = base.silhouette;
+        if (!settings.count) settings.count = base.count;
     }
     resolve(settings);
     return settings;
@@ -401,6 +447,10 @@ std::string shortName(const DrawSettings& settings) {
         name += ", " + nameIn(filterNames, filterOf(render.map));
     if (render.shadows == ShadowMethod::map && render.map.soft != SoftShadows::none)
         name += ", " + nameIn(softNames, render.map.soft);
+    if (render.shadows == ShadowMethod::planar) name += " " + std::to_string(render.planes);
+    if (render.shadows == ShadowMethod::volumes &&
+        volumeLayoutOf(render.multiplicity) == VolumeLayout::triangles)
+        name += ", brute force " + nameIn(countNames, render.count);
     if (render.shadows == ShadowMethod::volumes && render.maskScale > 1)
         name += ", mask " + nameIn(maskScaleNames, render.maskScale);
     return name;
@@ -427,6 +477,9 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         json["terminator"] = nameIn(terminatorNames, render.softTerminator);
         json["environment"] = settings.environment.empty() ? "neutral" : settings.environment;
     }
+    if (volumeLayoutOf(render.multiplicity) == VolumeLayout::triangles)
+        json["count"] = nameIn(countNames, render.count);
+    if (render.shadows == ShadowMethod::planar) json["planes"] = render.planes;
     if (render.shadows == ShadowMethod::volumes)
         json["mask-scale"] = nameIn(maskScaleNames, render.maskScale);
     if (render.shadows == ShadowMethod::map)

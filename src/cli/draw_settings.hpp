@@ -29,6 +29,7 @@ struct DrawSettings {
     std::optional<VolumeLayout> layout;             ///< likewise
     std::optional<SilhouetteChoice> silhouette;     ///< likewise
     std::optional<bool> cullSolids;                 ///< likewise
+    std::optional<BruteForceCount> count;           ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;               ///< nothing: as many as pay
     std::optional<float> ambient;                 ///< as typed; see resolve()
@@ -39,6 +40,7 @@ struct DrawSettings {
     std::vector<std::string> volumeOptions;       ///< those that only shadow volumes have
     std::vector<std::string> primitiveMapOptions; ///< those that only primitive maps have
     std::vector<std::string> extentOptions;       ///< those that only lights with an extent have
+    std::vector<std::string> planarOptions;       ///< those that only planar shadows have
     CasterChanges casters;                        ///< of `--against`: on top of the call's own
 
     bool hasMapBias() const { return typedOfMaps("--map-bias"); }
@@ -50,9 +52,9 @@ struct DrawSettings {
 void addDrawOptions(CLI::App& verb, DrawSettings& settings);
 
 /// Reads the environment, and works out render.ambient, render.multiplicity and render.silhouette
-/// from what was typed: plane-pair records hold planes, published ones opposite vertices, so that
-/// layout or method follows from the other. Throws Error(usage) where they don't go together, and
-/// for options that another one makes meaningless; InputError.
+/// from what was typed: plane-pair records hold planes, published ones opposite vertices, brute
+/// force needs neither, so that layout or method follows from the other. Throws Error(usage) where
+/// they don't go together, and for options that another one makes meaningless; InputError.
 void resolve(DrawSettings& settings);
 
 /// Throws Error(usage) where there is an option or a choice that only lights with an extent have,
@@ -75,12 +77,13 @@ Shading shadingFor(const Items& items, Member settingsOf = {}) {
     return std::ranges::any_of(items, isFull, settingsOf) ? Shading::full : Shading::base;
 }
 
-/// Whether some of them draw volumes from opposite-vertex records. `settingsOf`: as above.
+/// Whether some of them draw volumes from what doesn't tell fronts from backs: opposite-vertex
+/// records and triangles by themselves. `settingsOf`: as above.
 template <class Items, class Member = std::identity>
 bool drawOppositeVertices(const Items& items, Member settingsOf = {}) {
     const auto does = [](const DrawSettings& one) {
         const auto records = one.render.records();
-        return records && records->volumes == VolumeLayout::oppositeVertices;
+        return records && records->volumes != VolumeLayout::planePairs;
     };
     return std::ranges::any_of(items, does, settingsOf);
 }

@@ -38,6 +38,21 @@ std::string mapsOf(const Renderer& renderer, const GpuScene& scene, const FrameV
     return text;
 }
 
+/// How each triangle's volume is counted, as it was planned.
+std::string bruteForceOf(const FramePlan& plan) {
+    std::string text = "brute force: every triangle's volume by itself";
+    for (std::size_t s = 0; s < plan.slices.size(); ++s)
+        for (std::size_t i = 0; i < plan.slices[s].lights.size(); ++i) {
+            const std::vector<CountPlan>& counts = plan.slices[s].lights[i].counts;
+            if (counts.empty()) continue;
+            const auto& draws = counts.front().draws.once;
+            const bool zFail = draws.empty() || draws.front().zFail;
+            text += "\nslice " + std::to_string(s) + ", light " + std::to_string(i) + ": " +
+                    (zFail ? "z-fail with caps" : "z-pass, near caps from the light (ZP+)");
+        }
+    return text;
+}
+
 } // namespace
 
 std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view) {
@@ -48,6 +63,10 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
         return "no shadows are drawn";
     case ShadowMethod::map:
         return mapsOf(renderer, scene, view);
+    case ShadowMethod::planar:
+        return "planar: all casters are projected onto " +
+               lightMethods(scene, view, settings).front().why + ", " +
+               std::to_string(scene.planes.bytes()) + " bytes";
     case ShadowMethod::automatic:
     case ShadowMethod::primitiveMap:
         methods = methodsOf(scene, view, settings);
@@ -56,6 +75,8 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
         if (settings.casterCulling) methods = methodsOf(scene, view, settings);
         break;
     }
+    if (renderer.volumes()->layout() == VolumeLayout::triangles)
+        return methods + bruteForceOf(renderer.plan());
     if (renderer.volumes()->layout() == VolumeLayout::oppositeVertices)
         return methods + "opposite-vertex records: every edge and all caps of every light, z-fail";
     return methods + explain(renderer.plan(), view);

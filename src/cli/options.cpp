@@ -207,7 +207,7 @@ void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options) {
     addChoice(verb, "--cull", options.culls, cullNames,
               "auto: surfaces of materials that aren't double-sided are seen from their front "
               "alone, and cast from either side; off: all are seen from both sides. auto does not "
-              "go with --layout published (" +
+              "go with --layout published or brute-force (" +
                   std::string(cullsByDefault ? "auto" : "off") + ")");
     verb.add_option_function<std::string>(
             "--ground",
@@ -227,8 +227,8 @@ void addUnlitSceneOptions(CLI::App& verb, SceneOptions& options) {
 LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppositeVertices) const {
     if (oppositeVertices && culls.value_or(false))
         throw Error(ExitStatus::usage,
-                    "--cull auto does not go with --layout published, whose records don't say "
-                    "which side of a triangle is its front; adapted can.");
+                    "--cull auto does not go with --layout published or brute-force, whose records "
+                    "don't say which side of a triangle is its front; adapted can.");
     LoadedScene loaded = loadScene(input, casters.wanted(), limits, {}, {variant, shading});
     loaded.cutoutsCast = cutoutsCast;
     loaded.scene.culls = culls.value_or(cullsByDefault && !oppositeVertices);

@@ -99,7 +99,8 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
 
 void view(const WindowOptions& options) {
     if (options.culls.value_or(false) && drawOppositeVertices(std::array{options.settings}))
-        throw Error(ExitStatus::usage, "--cull auto does not go with --layout published.");
+        throw Error(ExitStatus::usage,
+                    "--cull auto does not go with --layout published or brute-force.");
     if (options.view.orthoHeight)
         throw Error(ExitStatus::usage, "The window's camera is in perspective: --ortho is for "
                                        "render, compare and bench.");

@@ -13,6 +13,7 @@ enum class VolumeLayout {
     planePairs,       ///< records that hold what the scene requires:
                       ///< preprocess/volumes/plane_pair_data.hpp
     oppositeVertices, ///< one global multiplicity, every edge, opposite vertices: the baseline
+    triangles,        ///< casting triangles alone, each with a volume of its own: brute force
 };
 
 /// Which records are on the GPU, and how they reach the vertex shader.
@@ -28,6 +29,7 @@ struct VolumeRecords {
 struct BatchVolumes {
     std::shared_ptr<PlanePairBuffers> planePairs;
     std::shared_ptr<ShadowBuffers> oppositeVertices;
+    std::shared_ptr<ShadowBuffers> triangles; ///< as caps
 
     std::size_t sideBytes() const {
         return (planePairs ? planePairs->sideBytes() : 0) +
@@ -35,7 +37,8 @@ struct BatchVolumes {
     }
     std::size_t capBytes() const {
         return (planePairs ? planePairs->capBytes() : 0) +
-               (oppositeVertices ? oppositeVertices->capBytes() : 0);
+               (oppositeVertices ? oppositeVertices->capBytes() : 0) +
+               (triangles ? triangles->capBytes() : 0);
     }
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 };

@@ -1,5 +1,7 @@
 #include "src/scene/gpu_scene.hpp"
 
+#include "src/scene/rival_build.hpp"
+
 namespace edgeshade {
 namespace {
 
@@ -60,6 +62,24 @@ void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout l
                 ? gpu.batches[first[i]].volumes.oppositeVertices
                 : uploadOppositeVertices(loaded, loaded.scene.batches[i], *shadows[i], layout);
     gpu.oppositeVertexLayout = layout;
+}
+
+std::shared_ptr<ShadowBuffers> trianglesOf(const LoadedScene& loaded, const Batch& batch,
+                                           SidesLayout layout) {
+    const bool alphaTested = loaded.settings.castMasked;
+    const Casters casters = castersOf(batch, loaded.scene.materials, alphaTested);
+    const CasterMesh mesh = weldCasters(batch, casters);
+    return std::make_shared<ShadowBuffers>(uploadTriangles(
+        mesh, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(), layout));
+}
+
+void addTriangles(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
+    const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
+    for (std::size_t i = 0; i < gpu.batches.size(); ++i)
+        gpu.batches[i].volumes.triangles =
+            first[i] != i ? gpu.batches[first[i]].volumes.triangles
+                          : trianglesOf(loaded, loaded.scene.batches[i], layout);
+    gpu.triangleLayout = layout;
 }
 
 } // namespace
@@ -138,6 +158,7 @@ void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch) {
         volumes.oppositeVertices = uploadOppositeVertices(
             loaded, from, buildShadow(from, gpu.materials, loaded.settings.castMasked),
             gpu.oppositeVertexLayout);
+    if (volumes.triangles) volumes.triangles = trianglesOf(loaded, from, gpu.triangleLayout);
 }
 
 void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records) {
@@ -147,6 +168,9 @@ void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records)
         addPlanePairs(gpu, loaded, records.layout);
     if (records.volumes == VolumeLayout::oppositeVertices && !there.oppositeVertices)
         addOppositeVertices(gpu, loaded, records.layout);
+    if constexpr (hasRivals)
+        if (records.volumes == VolumeLayout::triangles && !there.triangles)
+            addTriangles(gpu, loaded, records.layout);
 }
 
 } // namespace edgeshade

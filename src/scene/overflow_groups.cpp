@@ -4,6 +4,7 @@
 #include "src/shadow/geometry/cut_casters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -107,6 +108,10 @@ class GroupUpload {
                 alphaTested ? alphaCorners(batch, casters, mesh, *shadow)
                             : std::vector<glm::vec4>(),
                 records_.layout);
+        } else if (records_.volumes == VolumeLayout::triangles) {
+            volumes.triangles = std::make_shared<ShadowBuffers>(uploadTriangles(
+                mesh, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(),
+                records_.layout));
         } else {
             const BatchShadow shadow{
                 buildSides(mesh.welded.positions, edges, recordMultiplicityFor(largest)),
@@ -154,12 +159,14 @@ GroupedShadow uploadGroups(const LoadedScene& loaded, const FrameLight& light,
 template <class Kept, class BytesOf>
 std::size_t sumOver(const std::vector<Kept>& kept, BytesOf bytesOf) {
     std::size_t total = 0;
-    std::set<std::pair<const void*, const void*>> counted; // what several batches have
+    std::set<std::array<const void*, 3>> counted; // what several batches have
     for (const Kept& light : kept)
         for (const auto& [layout, groups] : light.groups)
             for (const auto& group : groups)
                 for (const BatchVolumes& volumes : group)
-                    if (counted.emplace(volumes.planePairs.get(), volumes.oppositeVertices.get())
+                    if (counted
+                            .insert({volumes.planePairs.get(), volumes.oppositeVertices.get(),
+                                     volumes.triangles.get()})
                             .second)
                         total += bytesOf(volumes);
     return total;

@@ -31,27 +31,34 @@ void uploadSides(const SidesData& sides, SidesLayout layout, std::vector<RecordC
     }
 }
 
-void uploadCaps(const CapsData& caps, SidesLayout layout, std::vector<RecordChunk>& chunks) {
+/// `vertices`: that a record runs.
+void uploadCaps(const CapsData& caps, SidesLayout layout, int vertices,
+                std::vector<RecordChunk>& chunks) {
     if (caps.records.empty()) return;
     if (layout != SidesLayout::notInstanced) {
         chunks.push_back({gl::vertexBuffer<glm::vec4>(caps.records), 0, caps.recordCount()});
         return;
     }
-    const std::size_t limit = recordsPerChunk(CapsData::vectorsPerRecord, VERTICES_PER_CAP_PAIR);
+    const std::size_t limit =
+        recordsPerChunk(CapsData::vectorsPerRecord, static_cast<std::size_t>(vertices));
     for (std::size_t first = 0; first < caps.recordCount(); first += limit) {
         const std::size_t count = std::min(limit, caps.recordCount() - first);
         chunks.push_back(
-            {gl::vertexBuffer<glm::vec4>(expandCaps(caps, first, count)), first, count});
+            {gl::vertexBuffer<glm::vec4>(expandCaps(caps, first, count, vertices)), first, count});
     }
 }
 
-std::vector<glm::vec4> copiedForEveryVertex(const std::vector<glm::vec4>& texcoords) {
+gl::Buffer uploadAlphaCorners(const std::vector<glm::vec4>& corners, SidesLayout layout,
+                              int vertices) {
+    constexpr std::size_t perRecord = 3;
+    if (corners.empty()) return {};
+    if (layout != SidesLayout::notInstanced) return gl::vertexBuffer<glm::vec4>(corners);
     std::vector<glm::vec4> copies;
-    copies.reserve(texcoords.size() * VERTICES_PER_CAP_PAIR);
-    for (std::size_t i = 0; i < texcoords.size(); i += 2)
-        for (int vertex = 0; vertex < VERTICES_PER_CAP_PAIR; ++vertex)
-            copies.insert(copies.end(), {texcoords[i], texcoords[i + 1]});
-    return copies;
+    copies.reserve(corners.size() * static_cast<std::size_t>(vertices));
+    for (std::size_t i = 0; i < corners.size(); i += perRecord)
+        for (int vertex = 0; vertex < vertices; ++vertex)
+            copies.insert(copies.end(), &corners[i], &corners[i] + perRecord);
+    return gl::vertexBuffer<glm::vec4>(copies);
 }
 
 std::size_t bytesOf(const std::vector<RecordChunk>& chunks) {
@@ -84,11 +91,17 @@ ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec
     buffers.maxMultiplicity = shadow.sides.maxMultiplicity;
     buffers.groups = shadow.groups;
     uploadSides(shadow.sides, layout, buffers.sides);
-    uploadCaps(shadow.caps, layout, buffers.caps);
-    if (!alphaCorners.empty())
-        buffers.alphaCorners = gl::vertexBuffer<glm::vec4>(layout == SidesLayout::notInstanced
-                                                               ? copiedForEveryVertex(alphaCorners)
-                                                               : alphaCorners);
+    uploadCaps(shadow.caps, layout, VERTICES_PER_CAP_PAIR, buffers.caps);
+    buffers.alphaCorners = uploadAlphaCorners(alphaCorners, layout, VERTICES_PER_CAP_PAIR);
+    return buffers;
+}
+
+ShadowBuffers uploadTriangles(const CasterMesh& mesh, const std::vector<glm::vec4>& alphaCorners,
+                              SidesLayout layout) {
+    ShadowBuffers buffers;
+    buffers.groups = mesh.groups;
+    uploadCaps(buildCaps(mesh.welded), layout, VERTICES_PER_TRIANGLE_VOLUME, buffers.caps);
+    buffers.alphaCorners = uploadAlphaCorners(alphaCorners, layout, VERTICES_PER_TRIANGLE_VOLUME);
     return buffers;
 }
 

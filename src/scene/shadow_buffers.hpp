@@ -42,4 +42,8 @@ struct ShadowBuffers {
 ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& alphaCorners,
                            SidesLayout layout);
 
+/// Uploads triangles that have a volume each, without sides.
+ShadowBuffers uploadTriangles(const CasterMesh& mesh, const std::vector<glm::vec4>& alphaCorners,
+                              SidesLayout layout);
+
 } // namespace edgeshade

@@ -77,6 +77,7 @@ ShadowMethod next(ShadowMethod method) {
     case ShadowMethod::primitiveMap:
         return ShadowMethod::map;
     case ShadowMethod::map:
+    case ShadowMethod::planar:
         return ShadowMethod::none;
     default:
         return ShadowMethod::automatic;

@@ -5,7 +5,8 @@ namespace edgeshade::viewer {
 /// What makes no difference is left out, so that settings which draw alike share a renderer.
 Renderers::Key Renderers::keyOf(const SideSettings& side, Shading shading) {
     const bool map = side.shadows == ShadowMethod::map;
-    const bool volumes = side.shadows != ShadowMethod::map && side.shadows != ShadowMethod::none;
+    const bool volumes =
+        !map && side.shadows != ShadowMethod::planar && side.shadows != ShadowMethod::none;
     return {side.shadows,
             map ? side.mapSize : 0,
             volumes ? side.multiplicity : MultiplicityMethod::plane,

@@ -11,16 +11,18 @@ using Json = nlohmann::ordered_json;
 constexpr int smallestMap = 16;
 constexpr int largestMap = 16384;
 
-constexpr Words<ShadowMethod, 5> shadowWords = {{{"auto", ShadowMethod::automatic},
+constexpr Words<ShadowMethod, 6> shadowWords = {{{"auto", ShadowMethod::automatic},
                                                  {"volumes", ShadowMethod::volumes},
                                                  {"primitive-map", ShadowMethod::primitiveMap},
                                                  {"map", ShadowMethod::map},
+                                                 {"planar", ShadowMethod::planar},
                                                  {"none", ShadowMethod::none}}};
-constexpr Words<MultiplicityMethod, 4> multiplicityWords = {
+constexpr Words<MultiplicityMethod, 5> multiplicityWords = {
     {{"plane", MultiplicityMethod::plane},
      {"reference-edge", MultiplicityMethod::referenceEdge},
      {"three-edge", MultiplicityMethod::threeEdge},
-     {"single-edge", MultiplicityMethod::singleEdge}}};
+     {"single-edge", MultiplicityMethod::singleEdge},
+     {"triangle", MultiplicityMethod::triangle}}};
 constexpr Words<MapKind, 3> mapKindWords = {{{"cube", MapKind::cube},
                                              {"cascades", MapKind::cascades},
                                              {"paraboloid", MapKind::paraboloid}}};

@@ -25,6 +25,7 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "src/scene/pose.hpp"
+#include "src/scene/rival_build.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>
@@ -296,10 +297,14 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
     return edgeCounts->second;
 }
 
-/// Puts the casters in groups that a stencil can count.
+/// Puts the casters in groups that a stencil can count, and finds planes where shadows are planar.
 void Viewer::Parts::groupCasters(FrameView& view) {
     for (const SideSettings* side : {&state.left, &state.right}) {
-        if (!mayCount(*side) || (side == &state.right && !state.split)) continue;
+        if (side == &state.right && !state.split) continue;
+        if constexpr (hasRivals)
+            if (side->shadows == ShadowMethod::planar)
+                gpu->scene->planes.make(*loaded, settings.render.planes);
+        if (!mayCount(*side)) continue;
         layers.fill(loaded->scene, loaded->settings.castMasked, view.lights);
         gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(*side));
     }

@@ -315,6 +315,12 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
               std::string::npos)
         << maps;
     EXPECT_NE(maps.find("a cube's six faces of 256 x 256 texels"), std::string::npos) << maps;
+    EXPECT_NE(explained({"--shadows", "planar", "--planes", "2"}).find("onto 2 planes"),
+              std::string::npos);
+    EXPECT_NE(explained({"--layout", "brute-force"}).find("z-fail with caps"), std::string::npos);
+    EXPECT_NE(explained({"--layout", "brute-force", "--count", "z-pass", "--light", "2,3,2"})
+                  .find("light 0: z-pass, near caps"),
+              std::string::npos);
     EXPECT_NE(explained({"--layout", "published"}).find("opposite-vertex records"),
               std::string::npos);
 }

@@ -1,7 +1,5 @@
 #include "preprocess/volumes/published/caps_data.hpp"
 
-#include "shaders_es2/record_layout.glsl"
-
 #include <algorithm>
 
 namespace edgeshade {
@@ -20,12 +18,13 @@ CapsData buildCaps(const WeldedMesh& mesh) {
     return caps;
 }
 
-std::vector<glm::vec4> expandCaps(const CapsData& caps, std::size_t first, std::size_t count) {
+std::vector<glm::vec4> expandCaps(const CapsData& caps, std::size_t first, std::size_t count,
+                                  int vertices) {
     std::vector<glm::vec4> expanded;
-    expanded.reserve(count * CapsData::vectorsPerRecord * VERTICES_PER_CAP_PAIR);
+    expanded.reserve(count * CapsData::vectorsPerRecord * static_cast<std::size_t>(vertices));
     for (std::size_t record = first; record < first + count; ++record) {
         const auto* source = caps.records.data() + record * CapsData::vectorsPerRecord;
-        for (int vertex = 0; vertex < VERTICES_PER_CAP_PAIR; ++vertex) {
+        for (int vertex = 0; vertex < vertices; ++vertex) {
             expanded.insert(expanded.end(), source, source + CapsData::vectorsPerRecord);
             expanded[expanded.size() - CapsData::vectorsPerRecord].w = static_cast<float>(vertex);
         }

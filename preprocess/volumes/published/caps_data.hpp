@@ -1,6 +1,7 @@
 #pragma once
 
 #include "preprocess/mesh/weld.hpp"
+#include "shaders_es2/record_layout.glsl"
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -22,8 +23,9 @@ Triangle sortedTriangle(Triangle triangle);
 /// Emits the records, in the order of the triangles.
 CapsData buildCaps(const WeldedMesh& mesh);
 
-/// The not instanced form of records [first, first + count): six vertices a record, each with a
-/// copy of it and A.w = v in 0..5. 288 bytes a record.
-std::vector<glm::vec4> expandCaps(const CapsData& caps, std::size_t first, std::size_t count);
+/// The not instanced form of records [first, first + count): `vertices` a record, six for a pair of
+/// caps, each with a copy of it and A.w = v in 0..vertices - 1. 48 bytes a vertex.
+std::vector<glm::vec4> expandCaps(const CapsData& caps, std::size_t first, std::size_t count,
+                                  int vertices = VERTICES_PER_CAP_PAIR);
 
 } // namespace edgeshade

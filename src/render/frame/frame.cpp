@@ -6,6 +6,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/volumes/stencil_count.hpp"
+#include "src/scene/rival_build.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 
 #include <algorithm>
@@ -19,19 +20,26 @@ namespace {
 /// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
 constexpr double sliceOverlap = 1.0001;
 
-/// Opposite-vertex records are counted behind surfaces alone, where a far plane at a finite depth
-/// cuts volumes and every caster must be in the depth buffer (docs/method.md, C33 and C39).
-void requireCountable(const RenderSettings& settings, const FrameView& view) {
+/// Whether volumes are drawn from records of what the scene requires.
+bool areAdapted(const RenderSettings& settings) {
     const auto records = settings.records();
-    if (!records || records->volumes != VolumeLayout::oppositeVertices) return;
+    return !records || records->volumes == VolumeLayout::planePairs;
+}
+
+/// Opposite-vertex records and triangles are counted where a far plane at a finite depth cuts
+/// volumes and every caster must be in the depth buffer (docs/method.md, C33 and C39).
+void requireCountable(const RenderSettings& settings, const FrameView& view) {
+    if (areAdapted(settings)) return;
+    const std::string what = settings.records()->volumes == VolumeLayout::triangles
+                                 ? "Brute-force volumes"
+                                 : "Opposite-vertex records";
     if (view.frustum.orthographic)
-        throw Error(ExitStatus::unavailable,
-                    "Opposite-vertex records can't be counted in an orthographic picture; "
-                    "'--multiplicity plane' can.");
+        throw Error(ExitStatus::unavailable, what + " can't be counted in an orthographic picture; "
+                                                    "'--multiplicity plane' can.");
     if (view.culls)
         throw Error(ExitStatus::unavailable,
-                    "Opposite-vertex records don't say which side of a triangle is its front, so "
-                    "that culled casters can't be counted; '--multiplicity plane' can.");
+                    what + " don't say which side of a triangle is its front, so "
+                           "that culled casters can't be counted; '--multiplicity plane' can.");
 }
 
 /// Where lines of sight come from, from the camera's position.
@@ -91,6 +99,13 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
       counter_(capabilities), surfaces_(capabilities, settings.map.pcf, settings.cullSolids) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
+    if (settings.shadows == ShadowMethod::planar) {
+        if constexpr (hasRivals)
+            planar_.emplace();
+        else
+            throw Error(ExitStatus::unavailable,
+                        "This build has no planar shadows, which are there to be compared with.");
+    }
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
     if (settings.records() && settings.maskScale > 1)
@@ -163,6 +178,12 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
                    .groupCount = [](std::size_t) { return std::size_t{0}; },
                    .planCount = {}};
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
+    if (planar_) { // counted in one stencil, without volumes
+        task.groupCount = [&](std::size_t light) -> std::size_t {
+            return visibilityOf(light) ? 0 : 1;
+        };
+        task.planCount = [](const DepthSlice&, std::size_t, std::size_t) { return CountPlan(); };
+    }
     if (!volumes_) return planFrame(task);
     task.groupCount = [&](std::size_t light) -> std::size_t {
         if (visibilityOf(light)) return 0;
@@ -242,8 +263,7 @@ void Renderer::drawNearness(const GpuScene& scene, const FrameView& view) {
 }
 
 bool Renderer::cutsToVisible() const {
-    const auto records = settings_.records();
-    return !records || records->volumes != VolumeLayout::oppositeVertices;
+    return areAdapted(settings_);
 }
 
 void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
@@ -389,6 +409,12 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
     const StageScope stage(pass.clock, FrameStage::volumes);
     const CountPlan& plan = pass.plan.lights[light].counts[group];
     setCounting();
+    if constexpr (hasRivals)
+        if (planar_) {
+            vertexRuns_ +=
+                planar_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light);
+            return;
+        }
     counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});
     vertexRuns_ += plan.vertexRuns();
 }
@@ -452,6 +478,7 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::siz
     if (of.atOnce) shading.places = of.points;
     shading.eye = pass.view.frustum.eye();
     shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;
+    shading.selfShadowed = planar_ && shading.mask && !shading.visibility;
     shading.maskValue = pass.view.sumsMasks ? 1.0f / static_cast<float>(mostSummed) : 1.0f;
     return shading;
 }

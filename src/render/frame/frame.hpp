@@ -6,6 +6,7 @@
 #include "src/render/frame/linear_target.hpp"
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
+#include "src/render/planar/planar_shadow_pass.hpp"
 #include "src/render/shadow_map/shadow_map_pass.hpp"
 #include "src/render/timing/stage_clock.hpp"
 #include "src/render/volumes/render_settings.hpp"
@@ -21,7 +22,8 @@ namespace edgeshade {
 
 /// Draws frames by the three passes of docs/method.md, A frame: ambient light and depth; for each
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps,
-/// primitive maps where lights have some, or with none, in place of volumes.
+/// primitive maps where lights have some, shadows projected onto planes, or none, in place of
+/// volumes.
 ///
 /// But where its shadows need no alpha of their own, and there is no lit mask to draw, the first
 /// light is drawn with ambient light, which saves it a pass over the surfaces; alpha holds the
@@ -51,8 +53,8 @@ namespace edgeshade {
 class Renderer {
   public:
     /// Throws Error(unavailable) if the layout needs instancing and there is none, the GL's largest
-    /// texture is smaller than a shadow map, or a mask scale needs derivatives in shaders and there
-    /// are none.
+    /// texture is smaller than a shadow map, a mask scale needs derivatives in shaders and there
+    /// are none, or this build lacks what is asked for.
     Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities);
 
     /// The scene must have what prepareScene() makes of it; records that the plan draws are
@@ -129,7 +131,7 @@ class Renderer {
     /// Makes what the sum takes, and binds what it is made in.
     void prepareSum(const GpuScene& scene, const FrameView& view);
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
-    /// Whether nothing is counted where no surface is; the published method counts everywhere.
+    /// Whether nothing is counted where no surface is; published methods count everywhere.
     bool cutsToVisible() const;
     /// Plans the frame, and uploads what it draws.
     FramePlan planned(GpuScene& scene, const FrameView& view, StageClock* clock);
@@ -181,7 +183,8 @@ class Renderer {
     LightSum sum_;                             ///< likewise
     SurfacePass surfaces_;
     ShadowMark mark_;
-    std::optional<ShadowMapPass> maps_; ///< where shadows are maps
+    std::optional<ShadowMapPass> maps_;      ///< where shadows are maps
+    std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
     std::optional<LinearTarget> linear_;
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it
     std::optional<CoarseMask> coarse_;          ///< where volumes are counted at a lower resolution

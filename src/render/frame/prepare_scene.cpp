@@ -1,7 +1,10 @@
 #include "src/render/frame/prepare_scene.hpp"
 
 #include "src/render/shadow_map/map_words.hpp"
+#include "src/scene/rival_build.hpp"
 #include "src/scene/solid_surfaces.hpp"
+
+#include <cmath>
 
 namespace edgeshade {
 namespace {
@@ -47,11 +50,23 @@ const char* nameOf(ShadowMethod method) {
     switch (method) {
     case ShadowMethod::map:
         return "map";
+    case ShadowMethod::planar:
+        return "planar";
     case ShadowMethod::none:
         return "none";
     default:
         return "volumes";
     }
+}
+
+/// What a light's planes are.
+void describePlanes(const ShadowPlanes& planes, LightMethod& method) {
+    const std::size_t count = planes.all().size();
+    method.why = std::to_string(count) + (count == 1 ? " plane, " : " planes, ") +
+                 std::to_string(std::lround(100.0 * planes.share())) +
+                 " % of the area of all surfaces, alone";
+    method.buildMs = planes.buildMs();
+    method.bytes = planes.bytes();
 }
 
 } // namespace
@@ -66,6 +81,8 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
                                  capabilities);
     }
     if (settings.cullSolids) sortSolidsLast(scene, loaded);
+    if constexpr (hasRivals)
+        if (settings.shadows == ShadowMethod::planar) scene.planes.make(loaded, settings.planes);
     const auto records = settings.records();
     if (records) scene.groups.upload(loaded, view.lights, *records);
     if (mayCullCasters(loaded, view, settings))
@@ -95,6 +112,8 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
         if (settings.shadows == ShadowMethod::map) method.why = mapWords(of.light, settings.map);
+        if constexpr (hasRivals)
+            if (settings.shadows == ShadowMethod::planar) describePlanes(scene.planes, method);
         if (const CulledCasters::Kept* kept = scene.culled.of(of)) {
             method.why = std::to_string(kept->gone) + " of " + std::to_string(kept->casters) +
                          " casting triangles are left out, wholly in the shadow of others";

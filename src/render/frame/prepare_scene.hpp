@@ -7,10 +7,9 @@
 namespace edgeshade {
 
 /// Makes and uploads what the view's lights need of a scene beyond its records: groups of casters
-/// that a stencil can count, and primitive maps, also those that see-through surfaces alone are
-/// looked up in. Kept while lights and casters rest. For a
-/// renderer of `settings` in the context of `capabilities`. Throws Error(unavailable) if the GL
-/// can't.
+/// that a stencil can count, planes, and primitive maps, also those that see-through surfaces alone
+/// are looked up in. Kept while lights and casters rest. For a renderer of `settings` in the
+/// context of `capabilities`. Throws Error(unavailable) if the GL can't.
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities);
 
@@ -27,8 +26,8 @@ const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light);
 /// How a light's shadows are made.
 struct LightMethod {
     std::string method;   ///< as --shadows has it
-    std::string why;      ///< a clause, of a map what map it is; empty: it was asked for
-    double buildMs = 0.0; ///< of its primitive map, on the CPU
+    std::string why;      ///< a clause, of a map or planes what they are; empty: it was asked for
+    double buildMs = 0.0; ///< of its primitive map or the scene's planes, on the CPU
     std::size_t bytes = 0;
 };
 

@@ -393,6 +393,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
         defines.push_back("PRIMITIVE_MAP_CUTOUTS");
     if (variant.primitives && variant.primitives->points) defines.push_back("PRIMITIVE_MAP_POINTS");
     if (variant.sided) defines.push_back("SIDED");
+    if (variant.selfShadowed) defines.push_back("SELF_SHADOWED");
     if (variant.primitives && variant.primitives->tint) defines.push_back("PRIMITIVE_MAP_TINT");
     if (variant.coarse) defines.push_back("COARSE_MASK");
     if (variant.visibility) defines.push_back("VISIBILITY");
@@ -464,6 +465,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     const SidedChunk* sided = casts ? sidedOf(chunk, view, shading) : nullptr;
     Variant variant = variantOf(scene, chunk, shading);
     variant.sided = sided && sided->lightSide == 0.0f;
+    variant.selfShadowed = shading.selfShadowed && scene.castsInMaps(material);
     variant.alphaLookup = view.alpha != nullptr;
     variant.textured = variant.textured || variant.alphaLookup;
     gl::Program& used = program(variant);

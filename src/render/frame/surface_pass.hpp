@@ -46,6 +46,7 @@ struct SurfaceShading {
     double weight = 1.0;        ///< of this light among them
     glm::vec3 background{0.0f}; ///< sRGB, which a ground that catches shadow shows
     bool mask = false;
+    bool selfShadowed = false; ///< of the mask: the stencil doesn't know all casters turned away
     float maskValue = 0.0f;
     float farthest = std::numeric_limits<float>::infinity(); ///< what is deeper is not drawn
     /// The light's shadow map, primitive map or mask of lower resolution; none: lit everywhere.
@@ -141,12 +142,14 @@ class SurfacePass {
         bool orthographic; ///< looks it up or draws it for such a picture
         bool alphaLookup;  ///< finds its alpha by an AlphaLookup
         bool sided;        ///< its vertices know which side the light is on
+        bool selfShadowed; ///< is dark where its normal says so
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
                             linear, softTerminator, catcher, textured, colored, lit, falloff,
                             withAmbient, directional, ranged, spot, mask, sliced, coarse,
-                            visibility, planes, nearness, orthographic, alphaLookup, sided);
+                            visibility, planes, nearness, orthographic, alphaLookup, sided,
+                            selfShadowed);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

@@ -1,8 +1,10 @@
 #include "src/render/frame/volume_renderers.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "src/render/volumes/brute_force/triangle_volumes.hpp"
 #include "src/render/volumes/plane_pair_volumes.hpp"
 #include "src/render/volumes/published/opposite_vertex_volumes.hpp"
+#include "src/scene/rival_build.hpp"
 
 namespace edgeshade {
 
@@ -17,6 +19,13 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
     if (records->volumes == VolumeLayout::oppositeVertices)
         return std::make_unique<OppositeVertexVolumes>(settings.multiplicity, settings.layout,
                                                        capabilities.instancing, tints);
+    if (records->volumes == VolumeLayout::triangles) {
+        if constexpr (hasRivals)
+            return std::make_unique<TriangleVolumes>(settings.count, settings.layout,
+                                                     capabilities.instancing, tints);
+        throw Error(ExitStatus::unavailable,
+                    "This build has no brute-force volumes, which are there to be compared with.");
+    }
     return std::make_unique<PlanePairVolumes>(settings, capabilities, tints);
 }
 

@@ -3,12 +3,11 @@
 #include "preprocess/base/error.hpp"
 #include "shaders_es2.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
-#include "src/render/drawing/attributes.hpp"
+#include "src/render/drawing/caster_chunk.hpp"
 #include "src/render/shadow_map/map_build.hpp"
 #include "src/render/shadow_map/pcss_view.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
@@ -52,7 +51,7 @@ gl::Program& ShadowMapPass::program(const Variant& variant) {
         found =
             programs_
                 .emplace(variant, gl::Program(shaders::shadow_map_vert, shaders::shadow_map_frag,
-                                              defines, {"a_position", "a_texcoord", "a_color"}))
+                                              defines, casterAttributes))
                 .first;
     }
     return found->second;
@@ -161,7 +160,7 @@ void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view
                 variant.set("u_clipFromObject",
                             glm::mat4(view.faces[face].clipFromMap * mapFromObject));
             variant.set("u_mapFromObject", glm::mat4(mapFromObject));
-            drawChunk(scene, chunk, variant);
+            vertexRuns_ += drawCasterChunk(scene, chunk, variant);
         }
     }
 }
@@ -172,30 +171,6 @@ void ShadowMapPass::setHalf(const gl::Program& program, const ShadowMapView& vie
     program.set("u_halfSide", face == 0 ? 1.0f : -1.0f);
     program.set("u_mapShare", static_cast<float>(view.share));
     program.set("u_onDisc", glm::vec2(2.0 / (settings_.size * view.share), -1.0 / view.share));
-}
-
-void ShadowMapPass::drawChunk(const GpuScene& scene, const SurfaceChunk& chunk,
-                              gl::Program& program) {
-    const Material& material = scene.materials[chunk.material];
-    AttributeBinding binding(nullptr);
-    constexpr std::size_t stride = sizeof(SurfaceVertex);
-    binding.add(chunk.vertices, 3, GL_FLOAT, false, stride, offsetof(SurfaceVertex, position),
-                false);
-    if (material.alphaMode == AlphaMode::mask) {
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, scene.textures.of(material.baseColor()));
-        program.setSampler("u_texture", 0);
-        program.set("u_alphaScale", material.baseColorFactor.a);
-        program.set("u_alphaCutoff", material.alphaCutoff);
-        binding.add(chunk.vertices, 2, GL_FLOAT, false, stride, offsetof(SurfaceVertex, texcoord),
-                    false);
-        binding.add(chunk.vertices, 4, GL_UNSIGNED_BYTE, true, stride,
-                    offsetof(SurfaceVertex, color), false);
-    }
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, chunk.indices.name());
-    glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
-    vertexRuns_ += static_cast<std::size_t>(chunk.indexCount);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 
 std::size_t ShadowMapPass::bytes() const {

@@ -58,7 +58,6 @@ class ShadowMapPass {
     gl::Program& program(const Variant& variant);
     void drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face);
     void setHalf(const gl::Program& program, const ShadowMapView& view, std::size_t face) const;
-    void drawChunk(const GpuScene& scene, const SurfaceChunk& chunk, gl::Program& program);
 
     ShadowMapSettings settings_;
     gl::Capabilities capabilities_;

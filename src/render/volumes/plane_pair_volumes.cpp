@@ -204,7 +204,7 @@ void PlanePairVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) con
         return drawSides(draw, batch);
     case VolumeDraw::Shape::fans:
         return drawFans(draw, batch);
-    case VolumeDraw::Shape::caps:
+    default:
         return drawCaps(draw, batch);
     }
 }

@@ -17,7 +17,14 @@ enum class ShadowMethod {
     primitiveMap, ///< and volumes for lights that have none
     automatic,    ///< the same, and only lights at rest whose volumes would cost more have any
     map,
+    planar, ///< projected onto the scene's largest planes, and nowhere else
     none,
+};
+
+/// Which part of brute-force volumes is counted.
+enum class BruteForceCount {
+    zFail, ///< what is behind surfaces
+    zPass, ///< what is before them, and what of casters is before the near plane (ZP+)
 };
 
 /// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
@@ -34,9 +41,11 @@ struct RenderSettings {
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
     VolumeEnds ends = VolumeEnds::atPlanes;                   ///< likewise
     SidesLayout layout = SidesLayout::instanced;
-    bool casterCulling = false;        ///< of lights at rest, casters wholly in shadow cast nothing
-    bool cullSolids = false;           ///< backs of solids aren't drawn where they can't be seen
-    ShadowMapSettings map;             ///< where shadows are maps
+    BruteForceCount count = BruteForceCount::zFail; ///< of brute-force volumes
+    std::size_t planes = 4;     ///< where shadows are planar: onto how many, 1..mostShadowPlanes
+    bool casterCulling = false; ///< of lights at rest, casters wholly in shadow cast nothing
+    bool cullSolids = false;    ///< backs of solids aren't drawn where they can't be seen
+    ShadowMapSettings map;      ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
     int maskScale = 1; ///< where they are volumes: counted once for so many by so many pixels

@@ -1,6 +1,7 @@
 #include "src/render/volumes/volume_counter.hpp"
 
 #include "src/render/volumes/stencil_count.hpp"
+#include "src/scene/rival_build.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>
@@ -25,6 +26,18 @@ class CulledCapOffset {
     CulledCapOffset& operator=(const CulledCapOffset&) = delete;
 };
 
+/// Counts everything that is drawn, surfaces or not, by one, for as long as it lives.
+class CountAll {
+  public:
+    CountAll() {
+        glDisable(GL_DEPTH_TEST);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+    }
+    ~CountAll() { glEnable(GL_DEPTH_TEST); }
+    CountAll(const CountAll&) = delete;
+    CountAll& operator=(const CountAll&) = delete;
+};
+
 /// What rounding may add to a depth on its way through a rasteriser's floats: 2 to this power.
 constexpr int depthRoundingBits = -23;
 
@@ -42,6 +55,9 @@ void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
                         countByOne(draw.zFail, batch.mirrored);
                         std::optional<CulledCapOffset> offset;
                         if (draw.culled) offset.emplace(offsetSlopes_, offsetUnits_);
+                        std::optional<CountAll> all;
+                        if constexpr (hasRivals)
+                            if (draw.shape == VolumeDraw::Shape::nearCaps) all.emplace();
                         volumes.draw(draw, batch);
                     });
     };

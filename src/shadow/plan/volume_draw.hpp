@@ -23,6 +23,8 @@ struct VolumeDraw {
         sides,
         fans, ///< caps of silhouette edges, each joined to the middle of the cluster's box
         caps, ///< of triangles
+        triangleVolumes, ///< each triangle's whole volume, or what z-pass takes of it
+        nearCaps,        ///< triangles projected by the light onto the near plane (ZP+)
     };
     /// What the vertex shader gets.
     enum class Records {
@@ -34,6 +36,7 @@ struct VolumeDraw {
         lightFacingCaps, ///< of a cluster, those that may face the light
         oppositeVertexSides,
         oppositeVertexCaps,
+        triangles, ///< each by itself
     };
 
     std::size_t batch = 0;  ///< index in CountPlan::batches

@@ -1,6 +1,7 @@
 #include "src/shadow/plan/published/opposite_vertex_draws.hpp"
 
 #include "shaders_es2/record_layout.glsl"
+#include "src/shadow/plan/published/cap_ranges.hpp"
 
 namespace edgeshade {
 
@@ -20,19 +21,11 @@ void appendOppositeVertexDraws(const OppositeVertexRecords& published, std::size
     like.records = VolumeDraw::Records::oppositeVertexCaps;
     like.verticesPerRecord = VERTICES_PER_CAP_PAIR;
     like.nearDiscard = nearDiscard;
-    bool afterOpaque = false;
-    for (const MaterialCasters& group : published.groups) {
-        const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
-        if (opaque && afterOpaque) {
-            draws.back().range.count += group.capCount;
-            continue;
-        }
-        afterOpaque = opaque;
+    for (const CapRange& range : capRanges(published.groups, materials)) {
         VolumeDraw& draw = draws.emplace_back(like);
-        draw.range = {group.firstCap, group.capCount};
-        if (opaque) continue;
-        draw.alphaTested = group.material;
-        draw.verticesPerRecord = 2 * VERTICES_PER_CAP_PAIR;
+        draw.range = {range.first, range.count};
+        draw.alphaTested = range.alphaTested;
+        if (range.alphaTested) draw.verticesPerRecord = 2 * VERTICES_PER_CAP_PAIR;
     }
 }
 

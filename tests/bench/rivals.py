@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""Brute-force volumes and planar shadows beside volumes and the published method, of a sun and of a
+lamp: wrong pixels, frames, bytes. The tables of docs/measured/rivals.md and the picture
+docs/pictures/rivals.png.
+
+    tests/bench/rivals.py             measures, then tables and the picture
+    tests/bench/rivals.py --table     tables from the results that are there
+    tests/bench/rivals.py --picture   the picture alone
+
+EDGESHADE names the program.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from edgeshade_runs import PROGRAM, ROOT, figure, mean, percent, replace_between, report, results_of
+from maps import MODELS, below, bytes_text
+from png_bytes import read_png, side_by_side, write_png
+from soft_shadows import lights_for
+
+SIZE, VIEWS, FRAMES = "160x120", 4, 3
+FIRST = "volumes"
+FAIL, PASS = "brute force, z-fail", "brute force, z-pass"
+PLANAR = {f"planar {count}": f"shadows=planar,planes={count}" for count in (1, 4, 16)}
+AGAINST = {"published": "shadows=volumes,layout=published",
+           FAIL: "shadows=volumes,layout=brute-force",
+           PASS: "shadows=volumes,layout=brute-force,count=z-pass",
+           "no shadows": "shadows=none", **PLANAR}
+
+
+def case(path, light):
+    against = [word for setting in AGAINST.values() for word in ("--against", setting)]
+    judged = report("compare", path, *light, "--size", SIZE, "--views", VIEWS, *against)["results"]
+    told = report("bench", path, *light, "--size", SIZE, "--frames", FRAMES, "--warm-up", 1, *against)
+    rows = {}
+    for name, errors, times in zip([FIRST, *AGAINST], judged, told["results"]):
+        visible = errors["visible_pixels"]
+        rows[name] = {"mask": percent(errors["wrong_mask_pixels"], visible),
+                      "mask_beyond": percent(errors["wrong_mask_beyond_1px"], visible),
+                      "wrong": percent(errors["wrong_image_pixels"], visible),
+                      "beyond": percent(errors["wrong_image_beyond_1px"], visible),
+                      "ms": times["frame_ms"]["median"], "bytes": times["bytes_gpu"],
+                      "runs": times["vertex_runs"]}
+    return {"renderer": told["results"][0]["device"]["renderer"], "rows": rows}
+
+
+def measured():
+    results = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, path in MODELS.items():
+            lights = lights_for(path, folder)
+            for kind in ("sun", "lamp"):
+                print(name, kind, file=sys.stderr)
+                results[f"{name}, {kind}"] = case(path, lights[kind][:2])
+    return results
+
+
+def row_of(name, shadows, row, first):
+    return (f"| {name} | {shadows} | {figure(row['mask'])} | {figure(row['mask_beyond'])} | "
+            f"{figure(row['wrong'])} | {figure(row['beyond'])} | {figure(row['ms'] / first['ms'])} | "
+            f"{bytes_text(row['bytes'])} |")
+
+
+def table(results):
+    machine, scenes = results["machine"], results["scenes"]
+    renderer = next(iter(scenes.values()))["renderer"]
+    lines = [f"{machine['cores']} cores of {machine['processor']}, {machine['date']}, {renderer}, {SIZE}, "
+             f"{VIEWS} views, {FRAMES} frames.", "",
+             "| scene, light | shadows | mask wrong, % | beyond 1 px, % | image wrong, % | beyond 1 px, % | "
+             "frame, of volumes' | MB |", "|" + " --- |" * 8]
+    lines += [row_of(name, shadows, row, of["rows"][FIRST])
+              for name, of in scenes.items() for shadows, row in of["rows"].items()]
+    return "\n".join(lines)
+
+
+def means(results):
+    """Over all scenes and lights, each alike: of frames the geometric mean of ratios."""
+    cases = [of["rows"] for of in results["scenes"].values()]
+    lines = ["| shadows | mask wrong, % | beyond 1 px, % | image wrong, % | beyond 1 px, % | "
+             "frame, of volumes' | least .. most |", "|" + " --- |" * 7]
+    for shadows in cases[0]:
+        ratios = [rows[shadows]["ms"] / rows[FIRST]["ms"] for rows in cases]
+        errors = [sum(rows[shadows][key] for rows in cases) / len(cases)
+                  for key in ("mask", "mask_beyond", "wrong", "beyond")]
+        lines.append(f"| {shadows} | {' | '.join(figure(error) for error in errors)} | "
+                     f"{figure(mean(ratios))} | {figure(min(ratios))} .. {figure(max(ratios))} |")
+    passes = [rows[PASS]["ms"] / rows[FAIL]["ms"] for rows in cases]
+    worse = sum(rows[PASS]["mask"] > rows[FAIL]["mask"] for rows in cases)
+    better = sum(rows[PASS]["mask"] < rows[FAIL]["mask"] for rows in cases)
+    lines += ["", f"A frame of z-pass takes {figure(mean(passes))} of one of z-fail "
+              f"({figure(min(passes))} .. {figure(max(passes))}). Of {len(cases)} cases {worse} have more "
+              f"wrong pixels in the mask than of z-fail, {better} fewer."]
+    return "\n".join(lines)
+
+
+def draw_picture():
+    """The pavilion by each method: a sun above, a lamp below."""
+    view = ("--size", "240x180", "--camera-from", "3.4,2.2,4.6", "--camera-to", "0.4,0.5,0.6", "--fov", "40")
+    settings = ("shadows=volumes", AGAINST[FAIL], AGAINST[PASS], PLANAR["planar 1"], PLANAR["planar 16"])
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "out.png"
+
+        def drawn(light, setting):
+            words = [word for part in setting.split(",") for word in ("--" + part.split("=")[0], part.split("=")[1])]
+            subprocess.run([PROGRAM, "render", MODELS["pavilion"], out, *view, *light, *words], check=True,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            return read_png(out)
+
+        rows = [side_by_side([drawn(light, setting) for setting in settings])
+                for light in (("--sun", "0.6,0.7,0.5"), ("--light", "0.4,2.1,0.9"))]
+        write_png(ROOT / "docs" / "pictures" / "rivals.png", below(rows))
+
+
+def main():
+    if sys.argv[1:2] != ["--picture"]:
+        results = results_of("rivals", measured)
+        replace_between("docs/measured/rivals.md", "means", means(results))
+        replace_between("docs/measured/rivals.md", "rivals", table(results))
+    if sys.argv[1:2] != ["--table"]:
+        draw_picture()
+
+
+if __name__ == "__main__":
+    main()
