@@ -5,7 +5,7 @@ set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
 # A page's shadow maps are plain ones (src/render/shadow_map/map_build.hpp).
 if(EMSCRIPTEN)
   set(EDGESHADE_SHADERS_LEFT_OUT
-    cascades.glsl,filtered_distance.glsl,filtered_map.glsl,poisson.glsl,shadow_map_blur.frag)
+    cascades.glsl,filtered_distance.glsl,filtered_map.glsl,moments.glsl,moment_shadow.glsl,poisson.glsl,shadow_map_blur.frag,warp.glsl)
 endif()
 set(EDGESHADE_GENERATED_DIR ${PROJECT_BINARY_DIR}/generated)
 file(GLOB_RECURSE EDGESHADE_SHADER_FILES CONFIGURE_DEPENDS

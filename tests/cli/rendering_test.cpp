@@ -268,6 +268,11 @@ TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
     EXPECT_EQ(lights[0]["method"], "map");
     EXPECT_EQ(lights[0]["bytes"], (3 * 4 + 4) * 256 * 256);
     EXPECT_NE(lights[0]["why"].get<std::string>().find("cascades"), std::string::npos);
+    // Two texels for each, filtered moments; the warp's nodes and casters beside them.
+    lights = lightsOf({"--shadows", "map", "--map-size", "256", "--map-kind", "warped", "--filter",
+                       "msm", "--sun", "0.1,1,0.2"});
+    EXPECT_GT(lights[0]["bytes"], (2 * 4 + 2 * 4) * 256 * 256);
+    EXPECT_NE(lights[0]["why"].get<std::string>().find("four moments"), std::string::npos);
     lights = lightsOf({"--shadows", "primitive-map", "--gl-limits", "es2-minimum"});
     EXPECT_EQ(lights[0]["method"], "volumes");
     EXPECT_EQ(lights[0]["why"], "the GL looks up no floats");
@@ -315,6 +320,12 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
               std::string::npos)
         << maps;
     EXPECT_NE(maps.find("a cube's six faces of 256 x 256 texels"), std::string::npos) << maps;
+    const std::string warped =
+        explained({"--shadows", "map", "--map-size", "256", "--map-kind", "warped", "--warp",
+                   "non-orthogonal", "--sun", "0,1,0"});
+    EXPECT_NE(warped.find("one map, warped by a non-orthogonal grid, of 256 x 256 texels"),
+              std::string::npos)
+        << warped;
     EXPECT_NE(explained({"--layout", "published"}).find("opposite-vertex records"),
               std::string::npos);
 }
