@@ -100,13 +100,12 @@ TEST_P(Warps, CutCastersIntoAllOfThem) {
 
 TEST_P(Warps, LeaveSmallCastersWhole) {
     const MapWarp warp = mapWarp(GetParam(), {}, 0.0);
-    const glm::dvec2 inCell = 0.5 * (warp.line(5) + warp.line(6)) + 1e-5;
+    const glm::dvec2 inCell = warp.line(5) + glm::dvec2(0.7, 0.3) * (warp.line(6) - warp.line(5));
     std::vector<WarpedCorner> pieces;
     WarpCuts(warp).add({glm::dvec3(inCell, 0.5), glm::dvec3(inCell + glm::dvec2(1e-6, 0), 0.5),
                         glm::dvec3(inCell + glm::dvec2(0, 1e-6), 0.6)},
                        pieces);
-    EXPECT_EQ(pieces.size() % 3, 0u);
-    EXPECT_LE(pieces.size(), 9u);
+    EXPECT_EQ(pieces.size(), 3u);
 }
 
 INSTANTIATE_TEST_SUITE_P(, Warps, testing::Values(WarpGrid::rectilinear, WarpGrid::nonOrthogonal),

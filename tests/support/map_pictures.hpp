@@ -27,10 +27,10 @@ double wrongIn(const Scene& scene, const Camera& camera, const Light& light,
 
 int darkPixels(const std::vector<std::uint8_t>& mask);
 
-/// The largest share of the light that reaches a pixel which is in shadow with all that is within
-/// `aside` pixels of it.
+/// The largest share of the light that reaches a pixel of a surface that faces it and is in shadow,
+/// with all within `aside` pixels of it.
 double leakIn(const Scene& scene, const Camera& camera, const Light& light,
-              const RenderSettings& settings, int aside = 3);
+              const RenderSettings& settings, int aside = 8);
 
 /// Pixels in half shadow: between a fifth and four fifths of the light.
 int greyPixels(const Scene& scene, const Camera& camera, const Light& light,

@@ -20,9 +20,9 @@ constexpr double alike = 0.15;
 constexpr double outerShare = 0.25;
 /// How many cells aside importance is averaged: over columns alike, then over rows; and the rows
 /// and columns of a non-orthogonal grid with each other, so that they differ little.
-constexpr int smoothing = 1, likeness = 3;
+constexpr int smoothing = 1, likeness = 5;
 /// The least area that a half of a cell may be left with, of what it had.
-constexpr double leastArea = 0.02;
+constexpr double leastArea = 2e-4;
 
 using Line = std::array<double, cells>;
 using Ends = std::array<double, cells + 1>;
@@ -66,7 +66,7 @@ Ends endsOf(const Line& importance) {
 }
 
 /// Between whole numbers, of a place in a lattice.
-double between2(const Ends& ends, double place) {
+double endAt(const Ends& ends, double place) {
     const int cell = std::clamp(static_cast<int>(place), 0, cells - 1);
     return ends[cell] + (ends[cell + 1] - ends[cell]) * (place - cell);
 }
@@ -127,8 +127,8 @@ Nodes nonOrthogonalNodes(const Counts& counts, std::span<const glm::dvec2> inLat
     Counts moved{};
     for (const glm::dvec2& place : inLattice) {
         const int row = std::clamp(static_cast<int>(place.y), 0, cells - 1);
-        const double x = glm::mix(between2(alongX[row], place.x),
-                                  between2(alongX[row + 1], place.x), place.y - row);
+        const double x =
+            glm::mix(endAt(alongX[row], place.x), endAt(alongX[row + 1], place.x), place.y - row);
         count(moved, {x * cells, place.y});
     }
     const std::array<Ends, cells + 1> alongY = endsOfRows(transposed(moved));
