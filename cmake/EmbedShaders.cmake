@@ -6,7 +6,7 @@ set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
 # brute-force volumes nor planar shadows (src/scene/rival_build.hpp).
 if(EMSCRIPTEN)
   set(EDGESHADE_SHADERS_LEFT_OUT
-    cascades.glsl,filtered_distance.glsl,filtered_map.glsl,poisson.glsl,shadow_map_blur.frag,near_cap.vert,projected.frag,projected_caster.vert,triangle_volume.vert)
+    cascades.glsl,filtered_distance.glsl,filtered_map.glsl,moments.glsl,moment_shadow.glsl,poisson.glsl,shadow_map_blur.frag,warp.glsl,near_cap.vert,projected.frag,projected_caster.vert,triangle_volume.vert)
 endif()
 set(EDGESHADE_GENERATED_DIR ${PROJECT_BINARY_DIR}/generated)
 file(GLOB_RECURSE EDGESHADE_SHADER_FILES CONFIGURE_DEPENDS

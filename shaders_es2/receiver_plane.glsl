@@ -1,8 +1,5 @@
 // The receiver around a lookup as the plane that it is, so that wide filters don't find it before
 // itself (Isidoro 2006). Wants what shadow_map_lookup.glsl has.
-#ifdef MAP_DIRECTIONAL
-uniform vec3 u_mapScale; // map space per length in the world, along each axis
-#endif
 
 struct Receiver {
     vec3 at;    // in map space

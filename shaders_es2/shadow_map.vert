@@ -1,5 +1,6 @@
 // Casters as a light sees them, for its shadow map. Variants: MAP_PARABOLOID, one half of all directions
 // as a paraboloid mirrors them (Brabec et al. 2002), right at vertices alone: edges stay straight;
+// MAP_WARPED, casters whose pieces are where the map has them already (WarpCuts);
 // ALPHA_TEST, alpha-tested materials.
 #include "extrusion.glsl"
 
@@ -12,7 +13,7 @@ attribute vec4 a_color;
 #ifdef MAP_PARABOLOID
 uniform float u_halfSide; // 1: upwards, -1: downwards
 uniform float u_mapShare; // see shadow_map_faces.glsl
-#else
+#elif !defined(MAP_WARPED)
 uniform mat4 u_clipFromObject;
 #endif
 uniform mat4 u_mapFromObject; // see ShadowMapView
@@ -24,7 +25,11 @@ varying float v_alphaLookup;
 #endif
 
 void main() {
+#ifdef MAP_WARPED
+    v_mapPosition = a_position;
+#else
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
+#endif
 #ifdef ALPHA_TEST
     v_texcoord = a_texcoord;
     v_alphaLookup = a_color.a;
@@ -35,6 +40,8 @@ void main() {
     vec3 towards = v_mapPosition / distance;
     float w = 1.0 + u_halfSide * towards.y;
     gl_Position = vec4(u_mapShare * towards.xz, (2.0 * distance - 1.0) * w, w);
+#elif defined(MAP_WARPED)
+    gl_Position = vec4(2.0 * a_position - 1.0, 1.0);
 #else
     gl_Position = clipPosition(u_clipFromObject, vec4(a_position, 1.0));
 #endif

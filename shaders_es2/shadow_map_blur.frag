@@ -1,6 +1,6 @@
 // One direction of a separable filter over a shadow map's texels, PCF of them, the middle one's weight
-// the largest. VSM or ESM: what is written, see filtered_distance.glsl; DISTANCES: of VSM, what is
-// read are distances still.
+// the largest. VSM, ESM or MSM: what is written, see filtered_distance.glsl; DISTANCES: of VSM and MSM,
+// what is read are distances still.
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
 #else
@@ -12,8 +12,19 @@ precision mediump float;
 uniform mediump sampler2D u_from;
 uniform vec2 u_texel;  // 1 / texels
 uniform vec2 u_along;  // from texel to texel
+#ifdef MSM
+uniform float u_half; // which of the two texels is written
 
-#ifdef VSM
+// Of a texture two maps wide.
+Moments read(vec2 at) {
+    vec2 left = clamp(at, 0.5 * u_texel, 1.0 - 0.5 * u_texel) * vec2(0.5, 1.0);
+#ifdef DISTANCES
+    return Moments(unpackDistance(texture2D(u_from, left)), 0.0, 0.0, 0.0);
+#else
+    return unpackMoments(texture2D(u_from, left), texture2D(u_from, left + vec2(0.5, 0.0)));
+#endif
+}
+#elif defined(VSM)
 // Mean and standard deviation.
 vec2 read(vec2 at) {
     vec4 texel = texture2D(u_from, at);
@@ -27,11 +38,17 @@ vec2 read(vec2 at) {
 float read(vec2 at) { return unpackDistance(texture2D(u_from, at)); }
 #endif
 
+const float reach = 0.5 * float(PCF - 1);
+
+// Of a texel so many aside; all add up to 1.
+float weightOf(float aside) { return (1.0 - abs(aside) / (reach + 1.0)) / (reach + 1.0); }
+
 void main() {
-    const float reach = 0.5 * float(PCF - 1);
     vec2 middle = gl_FragCoord.xy * u_texel;
-    float weights = 0.0;
-#ifdef VSM
+#if defined(MSM)
+    middle.x -= u_half;
+    MomentSum sum = MomentSum(read(middle).mean, vec4(0.0));
+#elif defined(VSM)
     // From the middle texel, so that squares keep their digits.
     float from = read(middle).x, mean = 0.0, square = 0.0;
 #else
@@ -39,9 +56,10 @@ void main() {
 #endif
     for (int i = 0; i < PCF; ++i) {
         float aside = float(i) - reach;
-        float weight = 1.0 - abs(aside) / (reach + 1.0);
-        weights += weight;
-#ifdef VSM
+        float weight = weightOf(aside);
+#if defined(MSM)
+        addMoments(sum, read(middle + aside * u_along), weight);
+#elif defined(VSM)
         vec2 there = read(middle + aside * u_along);
         float away = there.x - from;
         mean += weight * away;
@@ -50,11 +68,12 @@ void main() {
         sum += weight * exp(sharpness * (read(middle + aside * u_along) - from));
 #endif
     }
-#ifdef VSM
-    mean /= weights;
-    float deviation = sqrt(max(square / weights - mean * mean, 0.0));
+#if defined(MSM)
+    gl_FragColor = packMoments(momentsOf(sum), u_half);
+#elif defined(VSM)
+    float deviation = sqrt(max(square - mean * mean, 0.0));
     gl_FragColor = vec4(packHalf(from + mean), packHalf(deviation));
 #else
-    gl_FragColor = packDistance(from + log(sum / weights) / sharpness);
+    gl_FragColor = packDistance(from + log(sum) / sharpness);
 #endif
 }

@@ -1,6 +1,7 @@
 // Where a shadow map's texels are. A place is in map space (see ShadowMapView). MAP_FACES: the map is
 // so many flat textures, the six faces of a cube, with MAP_PARABOLOID two halves of all directions, or
-// with MAP_DIRECTIONAL one or, MAP_CASCADES, several parallel projections; else it is a cube map.
+// with MAP_DIRECTIONAL one (MAP_WARPED, see warp.glsl) or, MAP_CASCADES, several parallel projections;
+// else it is a cube map.
 #ifdef MAP_FACES
 uniform mediump sampler2D u_face0; // lowp, the default, might lose the last bit of a byte
 #if MAP_FACES > 1
@@ -24,6 +25,10 @@ uniform float u_mapStep; // from texel to texel in the map; of a point light's a
 uniform float u_mapShare; // what a face takes of its texture's width; the rest is a margin
 #endif
 
+#ifdef MAP_DIRECTIONAL
+uniform vec3 u_mapScale; // map space per length in the world, along each axis
+#endif
+
 float largestAxis(vec3 v) {
     vec3 a = abs(v);
     return max(a.x, max(a.y, a.z));
@@ -31,6 +36,9 @@ float largestAxis(vec3 v) {
 
 #ifdef MAP_CASCADES
 #include "cascades.glsl"
+#endif
+#ifdef MAP_WARPED
+#include "warp.glsl"
 #endif
 
 #ifdef MAP_FACES
@@ -55,6 +63,8 @@ vec4 faceTexel(float face, vec2 at) {
 vec3 faceAt(vec3 at) {
 #if defined(MAP_CASCADES)
     return vec3(at.xy * mapCascade.xy + mapCascade.zw, mapFace);
+#elif defined(MAP_WARPED)
+    return vec3(warped(at.xy), 0.0);
 #elif defined(MAP_DIRECTIONAL)
     return vec3(at.xy, 0.0);
 #elif defined(MAP_PARABOLOID)
@@ -95,6 +105,10 @@ float distanceOf(vec3 at) {
 float texelScale(vec3 at) {
 #if defined(MAP_CASCADES)
     return 1.0 / min(mapCascade.x, mapCascade.y);
+#elif defined(MAP_WARPED)
+    vec3 axisS, axisT;
+    warpAxes(at.xy, u_mapStep, axisS, axisT);
+    return max(length(axisS.xy / u_mapScale.xy), length(axisT.xy / u_mapScale.xy)) / u_mapTexel;
 #elif defined(MAP_DIRECTIONAL)
     return 1.0;
 #elif defined(MAP_PARABOLOID)
@@ -109,6 +123,8 @@ void texelAxes(vec3 at, out vec3 axisS, out vec3 axisT) {
 #if defined(MAP_CASCADES)
     axisS = vec3(u_mapStep / mapCascade.x, 0.0, 0.0);
     axisT = vec3(0.0, u_mapStep / mapCascade.y, 0.0);
+#elif defined(MAP_WARPED)
+    warpAxes(at.xy, u_mapStep, axisS, axisT);
 #elif defined(MAP_DIRECTIONAL)
     axisS = vec3(u_mapStep, 0.0, 0.0);
     axisT = vec3(0.0, u_mapStep, 0.0);

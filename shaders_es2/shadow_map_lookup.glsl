@@ -1,11 +1,11 @@
 // How much of a light reaches a fragment by its shadow map (shadow_map_faces.glsl says of which kinds):
-// PCF x PCF texels around it compared with its own distance; POISSON, taps in a disc that wide; VSM and
-// ESM, what a map says that was filtered; PCSS, what pcss.glsl makes of it.
+// PCF x PCF texels around it compared with its own distance; POISSON, taps in a disc that wide; VSM,
+// ESM and MSM, what a map says that was filtered; PCSS, what pcss.glsl makes of it.
 #include "shadow_map_distance.glsl"
+uniform float u_mapTexel; // u_mapStep as a length in the world
 #include "shadow_map_faces.glsl"
 
 uniform mat3 u_mapFromWorld;
-uniform float u_mapTexel; // u_mapStep as a length in the world
 uniform float u_mapBias;  // in texels
 
 varying vec3 v_mapPosition;
@@ -38,7 +38,8 @@ vec3 biasedReceiver(vec3 normal, vec3 light, float width) {
 #ifdef POISSON
 #include "poisson.glsl"
 #endif
-#if defined(VSM) || defined(ESM)
+#if defined(VSM) || defined(ESM) || defined(MSM)
+#define FILTERED
 #include "filtered_map.glsl"
 #endif
 
@@ -53,7 +54,7 @@ float lightByFace(vec3 normal, vec3 light) {
 #else
     vec3 at = biasedReceiver(normal, light, float(PCF));
     float own = min(distanceOf(at), 1.0); // what no caster reaches, the ground for one, is as far as empty texels
-#if defined(VSM) || defined(ESM)
+#ifdef FILTERED
     return filteredLight(at, own);
 #else
     vec3 axisS, axisT;

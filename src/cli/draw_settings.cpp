@@ -43,11 +43,16 @@ const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
 const Choices<Shading> shadingNames = {{"full", Shading::full}, {"base", Shading::base}};
 const Choices<SoftShadows> softNames = {
     {"none", SoftShadows::none}, {"pcf", SoftShadows::pcf}, {"pcss", SoftShadows::pcss}};
-const Choices<MapKind> mapKindNames = {
-    {"cube", MapKind::cube}, {"cascades", MapKind::cascades}, {"paraboloid", MapKind::paraboloid}};
+const Choices<MapKind> mapKindNames = {{"cube", MapKind::cube},
+                                       {"cascades", MapKind::cascades},
+                                       {"paraboloid", MapKind::paraboloid},
+                                       {"warped", MapKind::warped}};
+const Choices<WarpGrid> warpNames = {{"rectilinear", WarpGrid::rectilinear},
+                                     {"non-orthogonal", WarpGrid::nonOrthogonal}};
 const Choices<FilterChoice> filterNames = {
     {"none", FilterChoice::none}, {"pcf", FilterChoice::pcf}, {"poisson", FilterChoice::poisson},
-    {"vsm", FilterChoice::vsm},   {"esm", FilterChoice::esm}, {"pcss", FilterChoice::pcss}};
+    {"vsm", FilterChoice::vsm},   {"esm", FilterChoice::esm}, {"msm", FilterChoice::msm},
+    {"pcss", FilterChoice::pcss}};
 const Choices<bool> terminatorNames = {{"soft", true}, {"exact", false}};
 const Choices<int> maskScaleNames = {{"1", 1}, {"1/2", 2}, {"1/4", 4}};
 
@@ -67,6 +72,8 @@ FilterChoice filterOf(const ShadowMapSettings& map) {
         return FilterChoice::vsm;
     case MapFilter::exponential:
         return FilterChoice::esm;
+    case MapFilter::moments:
+        return FilterChoice::msm;
     case MapFilter::compare:
         break;
     }
@@ -97,20 +104,25 @@ void addMapOptions(CLI::App& verb, DrawSettings& settings) {
         ->type_name("TEXELS");
     addChoice(verb, "--map-kind", map.kind, mapKindNames,
               "Which maps lights get: six faces of a cube around lamps and one map for suns, or "
-              "cascades for suns, or two paraboloids around lamps (cube)");
+              "cascades for suns, or two paraboloids around lamps, or for suns one that is warped "
+              "for what is visible (cube)");
     noted(verb.get_option("--map-kind"), settings.mapOptions);
+    addChoice(verb, "--warp", map.warp, warpNames,
+              "How maps of --map-kind warped are: by widths of columns and heights of rows, or in "
+              "each row and column by itself (rectilinear)");
+    noted(verb.get_option("--warp"), settings.mapOptions);
     add("--cascades", map.cascades,
         "Maps of each sun, of what is near the eye and farther off, 1 to 4 (4)")
         ->check(CLI::Range(1, mostCascades))
         ->type_name("N");
     addChoice(verb, "--filter", settings.filter, filterNames,
               "What is made of a map's texels: one compared, or --pcf of them, Poisson taps, a "
-              "variance map, an exponential map, percentage-closer soft shadows (as --pcf and "
-              "--soft say)");
+              "variance map, an exponential map, a map of four moments, percentage-closer soft "
+              "shadows (as --pcf and --soft say)");
     noted(verb.get_option("--filter"), settings.mapOptions);
     add("--pcf", map.pcf,
         "How wide maps are filtered, in texels; of --filter pcf N x N are compared: 1, 3, 5 or 7 "
-        "(1: hard edges; of --filter pcf 3, of poisson, vsm and esm 5)")
+        "(1: hard edges; of --filter pcf 3, of poisson, vsm, esm and msm 5)")
         ->check(CLI::IsMember({1, 3, 5, 7}))
         ->type_name("N");
     addChoice(
@@ -225,6 +237,7 @@ void resolveFilter(DrawSettings& settings) {
     map.filter = choice == FilterChoice::poisson ? MapFilter::poisson
                  : choice == FilterChoice::vsm   ? MapFilter::variance
                  : choice == FilterChoice::esm   ? MapFilter::exponential
+                 : choice == FilterChoice::msm   ? MapFilter::moments
                                                  : MapFilter::compare;
     if (pcss)
         map.soft = SoftShadows::pcss;
@@ -249,6 +262,8 @@ void resolveMap(DrawSettings& settings) {
         throw Error(ExitStatus::usage, soft + " need --map-kind cube.");
     if (settings.typedOfMaps("--cascades") && map.kind != MapKind::cascades)
         throw Error(ExitStatus::usage, "--cascades needs --map-kind cascades.");
+    if (settings.typedOfMaps("--warp") && map.kind != MapKind::warped)
+        throw Error(ExitStatus::usage, "--warp needs --map-kind warped.");
 }
 
 } // namespace
@@ -373,7 +388,7 @@ void requireMapKind(const DrawSettings& settings, std::span<const Light> lights)
     const MapKind kind = settings.render.map.kind;
     if (settings.render.shadows != ShadowMethod::map || kind == MapKind::cube || lights.empty())
         return;
-    const bool suns = kind == MapKind::cascades;
+    const bool suns = kind != MapKind::paraboloid;
     if (std::ranges::any_of(lights,
                             [&](const Light& of) { return (of.position.w == 0.0) == suns; }))
         return;
@@ -442,7 +457,9 @@ std::string shortName(const DrawSettings& settings) {
     std::string name = nameIn(shadowNames, render.shadows);
     if (render.shadows == ShadowMethod::map) name += " " + std::to_string(render.map.size);
     if (render.shadows == ShadowMethod::map && render.map.kind != MapKind::cube)
-        name += ", " + nameIn(mapKindNames, render.map.kind);
+        name +=
+            ", " + nameIn(mapKindNames, render.map.kind) +
+            (render.map.kind == MapKind::warped ? " " + nameIn(warpNames, render.map.warp) : "");
     if (render.shadows == ShadowMethod::map && render.map.filter != MapFilter::compare)
         name += ", " + nameIn(filterNames, filterOf(render.map));
     if (render.shadows == ShadowMethod::map && render.map.soft != SoftShadows::none)
@@ -491,6 +508,8 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
                      {"soft", nameIn(softNames, render.map.soft)}});
     if (render.shadows == ShadowMethod::map && render.map.kind == MapKind::cascades)
         json["cascades"] = render.map.cascades;
+    if (render.shadows == ShadowMethod::map && render.map.kind == MapKind::warped)
+        json["warp"] = nameIn(warpNames, render.map.warp);
     if (render.looksUpPrimitives()) json["primitive-map-memory"] = render.primitiveMap.mostBytes;
     return json;
 }

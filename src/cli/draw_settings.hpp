@@ -18,7 +18,7 @@ namespace edgeshade::cli {
 enum class InstancingChoice { automatic, on, off, multiDraw };
 
 /// What --filter names: one texel, or MapFilter's, or SoftShadows::pcss.
-enum class FilterChoice { none, pcf, poisson, vsm, esm, pcss };
+enum class FilterChoice { none, pcf, poisson, vsm, esm, msm, pcss };
 
 /// How pictures are drawn, as typed: what `--against` can vary.
 struct DrawSettings {

@@ -38,11 +38,15 @@ void addMapKinds(std::vector<TradeSetting>& settings, int largestMap,
     for (const int size : {512, 2048}) {
         if (size > largestMap) continue;
         const std::string number = std::to_string(size), map = "shadows=map,map-size=" + number;
-        if (std::ranges::any_of(lights, isSun))
+        if (std::ranges::any_of(lights, isSun)) {
             settings.push_back({"cascades 4 x " + number, map + ",map-kind=cascades"});
+            settings.push_back({"rectilinear " + number, map + ",map-kind=warped"});
+            settings.push_back(
+                {"non-orthogonal " + number, map + ",map-kind=warped,warp=non-orthogonal"});
+        }
         if (!std::ranges::all_of(lights, isSun))
             settings.push_back({"paraboloid " + number, map + ",map-kind=paraboloid"});
-        for (const char* filter : {"poisson", "vsm", "esm"})
+        for (const char* filter : {"poisson", "vsm", "esm", "msm"})
             settings.push_back({std::string(filter) + " " + number, map + ",filter=" + filter});
     }
 }

@@ -71,8 +71,9 @@ Json stateFrom(const WindowOptions& options, const Scene& scene,
     state.lightSamples = render.lightSamples;
     requireExtents(options.settings, state.lights);
     requireMapKind(options.settings, state.lights);
-    state.left = {render.shadows,  render.map.size,     render.multiplicity, render.maskScale,
-                  render.map.kind, render.map.cascades, render.map.filter,   render.map.pcf};
+    state.left = {render.shadows,    render.map.size, render.multiplicity,
+                  render.maskScale,  render.map.kind, render.map.cascades,
+                  render.map.filter, render.map.pcf,  render.map.warp};
     state.shading = render.shading;
     state.ambient = render.ambient;
     state.exposure = render.exposure;

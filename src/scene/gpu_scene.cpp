@@ -51,6 +51,13 @@ std::shared_ptr<ShadowBuffers> uploadOppositeVertices(const LoadedScene& loaded,
         layout));
 }
 
+/// See GpuBatch::geometry.
+void keepGeometry([[maybe_unused]] GpuBatch& of, [[maybe_unused]] const Batch& batch) {
+#ifndef EDGESHADE_PLAIN_MAPS
+    of.geometry = batch.geometry;
+#endif
+}
+
 void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
     const Shadows shadows = loaded.shadows.empty()
                                 ? buildShadows(loaded.scene, loaded.settings.castMasked)
@@ -129,6 +136,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         made.worldFromBatch = batch.worldFromBatch;
         made.animated = batch.isAnimated();
         made.ground = batch.ground;
+        keepGeometry(made, batch);
         made.owns = first[i] == i;
         made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(
                                         uploadSurfaces(batch, scene.materials))
@@ -152,6 +160,7 @@ void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch) {
     GpuBatch& to = gpu.batches[batch];
     const Batch& from = loaded.scene.batches[batch];
     uploadShape(from, gpu.materials, to.parts, *to.surfaces);
+    keepGeometry(to, from);
     BatchVolumes& volumes = to.volumes;
     if (volumes.planePairs) volumes.planePairs->take(loaded.planePairs[batch]);
     if (volumes.oppositeVertices)

@@ -19,6 +19,9 @@ struct GpuBatch {
     bool animated = false; ///< an animation can move it: it is in no primitive map
     bool hidden = false;   ///< not drawn and without a shadow: scaled to nothing
     bool ground = false;   ///< see Batch
+    /// What its surfaces were uploaded of, for maps whose casters the processor cuts; nothing in
+    /// builds that have no such maps.
+    CopyOnWrite<Geometry> geometry = {};
     /// Of its own, or of all places of a mesh that is kept once: the first of these owns it.
     std::shared_ptr<std::vector<SurfaceChunk>> surfaces;
     bool owns = true;

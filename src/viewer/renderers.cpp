@@ -15,6 +15,7 @@ Renderers::Key Renderers::keyOf(const SideSettings& side, Shading shading) {
             map && side.mapKind == MapKind::cascades ? side.cascades : 0,
             map ? side.filter : MapFilter::compare,
             map ? side.pcf : 1,
+            map && side.mapKind == MapKind::warped ? side.warp : WarpGrid::rectilinear,
             shading};
 }
 
@@ -30,6 +31,7 @@ Renderer& Renderers::of(const SideSettings& side, const ViewState& state) {
         settings.map.cascades = side.cascades;
         settings.map.filter = side.filter;
         settings.map.pcf = side.pcf;
+        settings.map.warp = side.warp;
         settings.maskScale = side.maskScale;
         renderer = std::make_unique<Renderer>(settings, capabilities_);
     }

@@ -34,7 +34,7 @@ class Renderers {
 
   private:
     using Key = std::tuple<ShadowMethod, int, MultiplicityMethod, int, MapKind, int, MapFilter, int,
-                           Shading>;
+                           WarpGrid, Shading>;
     static Key keyOf(const SideSettings& side, Shading shading);
 
     RenderSettings base_;

@@ -23,13 +23,17 @@ constexpr Words<MultiplicityMethod, 5> multiplicityWords = {
      {"three-edge", MultiplicityMethod::threeEdge},
      {"single-edge", MultiplicityMethod::singleEdge},
      {"triangle", MultiplicityMethod::triangle}}};
-constexpr Words<MapKind, 3> mapKindWords = {{{"cube", MapKind::cube},
+constexpr Words<MapKind, 4> mapKindWords = {{{"cube", MapKind::cube},
                                              {"cascades", MapKind::cascades},
-                                             {"paraboloid", MapKind::paraboloid}}};
-constexpr Words<MapFilter, 4> filterWords = {{{"pcf", MapFilter::compare},
+                                             {"paraboloid", MapKind::paraboloid},
+                                             {"warped", MapKind::warped}}};
+constexpr Words<WarpGrid, 2> warpWords = {
+    {{"rectilinear", WarpGrid::rectilinear}, {"non-orthogonal", WarpGrid::nonOrthogonal}}};
+constexpr Words<MapFilter, 5> filterWords = {{{"pcf", MapFilter::compare},
                                               {"poisson", MapFilter::poisson},
                                               {"vsm", MapFilter::variance},
-                                              {"esm", MapFilter::exponential}}};
+                                              {"esm", MapFilter::exponential},
+                                              {"msm", MapFilter::moments}}};
 constexpr Words<Shading, 2> shadingWords = {{{"full", Shading::full}, {"base", Shading::base}}};
 constexpr Words<bool, 2> cullWords = {{{"auto", true}, {"off", false}}};
 constexpr Words<DebugView, 2> debugWords = {
@@ -116,6 +120,8 @@ SideSettings sideFrom(const Field& field, SideSettings side) {
             side.filter = value.oneOf(filterWords);
         else if (key == "pcf")
             side.pcf = filterWidthFrom(value);
+        else if (key == "warp")
+            side.warp = value.oneOf(warpWords);
         else
             return false;
         return true;
@@ -131,7 +137,8 @@ Json toJson(const SideSettings& side) {
             {"map_kind", wordOf(mapKindWords, side.mapKind)},
             {"cascades", side.cascades},
             {"filter", wordOf(filterWords, side.filter)},
-            {"pcf", side.pcf}};
+            {"pcf", side.pcf},
+            {"warp", wordOf(warpWords, side.warp)}};
 }
 
 /// The number as a person types it: 0.35, where the float nearest to it is 0.34999999.

@@ -22,6 +22,7 @@ struct SideSettings {
     int cascades = mostCascades;
     MapFilter filter = MapFilter::compare;
     int pcf = 1;
+    WarpGrid warp = WarpGrid::rectilinear;
 
     bool operator==(const SideSettings&) const = default;
 };
@@ -76,9 +77,10 @@ struct ViewState {
 ///  "exposure": 0, "background": [r,g,b], "ground": "off|catcher|#rrggbb", "cast_cutouts": false,
 ///  "cull": "auto|off", "left": {"shadows": "auto|volumes|primitive-map|map|planar|none",
 ///  "map_size": 2048, "multiplicity": "plane", "mask_scale": 1|2|4, "map_kind":
-///  "cube|cascades|paraboloid", "cascades": 1..4, "filter": "pcf|poisson|vsm|esm", "pcf": 1|3|5|7},
-///  "right": {…}, "split": false, "split_at": 0.5, "debug": "none|volumes", "show_lights": true,
-///  "animation": 0, "playing": false, "speed": 1, "time": 0}
+///  "cube|cascades|paraboloid|warped", "cascades": 1..4, "filter": "pcf|poisson|vsm|esm|msm",
+///  "pcf": 1|3|5|7, "warp": "rectilinear|non-orthogonal"}, "right": {…}, "split": false,
+///  "split_at": 0.5, "debug": "none|volumes", "show_lights": true, "animation": 0, "playing":
+///  false, "speed": 1, "time": 0}
 /// What a light is, light_state.hpp says.
 nlohmann::ordered_json toJson(const ViewState& state);
 

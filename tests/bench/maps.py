@@ -32,9 +32,15 @@ SUN = {"one map 1024": "1024", "PCF 3": "1024,pcf=3", "Poisson": "1024,filter=po
        "cascades 4 x 512": "512,map-kind=cascades", "cascades 4 x 512, Poisson": "512,map-kind=cascades,filter=poisson",
        "cascades 4 x 512, VSM": "512,map-kind=cascades,filter=vsm",
        "cascades 1 x 1024": "1024,map-kind=cascades,cascades=1",
+       # A lattice's nodes and the cut casters come on top. Moments take two texels: as many bytes.
+       "rectilinear warp 1024": "1024,map-kind=warped",
+       "non-orthogonal warp 1024": "1024,map-kind=warped,warp=non-orthogonal",
+       "rectilinear warp 1024, Poisson": "1024,map-kind=warped,filter=poisson",
+       "non-orthogonal warp 1024, Poisson": "1024,map-kind=warped,warp=non-orthogonal,filter=poisson",
+       "MSM 724": "724,filter=msm", "MSM 1024": "1024,filter=msm",
        "cascades 4 x 1024": "1024,map-kind=cascades"}
 LAMP = {"cube 6 x 512": "512", "PCF 3": "512,pcf=3", "Poisson": "512,filter=poisson",
-        "VSM": "512,filter=vsm", "ESM": "512,filter=esm",
+        "VSM": "512,filter=vsm", "ESM": "512,filter=esm", "MSM 6 x 362": "362,filter=msm",
         "paraboloids 2 x 888": "888,map-kind=paraboloid",
         "paraboloids 2 x 888, VSM": "888,map-kind=paraboloid,filter=vsm"}
 
@@ -120,6 +126,9 @@ def draw_picture():
         [(sun, "shadows=volumes"), (sun, MAP + "512"), (sun, MAP + "256,map-kind=cascades"), (sun, MAP + "512,pcf=3")],
         [(sun, MAP + "512,filter=poisson"), (sun, MAP + "512,filter=vsm,map-bias=0.5"),
          (sun, MAP + "512,filter=esm"), (sun, MAP + "256,map-kind=cascades,filter=vsm,map-bias=0.5")],
+        [(sun, MAP + "512,map-kind=warped"), (sun, MAP + "512,map-kind=warped,warp=non-orthogonal"),
+         (sun, MAP + "512,filter=msm,map-bias=0.5"),
+         (sun, MAP + "512,map-kind=warped,warp=non-orthogonal,filter=msm,map-bias=0.5")],
         [(lamp, "shadows=volumes"), (lamp, MAP + "256"), (lamp, MAP + "444,map-kind=paraboloid"),
          (lamp, MAP + "444,map-kind=paraboloid,filter=vsm,map-bias=0.5")]]
     with tempfile.TemporaryDirectory() as folder:

@@ -44,6 +44,7 @@ TEST(Help, EveryVerbNamesItsOptions) {
                              "--map-size",
                              "--map-bias",
                              "--map-kind",
+                             "--warp",
                              "--cascades",
                              "--filter",
                              "--pcf",

@@ -268,6 +268,11 @@ TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
     EXPECT_EQ(lights[0]["method"], "map");
     EXPECT_EQ(lights[0]["bytes"], (3 * 4 + 4) * 256 * 256);
     EXPECT_NE(lights[0]["why"].get<std::string>().find("cascades"), std::string::npos);
+    // Two texels for each, filtered moments; the warp's nodes and casters beside them.
+    lights = lightsOf({"--shadows", "map", "--map-size", "256", "--map-kind", "warped", "--filter",
+                       "msm", "--sun", "0.1,1,0.2"});
+    EXPECT_GT(lights[0]["bytes"], (2 * 4 + 2 * 4) * 256 * 256);
+    EXPECT_NE(lights[0]["why"].get<std::string>().find("four moments"), std::string::npos);
     lights = lightsOf({"--shadows", "primitive-map", "--gl-limits", "es2-minimum"});
     EXPECT_EQ(lights[0]["method"], "volumes");
     EXPECT_EQ(lights[0]["why"], "the GL looks up no floats");
@@ -321,6 +326,12 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
     EXPECT_NE(explained({"--layout", "brute-force", "--count", "z-pass", "--light", "2,3,2"})
                   .find("light 0: z-pass, near caps"),
               std::string::npos);
+    const std::string warped =
+        explained({"--shadows", "map", "--map-size", "256", "--map-kind", "warped", "--warp",
+                   "non-orthogonal", "--sun", "0,1,0"});
+    EXPECT_NE(warped.find("one map, warped by a non-orthogonal grid, of 256 x 256 texels"),
+              std::string::npos)
+        << warped;
     EXPECT_NE(explained({"--layout", "published"}).find("opposite-vertex records"),
               std::string::npos);
 }

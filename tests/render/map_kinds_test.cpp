@@ -1,10 +1,8 @@
-// Cascades, paraboloids and filters of shadow maps against ray casting: close, as the plain maps
-// are, and wrong where their authors say that they are.
+// Cascades, paraboloids, warps and filters of shadow maps against ray casting: close, as the plain
+// maps are, and wrong where their authors say that they are.
 
 #include "preprocess/base/error.hpp"
-#include "tests/support/brute_force.hpp"
-#include "tests/support/headless.hpp"
-#include "tests/support/scene_builder.hpp"
+#include "tests/support/map_pictures.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -13,48 +11,15 @@
 namespace edgeshade {
 namespace {
 
-using test::Answer;
+using test::darkPixels;
+using test::drawMask;
+using test::maps;
 using test::pointLight;
 using test::SceneBuilder;
 using test::sun;
+using test::wrongIn;
 
-constexpr int width = 160, height = 120;
-
-RenderSettings maps(MapKind kind, MapFilter filter = MapFilter::compare, int pcf = 1,
-                    int size = 512) {
-    RenderSettings settings;
-    settings.shadows = ShadowMethod::map;
-    settings.map = {.size = size, .pcf = pcf, .kind = kind, .filter = filter};
-    if (filter == MapFilter::variance) settings.map.biasTexels = 0.5f;
-    return settings;
-}
-
-std::vector<std::uint8_t> drawMask(const Scene& scene, const Camera& camera, const Light& light,
-                                   const RenderSettings& settings) {
-    return test::drawScene(scene, {camera, {light}, width, height, true}, settings);
-}
-
-/// Percentage of visible pixels that differ from ray casting.
-double wrongIn(const Scene& scene, const Camera& camera, const Light& light,
-               const RenderSettings& settings) {
-    const auto mask = drawMask(scene, camera, light, settings);
-    const auto answers = test::castMask(scene, camera, light, width, height, 0.0);
-    int visible = 0, wrong = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        if (answers[i] == Answer::nothing || mask[4 * i + 3] == 0) continue;
-        ++visible;
-        wrong += (mask[4 * i] != 0) != (answers[i] == Answer::lit);
-    }
-    EXPECT_GT(visible, width * height / 4);
-    return 100.0 * wrong / visible;
-}
-
-int darkPixels(const std::vector<std::uint8_t>& mask) {
-    int dark = 0;
-    for (std::size_t i = 0; i < mask.size(); i += 4)
-        dark += mask[i + 3] != 0 && mask[i] == 0;
-    return dark;
-}
+constexpr int width = test::mapWidth, height = test::mapHeight;
 
 Scene boxOverFloor() {
     return SceneBuilder().floor(5).box({-1, 0.5f, -1}, {1, 2, 1}).scene();
@@ -78,6 +43,7 @@ struct Kind {
     MapKind kind;
     MapFilter filter;
     int pcf;
+    WarpGrid warp = WarpGrid::rectilinear;
 
     friend void PrintTo(const Kind& of, std::ostream* stream) { *stream << of.name; }
 };
@@ -85,7 +51,7 @@ struct Kind {
 class MapKinds : public testing::TestWithParam<Kind> {
   public:
     static RenderSettings settings(int size = 256) {
-        return maps(GetParam().kind, GetParam().filter, GetParam().pcf, size);
+        return maps(GetParam().kind, GetParam().filter, GetParam().pcf, size, GetParam().warp);
     }
 };
 
@@ -157,20 +123,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"poisson", MapKind::cube, MapFilter::poisson, 5},
                     Kind{"vsm", MapKind::cube, MapFilter::variance, 5},
                     Kind{"esm", MapKind::cube, MapFilter::exponential, 3},
+                    Kind{"msm", MapKind::cube, MapFilter::moments, 5},
+                    Kind{"rectilinear", MapKind::warped, MapFilter::compare, 1},
+                    Kind{"nonOrthogonalPoisson", MapKind::warped, MapFilter::poisson, 5,
+                         WarpGrid::nonOrthogonal},
                     Kind{"paraboloid", MapKind::paraboloid, MapFilter::compare, 1},
                     Kind{"paraboloidPoisson", MapKind::paraboloid, MapFilter::poisson, 5}),
     [](const auto& instance) { return std::string(instance.param.name); });
-
-// A large floor with a small thing on it, seen from near: most of one map's texels are elsewhere.
-TEST(CascadedMaps, AreFinerThanOneMapOfAsManyBytes) {
-    const Scene scene = SceneBuilder().floor(100).box({-1, 0.5f, -1}, {1, 2, 1}).scene();
-    const double one =
-        wrongIn(scene, corner, suns[0], maps(MapKind::cube, MapFilter::compare, 1, 512));
-    const double four =
-        wrongIn(scene, corner, suns[0], maps(MapKind::cascades, MapFilter::compare, 1, 256));
-    std::printf("%.3f %% wrong of one map, %.3f %% of cascades\n", one, four);
-    EXPECT_LT(four, 0.3 * one);
-}
 
 // Everything else is above: a sun's map is as large as what casts, not as a box around it in the
 // world.
@@ -210,7 +169,7 @@ TEST(Filters, CompareLeavesShadowBehindShadowDark) {
 TEST(Filters, AreGreyAtEdgesAndNowhereElse) {
     const Scene scene = SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
     for (const MapFilter filter :
-         {MapFilter::poisson, MapFilter::variance, MapFilter::exponential}) {
+         {MapFilter::poisson, MapFilter::variance, MapFilter::exponential, MapFilter::moments}) {
         const auto pixels = test::drawScene(
             scene, {{{0, 20, 0}, {0, 0, 0}, 20.0}, {sun({0.5, 1, 0.3})}, width, height},
             maps(MapKind::cube, filter, 5, 256));
@@ -223,27 +182,10 @@ TEST(Filters, AreGreyAtEdgesAndNowhereElse) {
 }
 
 TEST(Filters, AnUnfilteredWidthIsStillRight) {
-    for (const MapFilter filter : {MapFilter::poisson, MapFilter::variance, MapFilter::exponential})
+    for (const MapFilter filter :
+         {MapFilter::poisson, MapFilter::variance, MapFilter::exponential, MapFilter::moments})
         for (const Light& light : {lamps[0], suns[0]})
             EXPECT_LT(wrongIn(boxOverFloor(), corner, light, maps(MapKind::cube, filter, 1)), 1.0);
-}
-
-// Between a paraboloid's vertices edges are straight in the map, and curved in the world.
-TEST(Paraboloid, IsWrongOnCoarseTriangles) {
-    const RenderSettings settings = maps(MapKind::paraboloid, MapFilter::compare, 1, 1024);
-    SceneBuilder builder = SceneBuilder().floor(9);
-    builder.box({-6, 2, -0.2f}, {6, 2.1f, 0.2f});
-    const double coarse =
-        wrongIn(builder.scene(), {{0, 9, 7}, {0, 0, 0}, 60.0}, pointLight({0, 3, 0.5}), settings);
-    SceneBuilder fine = SceneBuilder().floor(9);
-    for (int i = -30; i < 30; ++i) {
-        const float x = 0.2f * static_cast<float>(i);
-        fine.box({x, 2, -0.2f}, {x + 0.2f, 2.1f, 0.2f});
-    }
-    const double split =
-        wrongIn(fine.scene(), {{0, 9, 7}, {0, 0, 0}, 60.0}, pointLight({0, 3, 0.5}), settings);
-    std::printf("%.3f %% wrong of a long beam, %.3f %% of a split one\n", coarse, split);
-    EXPECT_GT(coarse, 3.0 * split);
 }
 
 TEST(MapKindsTooLarge, AreUnavailable) {

@@ -136,7 +136,8 @@ TEST(ViewState, AValueOutOfRangeIsRefused) {
     expectRefused(R"({"chosen_light": 0.5})", "chosen_light", "0.5");
     expectRefused(R"({"left": {"map_size": 15}})", "left.map_size", "15");
     expectRefused(R"({"right": {"shadows": "soft"}})", "right.shadows", "soft");
-    expectRefused(R"({"left": {"map_kind": "warped"}})", "left.map_kind", "warped");
+    expectRefused(R"({"left": {"map_kind": "trapezoid"}})", "left.map_kind", "trapezoid");
+    expectRefused(R"({"left": {"warp": "none"}})", "left.warp", "none");
     expectRefused(R"({"left": {"cascades": 5}})", "left.cascades", "5");
     expectRefused(R"({"left": {"filter": "pcss"}})", "left.filter", "pcss");
     expectRefused(R"({"right": {"pcf": 4}})", "right.pcf", "4");

@@ -49,6 +49,7 @@ class ViewerTest : public testing::Test {
         settings.multiplicity = side.multiplicity;
         settings.map.size = side.mapSize;
         settings.map.kind = side.mapKind;
+        settings.map.warp = side.warp;
         settings.map.cascades = side.cascades;
         settings.map.filter = side.filter;
         settings.map.pcf = side.pcf;
@@ -139,6 +140,20 @@ TEST_F(ViewerTest, DrawsOtherKindsOfMapsSideBySide) {
     EXPECT_TRUE(columns(drawn, width / 2 + 2, width) == columns(right, width / 2 + 2, width));
     EXPECT_GT(differing(left, right), 0u);
     EXPECT_EQ(viewer::toJson(viewer.state())["right"]["filter"], "vsm");
+}
+
+TEST_F(ViewerTest, DrawsBothWarpsSideBySide) {
+    viewer.change(Json::parse(R"({"split": true, "split_at": 0.5, "lights": [[0.3, 1, 0.2, 0]],
+        "left": {"shadows": "map", "map_size": 64, "map_kind": "warped"},
+        "right": {"shadows": "map", "map_size": 64, "map_kind": "warped",
+                  "warp": "non-orthogonal", "filter": "msm", "pcf": 3}})"));
+    const Pixels drawn = picture();
+    const Pixels left = plainPicture(viewer.state().left);
+    const Pixels right = plainPicture(viewer.state().right);
+    EXPECT_TRUE(columns(drawn, 0, width / 2 - 2) == columns(left, 0, width / 2 - 2));
+    EXPECT_TRUE(columns(drawn, width / 2 + 2, width) == columns(right, width / 2 + 2, width));
+    EXPECT_GT(differing(left, right), 0u);
+    EXPECT_EQ(viewer::toJson(viewer.state())["right"]["warp"], "non-orthogonal");
 }
 
 TEST_F(ViewerTest, BothSidesOfASplitAreTheirWholePictures) {

@@ -48,12 +48,14 @@ export interface SideSettings {
   shadows: Shadows;
   map_size: number;
   /** Of maps; the program for pages draws 'cube' (one map for a sun) with 'pcf' alone. */
-  map_kind: 'cube' | 'cascades' | 'paraboloid';
+  map_kind: 'cube' | 'cascades' | 'paraboloid' | 'warped';
   /** 1 to 4. */
   cascades: number;
-  filter: 'pcf' | 'poisson' | 'vsm' | 'esm';
+  filter: 'pcf' | 'poisson' | 'vsm' | 'esm' | 'msm';
   /** Texels along the filter's edge. */
   pcf: number;
+  /** Of 'warped' maps. */
+  warp: 'rectilinear' | 'non-orthogonal';
   multiplicity: string;
   /** Volumes are counted once for so many by so many pixels: 1, 2 or 4. */
   mask_scale: number;

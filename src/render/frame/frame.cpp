@@ -5,6 +5,7 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_renderers.hpp"
+#include "src/render/shadow_map/map_build.hpp"
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/scene/rival_build.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
@@ -106,6 +107,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
             throw Error(ExitStatus::unavailable,
                         "This build has no planar shadows, which are there to be compared with.");
     }
+    if (maps_ && settings.map.kind == MapKind::warped) places_.emplace(capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
     if (settings.records() && settings.maskScale > 1)
@@ -123,6 +125,7 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     }
     GLint framebuffer = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
+    findVisible(scene, view, clock);
     sum_ = lightSum(scene, view);
     prepareSum(scene, view);
     drawSlices(scene, view, clock);
@@ -223,6 +226,17 @@ void Renderer::countInOnePixel(const FramePlan& plan, const GpuScene& scene,
     forEachCount(plan, view, [&](const CountPlan& count, const CasterGroupInSlice& casters) {
         counter_.count(count, *volumes_, scene, casters);
     });
+}
+
+void Renderer::findVisible(const GpuScene& scene, const FrameView& view, StageClock* clock) {
+    if constexpr (allMapKinds) {
+        const auto isWarped = [&](const FrameLight& of) {
+            return of.drawn && mapKindOf(of.light, settings_.map) == ShadowMapKind::warped;
+        };
+        if (!places_ || std::none_of(view.lights.begin(), view.lights.end(), isWarped)) return;
+        const StageScope stage(clock, FrameStage::map);
+        visible_ = places_->find(view, [&](const FrameView& of) { drawNearness(scene, of); });
+    }
 }
 
 std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
@@ -422,7 +436,8 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
 std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_t light) {
     if (settings_.shadows != ShadowMethod::map || visibilityOf(light)) return std::nullopt;
     const StageScope stage(pass.clock, FrameStage::map);
-    const ShadowMapLookup map = maps_->draw(pass.scene, pass.view, pass.view.lights[light].light);
+    const ShadowMapLookup map =
+        maps_->draw(pass.scene, pass.view, pass.view.lights[light].light, visible_);
     vertexRuns_ += maps_->vertexRuns();
     glViewport(0, 0, pass.view.width, pass.view.height);
     glDisable(GL_STENCIL_TEST);

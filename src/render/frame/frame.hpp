@@ -6,6 +6,7 @@
 #include "src/render/frame/linear_target.hpp"
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
+#include "src/render/frame/visible_places.hpp"
 #include "src/render/planar/planar_shadow_pass.hpp"
 #include "src/render/shadow_map/shadow_map_pass.hpp"
 #include "src/render/timing/stage_clock.hpp"
@@ -81,8 +82,10 @@ class Renderer {
         if (maps_) maps_->setBias(texels);
     }
 
-    /// Memory of the shadow maps that were drawn so far.
-    std::size_t mapBytes() const { return maps_ ? maps_->bytes() : 0; }
+    /// Memory of the shadow maps that were drawn so far, with what warps them.
+    std::size_t mapBytes() const {
+        return (maps_ ? maps_->bytes() : 0) + (places_ ? places_->bytes() : 0);
+    }
 
     /// Of the map of the light's kind, which lights of that kind take turns with.
     std::size_t mapBytesOf(const Light& light) const { return maps_ ? maps_->bytesOf(light) : 0; }
@@ -155,6 +158,8 @@ class Renderer {
     void countAndMark(const SlicePass& pass, std::size_t light);
     void setCounting();
     void count(const SlicePass& pass, std::size_t light, std::size_t group);
+    /// What is seen, where maps are warped for it.
+    void findVisible(const GpuScene& scene, const FrameView& view, StageClock* clock);
     /// Draws the light's shadow map, where it is to have one.
     std::optional<ShadowMapLookup> mapOf(const SlicePass& pass, std::size_t light);
     /// How much of the light is seen; null: not known, its shadow is hard.
@@ -184,6 +189,8 @@ class Renderer {
     SurfacePass surfaces_;
     ShadowMark mark_;
     std::optional<ShadowMapPass> maps_;      ///< where shadows are maps
+    std::optional<VisiblePlaces> places_;    ///< where they are warped
+    std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
     std::optional<LinearTarget> linear_;
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it

@@ -54,7 +54,7 @@ void setFullShading(gl::Program& program, const FullShading& full) {
 
 /// Which units the lookups of light.glsl leave to a material, the environment and its textures.
 constexpr int unitsOfLookups(const SurfaceShading& shading) {
-    if (shading.map) return 1 + std::max(shading.map->faces, 1);
+    if (shading.map) return 1 + std::max(shading.map->faces, 1) + (shading.map->warp ? 1 : 0);
     if (shading.primitives) return shading.primitives->cutouts ? 5 : 4;
     if (shading.visibility) return 2;
     return shading.coarse ? 3 : 1;
@@ -92,6 +92,15 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
             std::span<const glm::vec4>(map.cascades).first(static_cast<std::size_t>(map.faces)));
         program.set("u_cascadeMargin", map.cascadeMargin);
     }
+    if (map.warp) {
+        const int unit = 1 + map.faces;
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D, map.warp);
+        program.setSampler("u_warp", unit);
+        program.set("u_warpInner", map.warpInner);
+        program.set("u_warpOuter", map.warpOuter);
+    }
+    program.set("u_bleeding", map.bleeding);
     program.set("u_casts", casts ? 1.0f : 0.0f);
     if (map.pcss) setPcss(program, *map.pcss);
 }

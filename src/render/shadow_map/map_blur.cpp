@@ -20,7 +20,7 @@ std::vector<std::string> definesOf(const ShadowMapSettings& settings, bool dista
 } // namespace
 
 MapBlur::MapBlur(const ShadowMapSettings& settings)
-    : size_(settings.size), between_(settings.size, settings.size),
+    : size_(settings.size), halves_(settings.halves()), between_(halves_ * size_, size_),
       along_(shaders::shadow_map_blur_frag, definesOf(settings, true)),
       across_(shaders::shadow_map_blur_frag, definesOf(settings, false)) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
@@ -39,7 +39,11 @@ void MapBlur::filter(const ShadowMapTarget& map, std::size_t face) const {
         program.setSampler("u_from", 0);
         program.set("u_texel", glm::vec2(texel));
         program.set("u_along", texel * step);
-        by.draw();
+        for (int half = 0; half < halves_; ++half) {
+            glViewport(half * size_, 0, size_, size_);
+            program.set("u_half", static_cast<float>(half));
+            by.draw();
+        }
     };
     glBindFramebuffer(GL_FRAMEBUFFER, between_.framebuffer.name());
     draw(along_, map.textures()[face], {1.0f, 0.0f});
@@ -49,7 +53,7 @@ void MapBlur::filter(const ShadowMapTarget& map, std::size_t face) const {
 }
 
 std::size_t MapBlur::bytes() const {
-    return 4 * static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
+    return 4 * static_cast<std::size_t>(halves_ * size_) * static_cast<std::size_t>(size_);
 }
 
 } // namespace edgeshade

@@ -20,7 +20,7 @@ class MapBlur {
     std::size_t bytes() const;
 
   private:
-    int size_;
+    int size_, halves_;
     gl::ColorTarget between_;
     WholePicture along_, across_; ///< rows of distances, then columns of what became of them
 };

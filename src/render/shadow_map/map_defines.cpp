@@ -1,5 +1,7 @@
 #include "src/render/shadow_map/map_defines.hpp"
 
+#include "src/render/shadow_map/map_warp.hpp"
+
 namespace edgeshade {
 
 std::vector<std::string> filterDefines(MapFilter filter, int width) {
@@ -7,6 +9,7 @@ std::vector<std::string> filterDefines(MapFilter filter, int width) {
     if (filter == MapFilter::poisson) defines.emplace_back("POISSON");
     if (filter == MapFilter::variance) defines.emplace_back("VSM");
     if (filter == MapFilter::exponential) defines.emplace_back("ESM");
+    if (filter == MapFilter::moments) defines.emplace_back("MSM");
     return defines;
 }
 
@@ -16,6 +19,8 @@ std::vector<std::string> faceDefines(ShadowMapKind kind, int faces) {
     if (isParallel(kind)) defines.emplace_back("MAP_DIRECTIONAL");
     if (kind == ShadowMapKind::paraboloid) defines.emplace_back("MAP_PARABOLOID");
     if (kind == ShadowMapKind::cascades) defines.push_back("MAP_CASCADES " + std::to_string(faces));
+    if (kind == ShadowMapKind::warped)
+        defines.push_back("MAP_WARPED " + std::to_string(MapWarp::cells));
     return defines;
 }
 

@@ -22,6 +22,13 @@ enum class MapKind {
     cube,       ///< six faces around a lamp; of a sun one map of all casters
     cascades,   ///< of a sun several, of what is visible near the eye and farther off
     paraboloid, ///< of a lamp two, of all directions up and down
+    warped,     ///< of a sun one, whose texels are where most is visible
+};
+
+/// How the texels of MapKind::warped get there.
+enum class WarpGrid {
+    rectilinear,   ///< columns and rows of their own widths and heights (Rosen 2012)
+    nonOrthogonal, ///< each row's columns are its own, and so on (Milet et al. 2015)
 };
 
 /// What is made of a map's texels around a place.
@@ -30,6 +37,7 @@ enum class MapFilter {
     poisson,     ///< so are sixteen in a disc pcf texels wide, turned in every pixel
     variance,    ///< a variance map (Donnelly and Lauritzen 2006), filtered pcf texels wide
     exponential, ///< an exponential map (Annen et al. 2008), likewise
+    moments,     ///< a map of four moments (Peters and Klein 2015), likewise
 };
 
 inline constexpr int mostCascades = 4;
@@ -44,9 +52,19 @@ struct ShadowMapSettings {
     MapKind kind = MapKind::cube;
     int cascades = mostCascades; ///< 1..mostCascades
     MapFilter filter = MapFilter::compare;
+    WarpGrid warp = WarpGrid::rectilinear; ///< of MapKind::warped
+    /// What of light in half shadow is taken for light that bleeds through several casters, 0..1;
+    /// nothing: as much as usual, 0.2 of variance maps, 0.02 of moments.
+    std::optional<float> bleeding{};
 
     bool isFiltered() const {
-        return filter == MapFilter::variance || filter == MapFilter::exponential;
+        return filter == MapFilter::variance || filter == MapFilter::exponential ||
+               filter == MapFilter::moments;
+    }
+    /// Texels of a texture, side by side, that a map's texel takes.
+    int halves() const { return filter == MapFilter::moments ? 2 : 1; }
+    float bleedingShare() const {
+        return bleeding.value_or(filter == MapFilter::moments ? 0.02f : 0.2f);
     }
 };
 
@@ -56,10 +74,12 @@ enum class ShadowMapKind {
     paraboloid,  ///< two textures for halves of all directions
     directional, ///< one parallel projection
     cascades,    ///< several
+    warped,      ///< one whose texels are of different sizes
 };
 
 constexpr bool isParallel(ShadowMapKind kind) {
-    return kind == ShadowMapKind::directional || kind == ShadowMapKind::cascades;
+    return kind == ShadowMapKind::directional || kind == ShadowMapKind::cascades ||
+           kind == ShadowMapKind::warped;
 }
 
 /// A light's finished map, with what a receiver needs to look itself up in it.
@@ -80,6 +100,10 @@ struct ShadowMapLookup {
     std::array<glm::vec4, mostCascades>
         cascades{};             ///< see ShadowMapView; unused ones repeat the last
     float cascadeMargin = 0.0f; ///< likewise
+    float bleeding = 0.0f;      ///< see ShadowMapSettings
+    gl::Name warp = 0;          ///< nodes of its MapWarp, see WarpTable; of other kinds 0
+    glm::vec4 warpInner{0.0f, 0.0f, 1.0f, 1.0f}; ///< MapWarp::inner()
+    glm::vec4 warpOuter{0.0f};                   ///< MapWarp::outer()
 };
 
 } // namespace edgeshade

@@ -3,11 +3,13 @@
 #include "preprocess/base/error.hpp"
 #include "shaders_es2.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/caster_chunk.hpp"
 #include "src/render/shadow_map/map_build.hpp"
 #include "src/render/shadow_map/pcss_view.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
@@ -27,16 +29,13 @@ ShadowMapPass::ShadowMapPass(const ShadowMapSettings& settings,
     if (!allMapKinds && !plain)
         throw Error(ExitStatus::unavailable,
                     "This build's shadow maps are cubes and single ones, compared, alone.");
-    requireMapSize(settings.size, capabilities);
+    requireMapSize(settings, capabilities);
 }
 
 const ShadowMapTarget& ShadowMapPass::target(ShadowMapKind kind) {
     auto found = targets_.find(kind);
     if (found == targets_.end())
-        found = targets_
-                    .emplace(kind, ShadowMapTarget(kind, settings_.size, settings_.cascades,
-                                                   capabilities_))
-                    .first;
+        found = targets_.emplace(kind, ShadowMapTarget(kind, settings_, capabilities_)).first;
     return found->second;
 }
 
@@ -46,6 +45,7 @@ gl::Program& ShadowMapPass::program(const Variant& variant) {
         std::vector<std::string> defines;
         if (isParallel(variant.kind)) defines.push_back("MAP_DIRECTIONAL");
         if (variant.kind == ShadowMapKind::paraboloid) defines.push_back("MAP_PARABOLOID");
+        if (variant.kind == ShadowMapKind::warped) defines.push_back("MAP_WARPED");
         if (capabilities_.has("GL_OES_standard_derivatives")) defines.push_back("DERIVATIVES");
         if (variant.alphaTest) defines.push_back("ALPHA_TEST");
         found =
@@ -58,15 +58,15 @@ gl::Program& ShadowMapPass::program(const Variant& variant) {
 }
 
 ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& frame,
-                                    const Light& light) {
+                                    const Light& light, std::span<const glm::dvec3> visible) {
     if (frame.bounds.empty() && hasSurfaces(scene))
         throw Error(ExitStatus::unavailable,
                     "A shadow map needs the scene's bounds, and this view has none.");
     const gl::FramebufferKeeper keeper;
     const ShadowMapKind kind = mapKindOf(light, settings_);
     const ShadowMapTarget& map = target(kind);
-    const ShadowMapView view =
-        shadowMapView(light, subjectOf(scene, frame.bounds), frame, settings_, map.depthBits());
+    const ShadowMapView view = shadowMapView(light, subjectOf(scene, frame.bounds), frame,
+                                             settings_, map.depthBits(), visible);
     Drawn wanted = drawnOf(scene, view);
     vertexRuns_ = 0;
     if (drawn_[kind] != wanted) {
@@ -92,6 +92,12 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& fram
         lookup.textures[i] = lookup.textures[drawn];
     }
     lookup.cascadeMargin = static_cast<float>(view.cascadeMargin);
+    lookup.bleeding = settings_.bleedingShare();
+    if (view.warp) {
+        lookup.warp = warp_->texture();
+        lookup.warpInner = glm::vec4(view.warp->inner());
+        lookup.warpOuter = glm::vec4(view.warp->outer());
+    }
     return lookup;
 }
 
@@ -131,7 +137,10 @@ void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
     for (std::size_t face = 0; face < view.faces.size(); ++face) {
         map.bindFace(face);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        if (view.faces[face].seesScene) drawCasters(scene, view, face);
+        if (view.warp)
+            drawWarped(scene, view);
+        else if (view.faces[face].seesScene)
+            drawCasters(scene, view, face);
     }
     if constexpr (allMapKinds)
         if (settings_.isFiltered()) {
@@ -165,6 +174,31 @@ void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view
     }
 }
 
+void ShadowMapPass::drawWarped(const GpuScene& scene, const ShadowMapView& view) {
+    if constexpr (allMapKinds) {
+        if (!warp_) warp_.emplace();
+        warp_->fill(*view.warp);
+        warpedCasters_ = WarpedCasters(scene, view);
+        for (const WarpedCasters::Part& part : warpedCasters_.parts()) {
+            gl::Program& variant = program({view.kind, part.cutout.has_value()});
+            variant.use();
+            AttributeBinding binding(nullptr);
+            using Vertex = WarpedCasters::Vertex;
+            const std::size_t stride = part.cutout ? sizeof(Vertex) : sizeof(glm::vec3);
+            binding.add(part.vertices, 3, GL_FLOAT, false, stride, 0, false);
+            if (part.cutout) {
+                setCasterCutout(scene, scene.materials[*part.cutout], variant);
+                binding.add(part.vertices, 2, GL_FLOAT, false, stride, offsetof(Vertex, texcoord),
+                            false);
+                binding.add(part.vertices, 4, GL_UNSIGNED_BYTE, true, stride,
+                            offsetof(Vertex, color), false);
+            }
+            glDrawArrays(GL_TRIANGLES, 0, part.count);
+            vertexRuns_ += static_cast<std::size_t>(part.count);
+        }
+    }
+}
+
 /// See shaders_es2/shadow_map.vert and .frag.
 void ShadowMapPass::setHalf(const gl::Program& program, const ShadowMapView& view,
                             std::size_t face) const {
@@ -177,14 +211,22 @@ std::size_t ShadowMapPass::bytes() const {
     std::size_t total = 0;
     for (const auto& [kind, map] : targets_)
         total += map.bytes();
-    if constexpr (allMapKinds)
-        if (blur_) total += blur_->bytes();
+    if constexpr (allMapKinds) total += (blur_ ? blur_->bytes() : 0) + warpBytes();
     return total;
 }
 
 std::size_t ShadowMapPass::bytesOf(const Light& light) const {
-    const auto found = targets_.find(mapKindOf(light, settings_));
-    return found == targets_.end() ? 0 : found->second.bytes();
+    const ShadowMapKind kind = mapKindOf(light, settings_);
+    const auto found = targets_.find(kind);
+    if (found == targets_.end()) return 0;
+    return found->second.bytes() + (kind == ShadowMapKind::warped ? warpBytes() : 0);
+}
+
+std::size_t ShadowMapPass::warpBytes() const {
+    if constexpr (allMapKinds)
+        return warp_ ? WarpTable::bytes() + warpedCasters_.bytes() : 0;
+    else
+        return 0;
 }
 
 } // namespace edgeshade

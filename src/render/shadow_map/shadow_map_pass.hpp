@@ -4,6 +4,8 @@
 #include "src/render/shadow_map/map_blur.hpp"
 #include "src/render/shadow_map/shadow_map_target.hpp"
 #include "src/render/shadow_map/shadow_map_view.hpp"
+#include "src/render/shadow_map/warp_table.hpp"
+#include "src/render/shadow_map/warped_casters.hpp"
 #include "src/scene/gpu_scene.hpp"
 
 #include <map>
@@ -22,12 +24,14 @@ class ShadowMapPass {
     /// Draws the light's map of all casters, from both sides, for what `frame` shows. The
     /// framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
     /// state are left changed. The map is valid until the next call.
-    ShadowMapLookup draw(const GpuScene& scene, const FrameView& frame, const Light& light);
+    /// `visible`: places of what is seen, in the world, for which maps are warped.
+    ShadowMapLookup draw(const GpuScene& scene, const FrameView& frame, const Light& light,
+                         std::span<const glm::dvec3> visible = {});
 
     /// Of lookups from now on.
     void setBias(float texels) { settings_.biasTexels = texels; }
 
-    /// Of the maps that were needed so far, with what filters them.
+    /// Of the maps that were needed so far, with what filters and warps them.
     std::size_t bytes() const;
     /// Of the one that the light's kind has, without what filters it; 0 before one was drawn.
     std::size_t bytesOf(const Light& light) const;
@@ -57,14 +61,18 @@ class ShadowMapPass {
     void drawFaces(const GpuScene& scene, const ShadowMapView& view, const ShadowMapTarget& map);
     gl::Program& program(const Variant& variant);
     void drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face);
+    void drawWarped(const GpuScene& scene, const ShadowMapView& view);
     void setHalf(const gl::Program& program, const ShadowMapView& view, std::size_t face) const;
+    std::size_t warpBytes() const;
 
     ShadowMapSettings settings_;
     gl::Capabilities capabilities_;
     std::map<ShadowMapKind, ShadowMapTarget> targets_;
     std::map<ShadowMapKind, Drawn> drawn_; ///< what each target holds
     std::map<Variant, gl::Program> programs_;
-    std::optional<MapBlur> blur_; ///< once a map was filtered
+    std::optional<MapBlur> blur_;   ///< once a map was filtered
+    std::optional<WarpTable> warp_; ///< once one was warped
+    WarpedCasters warpedCasters_;   ///< likewise, of the last one
     std::size_t vertexRuns_ = 0;
 };
 

@@ -14,6 +14,7 @@ namespace {
 std::size_t faceCount(ShadowMapKind kind, int cascades) {
     switch (kind) {
     case ShadowMapKind::directional:
+    case ShadowMapKind::warped:
         return 1;
     case ShadowMapKind::cascades:
         return static_cast<std::size_t>(cascades);
@@ -30,7 +31,7 @@ GLenum faceTarget(ShadowMapKind kind, std::size_t face) {
 }
 
 /// A texture of one face, or of a cube's six; nothing if the GL has no memory for it.
-std::optional<gl::Texture> makeMapTexture(ShadowMapKind kind, int size) {
+std::optional<gl::Texture> makeMapTexture(ShadowMapKind kind, int width, int size) {
     gl::Name name = 0;
     glGenTextures(1, &name);
     gl::Texture texture(name);
@@ -38,7 +39,7 @@ std::optional<gl::Texture> makeMapTexture(ShadowMapKind kind, int size) {
     const GLenum target = isCube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     glBindTexture(target, name);
     for (std::size_t face = 0; face < (isCube ? 6u : 1u); ++face)
-        glTexImage2D(faceTarget(kind, face), 0, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+        glTexImage2D(faceTarget(kind, face), 0, GL_RGBA, width, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                      nullptr);
     // Packed distances can't be averaged.
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -59,18 +60,19 @@ Error tooLarge(int size) {
 
 } // namespace
 
-ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, int cascades,
+ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, const ShadowMapSettings& settings,
                                  const gl::Capabilities& capabilities)
-    : kind_(kind), size_(size), faces_(faceCount(kind, cascades)) {
+    : kind_(kind), size_(settings.size), width_(settings.halves() * settings.size),
+      faces_(faceCount(kind, settings.cascades)) {
     std::optional<gl::Texture> whole;
-    if (kind == ShadowMapKind::point) whole = makeMapTexture(kind, size);
+    if (kind == ShadowMapKind::point) whole = makeMapTexture(kind, width_, size_);
     if (whole) {
         textures_.push_back(std::move(*whole));
     } else {
         if (kind == ShadowMapKind::point) kind_ = ShadowMapKind::pointApart;
         while (textures_.size() < faces_) {
-            std::optional<gl::Texture> face = makeMapTexture(kind_, size);
-            if (!face) throw tooLarge(size);
+            std::optional<gl::Texture> face = makeMapTexture(kind_, width_, size_);
+            if (!face) throw tooLarge(size_);
             textures_.push_back(std::move(*face));
         }
     }
@@ -82,7 +84,7 @@ ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, int cascades,
     glRenderbufferStorage(GL_RENDERBUFFER,
                           capabilities.has("GL_OES_depth24") ? GL_DEPTH_COMPONENT24_OES
                                                              : GL_DEPTH_COMPONENT16,
-                          size, size);
+                          width_, size_);
     glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &depthBits_);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
     gl::requireNoError("making a shadow map");
@@ -92,8 +94,8 @@ ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, int size, int cascades,
     bindFace(0);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ExitStatus::unavailable,
-                    "This GL can't draw into a shadow map of " + std::to_string(size) + " texels.");
+        throw Error(ExitStatus::unavailable, "This GL can't draw into a shadow map of " +
+                                                 std::to_string(size_) + " texels.");
 }
 
 void ShadowMapTarget::bindFace(std::size_t face) const {
@@ -110,13 +112,14 @@ std::array<gl::Name, 6> ShadowMapTarget::textures() const {
 }
 
 std::size_t ShadowMapTarget::bytes() const {
-    const std::size_t texels = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
+    const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(size_);
     const std::size_t depthBytes = depthBits_ > 16 ? 4 : 2;
     return texels * (4 * faces_ + depthBytes);
 }
 
-void requireMapSize(int size, const gl::Capabilities& capabilities) {
-    int largest = std::min(size, capabilities.largestTexture);
+void requireMapSize(const ShadowMapSettings& settings, const gl::Capabilities& capabilities) {
+    const int size = settings.size;
+    int largest = std::min(size * settings.halves(), capabilities.largestTexture);
     for (const GLenum limit :
          {GL_MAX_TEXTURE_SIZE, GL_MAX_CUBE_MAP_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {
         GLint value = 0;
@@ -126,6 +129,7 @@ void requireMapSize(int size, const gl::Capabilities& capabilities) {
     GLint viewport[2] = {};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
     largest = std::min({largest, viewport[0], viewport[1]});
+    largest /= settings.halves();
     if (largest < size)
         throw Error(ExitStatus::unavailable, "A shadow map of " + std::to_string(size) +
                                                  " texels is too large here; the largest is " +

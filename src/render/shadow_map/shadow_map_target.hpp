@@ -14,9 +14,10 @@ namespace edgeshade {
 /// of their own.
 class ShadowMapTarget {
   public:
-    /// `kind`: what is wanted; a cube comes apart where it must. `cascades`: how many of that kind.
+    /// `kind`: what is wanted; a cube comes apart where it must. Textures are as many times as wide
+    /// as ShadowMapSettings::halves() says; distances are drawn into their left part.
     /// Changes the framebuffer binding. Throws Error(unavailable) if the GL can't.
-    ShadowMapTarget(ShadowMapKind kind, int size, int cascades,
+    ShadowMapTarget(ShadowMapKind kind, const ShadowMapSettings& settings,
                     const gl::Capabilities& capabilities);
 
     /// Binds a face for drawing. The viewport is the caller's.
@@ -34,7 +35,7 @@ class ShadowMapTarget {
 
   private:
     ShadowMapKind kind_;
-    int size_;
+    int size_, width_;
     std::size_t faces_;
     int depthBits_ = 0;
     std::vector<gl::Texture> textures_;
@@ -42,7 +43,7 @@ class ShadowMapTarget {
     gl::Framebuffer framebuffer_;
 };
 
-/// Throws Error(unavailable) if maps of this size are more than the GL can hold.
-void requireMapSize(int size, const gl::Capabilities& capabilities);
+/// Throws Error(unavailable) if such maps are more than the GL can hold.
+void requireMapSize(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
 
 } // namespace edgeshade

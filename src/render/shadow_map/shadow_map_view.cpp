@@ -119,6 +119,18 @@ Box castersInLight(const MapSubject& subject, const glm::dmat3& worldFromLight) 
     return box;
 }
 
+/// A sun's map whose xy are 0..1 across what casts, warped for what is visible.
+void warp(ShadowMapView& view, WarpGrid grid, std::span<const glm::dvec3> visible, double margin) {
+    if constexpr (allMapKinds) {
+        std::vector<glm::dvec2> places;
+        places.reserve(visible.size());
+        for (const glm::dvec3& place : visible)
+            places.emplace_back(view.mapFromWorld * glm::dvec4(place, 1.0));
+        view.warp = mapWarp(grid, places, margin);
+        view.faces.push_back({glm::dmat4(1.0), true}); // casters are drawn where their cuts are
+    }
+}
+
 /// Texels around what a parallel map shows, of each side: a kernel reaches them, and so may bias.
 double frameTexels(const ShadowMapSettings& settings) {
     const double frame = 2.0 + settings.pcf / 2;
@@ -128,7 +140,8 @@ double frameTexels(const ShadowMapSettings& settings) {
 }
 
 ShadowMapView sunView(const glm::dvec3& towards, const MapSubject& subject, const FrameView& frame,
-                      const ShadowMapSettings& settings, ShadowMapKind kind) {
+                      const ShadowMapSettings& settings, ShadowMapKind kind,
+                      std::span<const glm::dvec3> visible) {
     const glm::dmat3 worldFromLight = lightAxes(towards);
     const Box casters = castersInLight(subject, worldFromLight);
     const glm::dvec3 middle = casters.center();
@@ -144,7 +157,9 @@ ShadowMapView sunView(const glm::dvec3& towards, const MapSubject& subject, cons
     const double margin = frameTexels(settings);
     const double inner = settings.size - 2.0 * margin;
     const double share = inner / settings.size;
-    const glm::dvec3 scale(0.5 * share / half.x, 0.5 * share / half.y, -0.49 / half.z);
+    const bool warped = kind == ShadowMapKind::warped; // its warp puts the frame around it
+    const double across = warped ? 1.0 : share;
+    const glm::dvec3 scale(0.5 * across / half.x, 0.5 * across / half.y, -0.49 / half.z);
 
     ShadowMapView view;
     view.kind = kind;
@@ -156,6 +171,11 @@ ShadowMapView sunView(const glm::dvec3& towards, const MapSubject& subject, cons
     view.mapFromWorld = fromRows(rows[0], rows[1], rows[2]);
     view.step = 1.0 / settings.size;
     view.texel = 2.0 * std::max(half.x, half.y) / inner;
+    if (warped) {
+        view.share = share;
+        warp(view, settings.warp, visible, margin / settings.size);
+        return view;
+    }
     if (!cascaded) {
         view.faces.push_back({fromRows({2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}), true});
         return view;
@@ -188,6 +208,7 @@ glm::dvec3 ShadowMapView::scale() const {
 ShadowMapKind mapKindOf(const Light& light, const ShadowMapSettings& settings) {
     if (light.position.w == 0.0)
         return settings.kind == MapKind::cascades ? ShadowMapKind::cascades
+               : settings.kind == MapKind::warped ? ShadowMapKind::warped
                                                   : ShadowMapKind::directional;
     if (settings.kind == MapKind::paraboloid) return ShadowMapKind::paraboloid;
     // Filtered texels are averaged in the shader, which needs to know its four.
@@ -196,10 +217,11 @@ ShadowMapKind mapKindOf(const Light& light, const ShadowMapSettings& settings) {
 }
 
 ShadowMapView shadowMapView(const Light& light, const MapSubject& subject, const FrameView& frame,
-                            const ShadowMapSettings& settings, int depthBits) {
+                            const ShadowMapSettings& settings, int depthBits,
+                            std::span<const glm::dvec3> visible) {
     const glm::dvec3 position(light.position);
     const ShadowMapKind kind = mapKindOf(light, settings);
-    return light.position.w == 0.0 ? sunView(position, subject, frame, settings, kind)
+    return light.position.w == 0.0 ? sunView(position, subject, frame, settings, kind, visible)
                                    : pointView(position / light.position.w, subject.bounds,
                                                light.range, settings, kind, depthBits);
 }

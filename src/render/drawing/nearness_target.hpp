@@ -1,0 +1,31 @@
+#pragma once
+
+#include "src/gl/color_target.hpp"
+#include "src/gl/depth_stencil.hpp"
+
+#include <optional>
+
+namespace edgeshade {
+
+/// What Renderer::drawNearness() is drawn into: a texture, and depth.
+class NearnessTarget {
+  public:
+    explicit NearnessTarget(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
+
+    /// Makes it anew where its size was another, and binds its framebuffer. Throws
+    /// Error(unavailable) if the GL can't draw so.
+    void bind(int width, int height);
+
+    gl::Name texture() const { return target_.texture.name(); }
+    std::size_t bytes() const;
+
+  private:
+    void fit(int width, int height);
+
+    gl::Capabilities capabilities_;
+    gl::ColorTarget target_;
+    std::optional<gl::DepthStencil> depth_;
+    int width_ = 0, height_ = 0;
+};
+
+} // namespace edgeshade
