@@ -7,7 +7,8 @@
 // derivatives; OCCLUSION_MAP; EMISSIVE and EMISSIVE_MAP; CLEARCOAT with CLEARCOAT_MAP,
 // CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
 // takes. FALLOFF, of LIT: candela, by the square of the distance. SOFT_TERMINATOR, of LIT: see
-// terminator.glsl. SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
+// terminator.glsl. LIGHT_LIST: in place of LIT, of all lights of a tile's list, see light_table.glsl.
+// SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
 #endif
@@ -96,9 +97,12 @@ varying float v_depth;
 #ifdef LIT
 uniform vec3 u_lightColor; // what a white Lambert surface sends back of it, straight on
 #include "light.glsl"
+#endif
+#ifdef LIGHT_LIST
+#include "light_table.glsl"
+#endif
 #ifdef SOFT_TERMINATOR
 #include "terminator.glsl"
-#endif
 #endif
 
 // A surface at the fragment; the eye's side.
@@ -237,7 +241,7 @@ float beneathCoat(Surface surface) {
 }
 #endif
 
-#ifdef LIT
+#if defined(LIT) || defined(LIGHT_LIST)
 // Of light from there; 1 is what a white Lambert surface sends back straight on.
 void addLight(Surface surface, vec3 light, vec3 color, inout Seen seen) {
     vec3 halfway = normalize(light + surface.toEye);
@@ -347,6 +351,21 @@ void main() {
     window *= lightAtTerminator(normalize(side), light);
 #endif
     addLight(surface, light, u_lightColor * (window * lit), seen);
+#endif
+#ifdef LIGHT_LIST
+#ifdef SOFT_TERMINATOR
+    vec3 side = normalize(v_normal * facing());
+#endif
+    highp vec2 list = lightListHere();
+    for (int i = 0; i < LIGHT_LIST; ++i) {
+        if (float(i) >= list.y) break;
+        vec3 light, color;
+        float window = listedLight(list.x + float(i), light, color);
+#ifdef SOFT_TERMINATOR
+        window *= lightAtTerminator(side, light);
+#endif
+        addLight(surface, light, color * window, seen);
+    }
 #endif
 #ifdef BLENDED
     seen.scattered *= 1.0 - u_transmission;

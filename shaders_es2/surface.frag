@@ -7,7 +7,7 @@
 // vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts, ALPHA_LOOKUP, of
 // a host's texture, which may have alpha in another channel; BLENDED,
 // see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing deeper
-// than u_farthest. Of LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive
+// than u_farthest; LIGHT_LIST, in place of one light all of a tile's list, see light_table.glsl. Of LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive
 // map's texels hold.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
@@ -35,8 +35,13 @@ uniform float u_alphaCutoff;
 #ifdef MASK
 uniform float u_maskValue;
 #endif
-#if defined(LIT) || defined(PLAIN)
+#if defined(LIT) || defined(PLAIN) || defined(LIGHT_LIST)
 #include "facing.glsl"
+#endif
+#ifdef LIGHT_LIST
+uniform float u_diffuse;
+#include "eye.glsl"
+#include "light_table.glsl"
 #endif
 #ifdef LIT
 uniform float u_diffuse;
@@ -46,7 +51,8 @@ uniform float u_diffuse;
 #include "terminator.glsl"
 #endif
 #endif
-#if !defined(LIT) || defined(WITH_AMBIENT)
+#if (!defined(LIT) && !defined(LIGHT_LIST)) || defined(WITH_AMBIENT)
+#define SHOWS_AMBIENT
 uniform float u_ambient;
 #endif
 #ifdef PLAIN
@@ -103,6 +109,25 @@ float shareOfLight(float lit, vec3 normal) {
 }
 #endif
 
+#ifdef LIGHT_LIST
+// That of all lights that the fragment's tile lists.
+float shareOfLights(vec3 normal) {
+    highp vec2 list = lightListHere();
+    float share = 0.0;
+    for (int i = 0; i < LIGHT_LIST; ++i) {
+        if (float(i) >= list.y) break;
+        vec3 light, color;
+        float window = listedLight(list.x + float(i), light, color);
+        float lambert = max(dot(normal, light), 0.0);
+#ifdef CATCHER
+        lambert = lambert > 0.0 ? 1.0 : 0.0;
+#endif
+        share += lambert * window;
+    }
+    return u_diffuse * share;
+}
+#endif
+
 void main() {
     float lit = 1.0;
 #ifdef COARSE_MASK
@@ -128,10 +153,10 @@ void main() {
 #ifdef ALPHA_TEST
     if (base.a < u_alphaCutoff) discard;
 #endif
-#if defined(LIT) || defined(PLAIN)
+#if defined(LIT) || defined(PLAIN) || defined(LIGHT_LIST)
     vec3 normal = normalize(v_normal * facing());
 #endif
-#if !defined(LIT) || defined(WITH_AMBIENT)
+#ifdef SHOWS_AMBIENT
     float ambient = u_ambient;
 #ifdef PLAIN
     ambient += u_ambientSlope * normal.y;
@@ -139,12 +164,16 @@ void main() {
 #endif
 #ifdef CATCHER
     float strength = smoothstep(0.0, 1.0, v_color.a);
-#if !defined(LIT) || defined(WITH_AMBIENT)
+#ifdef SHOWS_AMBIENT
     ambient = 1.0 - strength * (1.0 - ambient);
 #endif
 #endif
-#if defined(LIT)
+#if defined(LIT) || defined(LIGHT_LIST)
+#ifdef LIT
     float share = shareOfLight(lit, normal);
+#else
+    float share = shareOfLights(normal);
+#endif
 #ifdef CATCHER
     share *= strength;
 #endif

@@ -2,7 +2,8 @@
 // so gl_Position is invariant and depends on nothing that a variant changes. Variants LIT,
 // DIRECTIONAL, PLAIN, TEXTURED, COLORED, SPOT, MAP, PRIMITIVE_MAP, SIDED and SLICED: see
 // surface.frag and light.glsl; MATERIAL, TEXCOORDS, TEXCOORDS_1, TEXCOORDS_2 and TANGENTS: see
-// material.frag; ALPHA_LOOKUP: see surface.frag; SOFT_TERMINATOR: see terminator.glsl; PLANE: see coarse_plane.glsl.
+// material.frag; ALPHA_LOOKUP: see surface.frag; SOFT_TERMINATOR: see terminator.glsl; LIGHT_LIST: see
+// light_table.glsl; PLANE: see coarse_plane.glsl.
 #include "extrusion.glsl"
 
 attribute vec3 a_position;
@@ -22,7 +23,7 @@ attribute vec2 a_texcoord1;
 #ifdef TEXCOORDS_2
 attribute vec4 a_texcoord23;
 #endif
-#if defined(LIT) || defined(PLAIN) || defined(MATERIAL)
+#if defined(LIT) || defined(PLAIN) || defined(MATERIAL) || defined(LIGHT_LIST)
 #define NORMAL
 attribute vec3 a_normal;
 #endif
@@ -38,7 +39,7 @@ uniform mat4 u_clipFromObject;
 #ifdef NORMAL
 uniform mat3 u_normalFromObject;
 #endif
-#if defined(MATERIAL) || defined(SOFT_TERMINATOR)
+#if defined(MATERIAL) || defined(SOFT_TERMINATOR) || defined(LIGHT_LIST)
 #define SHOWS_FROM_EYE
 #endif
 #if (defined(LIT) && !defined(DIRECTIONAL)) || defined(SHOWS_FROM_EYE)

@@ -8,6 +8,7 @@
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
+#include "src/shadow/geometry/light_budget.hpp"
 #include "src/shadow/plan/volume_fill.hpp"
 
 #include <algorithm>
@@ -47,10 +48,13 @@ class Stage {
     bool isOf(const LoadedScene& loaded) const { return &loaded == &loaded_; }
 
     /// Works out what the frame shows. RayCrossings are kept while the lights rest;
-    /// `volumes`: somebody draws them.
-    void look(const FrameRequest& request, bool lightMoves, bool volumes) {
+    /// `volumes`: somebody draws them; `mostShadowed`: the most lights that anybody has with
+    /// shadows.
+    void look(const FrameRequest& request, bool lightMoves, bool volumes,
+              std::optional<std::size_t> mostShadowed) {
         Stopwatch watch;
         view_ = makeFrameView(loaded_.scene, request, bounds_);
+        chooseLights(view_, mostShadowed);
         for (FrameLight& light : view_.lights)
             light.atRest = !lightMoves;
         planMs_ = 1e3 * watch.lap();
@@ -98,7 +102,7 @@ struct Contender {
     Renderer renderer;
     ExtendedLights extendedLights;
     Needs needs;
-    std::vector<double> frameMs, planMs, vertexRuns, repeatMs;
+    std::vector<double> frameMs, planMs, vertexRuns, repeatMs, reaching, shadowed;
     std::vector<FillCost> fills;
     std::vector<StageMs> stages;
 };
@@ -135,6 +139,7 @@ class Course {
             contender.planMs.push_back(contender.stage.planMs(contender.needs.volumes.has_value()));
             contender.vertexRuns.push_back(static_cast<double>(contender.renderer.vertexRuns()));
             addFill(contender);
+            addLights(contender);
         });
         if (index % framesPerStageFrame != 0) return;
         look(shareOf(index + 0.5));
@@ -180,7 +185,19 @@ class Course {
             request.lightSamples =
                 std::max(request.lightSamples, contender->renderer.settings().countedPoints());
         for (const auto& stage : stages_)
-            stage->look(request, task_.lightMoves, anyVolumes(*stage));
+            stage->look(request, task_.lightMoves, anyVolumes(*stage), mostShadowed());
+    }
+
+    /// Nothing: somebody has shadows of all lights.
+    std::optional<std::size_t> mostShadowed() const {
+        std::size_t most = 0;
+        for (const auto& contender : contenders_) {
+            const RenderSettings& settings = contender->renderer.settings();
+            if (settings.shadows == ShadowMethod::none) continue;
+            if (!settings.shadowedLights) return std::nullopt;
+            most = std::max(most, *settings.shadowedLights);
+        }
+        return most;
     }
 
     bool anyVolumes(const Stage& stage) const {
@@ -200,6 +217,8 @@ class Course {
     static FrameView viewFor(const Contender& contender) {
         FrameView view = contender.stage.view();
         view.divide(contender.setting.depthSlices);
+        if (const auto most = contender.renderer.settings().shadowedLights)
+            keepShadowed(view, *most);
         for (FrameLight& of : view.lights)
             of.points.resize(
                 std::min(of.points.size(), contender.renderer.settings().countedPoints()));
@@ -214,6 +233,23 @@ class Course {
             contender.renderer.settings().maskScale != 1 || ExtendedLights::points(view) > 0)
             return;
         contender.fills.push_back(fillOf(contender.renderer.plan(), view));
+    }
+
+    /// Likewise.
+    static void addLights(Contender& contender) {
+        const FramePlan& plan = contender.renderer.plan();
+        const FrameView view = viewFor(contender);
+        std::size_t reaching = 0, shadowed = 0;
+        for (std::size_t i = 0; i < view.lights.size(); ++i) {
+            const bool reaches =
+                std::any_of(plan.slices.begin(), plan.slices.end(),
+                            [&](const SlicePlan& slice) { return !slice.lights[i].reach.empty(); });
+            reaching += reaches;
+            shadowed += reaches && view.lights[i].shadowed;
+        }
+        const bool any = contender.renderer.settings().shadows != ShadowMethod::none;
+        contender.reaching.push_back(static_cast<double>(reaching));
+        contender.shadowed.push_back(any ? static_cast<double>(shadowed) : 0.0);
     }
 
     void draw(Contender& contender, StageClock* clock) {
@@ -288,8 +324,11 @@ class Course {
         }
         result.mapBytes =
             contender.renderer.mapBytes() + scene.primitiveMaps.bytes() + scene.planes.bytes();
+        result.tableBytes = contender.renderer.tableBytes();
         result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
         result.lights = lightMethods(scene, contender.stage.view(), contender.renderer);
+        result.lightsReaching = static_cast<std::size_t>(median(contender.reaching));
+        result.lightsShadowed = static_cast<std::size_t>(median(contender.shadowed));
         const auto first = contender.frameMs.begin();
         const auto repeated = static_cast<std::ptrdiff_t>(contender.repeatMs.size());
         result.repeated =

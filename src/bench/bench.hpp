@@ -34,6 +34,7 @@ struct Task {
     int warmUp = 3;                           ///< frames before, not measured
     std::function<Frustum(double)> frustumAt; ///< after a share 0..1 of the flight
     std::vector<Light> lights;
+    bool scattered = false;           ///< they are scatterLights()'
     bool lightMoves = false;          ///< by movedLights(); else shadow maps are drawn once
     std::optional<double> near;       ///< nothing: fitted to each view
     std::optional<gl::Timing> timing; ///< nothing: bestTiming()
@@ -55,10 +56,13 @@ struct Result {
     std::size_t capBytes = 0;
     std::size_t mapBytes = 0;
     std::size_t maskBytes = 0;       ///< of masks of lower resolution
+    std::size_t tableBytes = 0;      ///< of lights without shadows
     std::vector<LightMethod> lights; ///< how their shadows were made
+    std::size_t lightsReaching = 0;  ///< something that a frame shows; median
+    std::size_t lightsShadowed = 0;  ///< of these; median
     double repeated = 1.0; ///< time of the first frames, drawn again at the end, over theirs
 
-    std::size_t bytes() const { return sideBytes + capBytes + mapBytes + maskBytes; }
+    std::size_t bytes() const { return sideBytes + capBytes + mapBytes + maskBytes + tableBytes; }
 };
 
 struct Report {

@@ -1,5 +1,6 @@
 #include "preprocess/base/error.hpp"
 #include "src/bench/bench.hpp"
+#include "src/bench/scattered_lights.hpp"
 #include "src/cli/bench_report.hpp"
 #include "src/cli/caster_variants.hpp"
 #include "src/cli/commands.hpp"
@@ -7,6 +8,7 @@
 #include "src/cli/report.hpp"
 #include "src/cli/synthetic_report.hpp"
 
+#include <charconv>
 #include <memory>
 #include <sstream>
 
@@ -19,6 +21,7 @@ struct BenchOptions : SceneOptions {
     int frames = 0; ///< 0: defaultFrames, or SyntheticTask's
     int warmUp = 3;
     std::vector<std::pair<int, int>> sizes; ///< of --sizes; else view's
+    std::vector<std::size_t> lightCounts;   ///< of --lights; none: the scene's or the call's
     bool lightMoves = false;
     std::optional<gl::Timing> timing;
     DrawSettings settings;
@@ -43,6 +46,48 @@ std::vector<std::pair<int, int>> sizesFrom(const std::string& text) {
     return sizes;
 }
 
+/// "1,4,16"; throws for others.
+std::vector<std::size_t> lightCountsFrom(const std::string& text) {
+    std::vector<std::size_t> counts;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ',');) {
+        std::size_t count = 0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
+        if (error != std::errc() || end != part.data() + part.size() || count < 1 ||
+            count > mostLights)
+            throw CLI::ValidationError("--lights",
+                                       "'" + text + "' is neither file nor default nor " +
+                                           "numbers from 1 to " + std::to_string(mostLights) +
+                                           " with commas between them");
+        counts.push_back(count);
+    }
+    return counts;
+}
+
+/// In place of what other verbs call so: numbers, too, of lights that are scattered.
+void replaceLightsOption(CLI::App& verb, BenchOptions& options) {
+    verb.remove_option(verb.get_option("--lights"));
+    CLI::Option* lights =
+        verb.add_option_function<std::string>(
+                "--lights",
+                [&options](const std::string& text) {
+                    if (text == "file")
+                        options.view.lights.choice = LightChoice::file;
+                    else if (text == "default")
+                        options.view.lights.choice = LightChoice::fallback;
+                    else
+                        options.lightCounts = lightCountsFrom(text);
+                },
+                "Whose lights there are where none are typed: the file's if it has some, or a sun "
+                "from above (file); or numbers, 1 to " +
+                    std::to_string(mostLights) +
+                    ": so many point lights scattered over the scene, measured one number after "
+                    "the other")
+            ->type_name("file|default|N,N,...");
+    for (const char* typed : {"--light", "--sun", "--place"})
+        lights->excludes(verb.get_option(typed));
+}
+
 void benchScene(const BenchOptions& options) {
     std::vector<BenchSetting> settings = {{shortName(options.settings), options.settings, nullptr}};
     for (const std::string& text : options.against)
@@ -63,9 +108,13 @@ void benchScene(const BenchOptions& options) {
                            ? std::vector{std::pair(options.view.width, options.view.height)}
                            : options.sizes;
     Countdown countdown;
-    for (std::size_t s = 0; s < sizes.size(); ++s) {
+    const auto counts =
+        options.lightCounts.empty() ? std::vector<std::size_t>{0} : options.lightCounts;
+    const std::size_t rounds = sizes.size() * counts.size();
+    for (std::size_t s = 0; s < rounds; ++s) {
+        const std::size_t count = counts[s % counts.size()]; // 0: the scene's or the call's
         ViewOptions view = options.view;
-        std::tie(view.width, view.height) = sizes[s];
+        std::tie(view.width, view.height) = sizes[s / counts.size()];
         bench::Task task;
         task.width = view.width;
         task.height = view.height;
@@ -74,7 +123,10 @@ void benchScene(const BenchOptions& options) {
         task.frames = options.frames > 0 ? options.frames : defaultFrames;
         task.warmUp = options.warmUp;
         task.frustumAt = flightFor(view, loaded.scene);
-        task.lights = requestFor(view, loaded.scene).lights;
+        task.scattered = count > 0;
+        task.lights = task.scattered ? bench::scatterLights(loaded.scene, count)
+                                     : requestFor(view, loaded.scene).lights;
+        if (task.scattered && view.lights.extents.typed()) view.lights.extents.giveTo(task.lights);
         for (const BenchSetting& setting : settings) {
             requireExtents(setting.settings, task.lights);
             requireMapKind(setting.settings, task.lights);
@@ -85,10 +137,10 @@ void benchScene(const BenchOptions& options) {
         for (const BenchSetting& setting : settings)
             task.settings.push_back(toTask(setting));
         const std::string size =
-            std::to_string(view.width) + "x" + std::to_string(view.height) + " pixels";
+            std::to_string(view.width) + "x" + std::to_string(view.height) + " pixels" +
+            (task.scattered ? ", lights: " + std::to_string(count) : std::string());
         const bench::Report measured = bench::measure(loaded, task, [&](double share) {
-            countdown.show((static_cast<double>(s) + share) / static_cast<double>(sizes.size()),
-                           size);
+            countdown.show((static_cast<double>(s) + share) / static_cast<double>(rounds), size);
         });
         report.add(task, settings, measured);
     }
@@ -167,6 +219,7 @@ void addBenchCommand(CLI::App& program) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     addTimingOption(*verb, options->timing);
     addSceneOptions(*verb, *options);
+    replaceLightsOption(*verb, *options);
     sizes->excludes(verb->get_option("--size"));
     addDrawOptions(*verb, options->settings);
     addSamplesOption(*verb, options->samples);

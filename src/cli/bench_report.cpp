@@ -64,7 +64,10 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
             {"frames", task.frames},
             {"timing", nameOf(measured.timing)},
             {"light", task.lightMoves ? "moves" : "rests"},
-            {"lights", methodsJson(result.lights)},
+            {"lights", task.scattered ? Json::array() : methodsJson(result.lights)},
+            {"light_count", task.lights.size()},
+            {"lights_reaching", result.lightsReaching},
+            {"lights_shadowed", result.lightsShadowed},
             {"settings", settingsOf},
             {"frame_ms", {{"median", spread.median}, {"p95", spread.p95}, {"max", spread.max}}},
             {"stage_ms",
@@ -81,7 +84,8 @@ Json resultJson(const bench::Task& task, const BenchSetting& setting, const benc
              {{"sides", result.sideBytes},
               {"caps", result.capBytes},
               {"maps", result.mapBytes},
-              {"masks", result.maskBytes}}},
+              {"masks", result.maskBytes},
+              {"light_table", result.tableBytes}}},
             {"repeated", result.repeated}};
 }
 
@@ -156,19 +160,23 @@ void BenchReport::add(const bench::Task& task, const std::vector<BenchSetting>& 
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const bench::Result& result = measured.results[i];
         const bench::Ratios ratios = bench::ratiosOf(own.frameMs, result.frameMs);
-        rows_.push_back({sizeName(task), result, ratios, i == 0});
+        rows_.push_back(
+            {sizeName(task), task.scattered ? task.lights.size() : 0, result, ratios, i == 0});
         results_.push_back(resultJson(task, settings[i], result, measured, casters, scene));
         if (i > 0)
             ratios_.push_back({{"name", result.name},
                                {"size", {task.width, task.height}},
+                               {"light_count", task.lights.size()},
                                {"median", ratios.median},
                                {"min", ratios.min},
                                {"max", ratios.max}});
         if (result.repeated > unsteady || result.repeated < 1.0 / unsteady)
-            doubts_.push_back(sizeName(task) + ", " + result.name + ": the first frames took " +
-                              fixed(result.repeated, 2) +
-                              " times as long when drawn again at the end; something else keeps "
-                              "this machine busy, or its clock changes.");
+            doubts_.push_back(
+                sizeName(task) + ", " + result.name +
+                (task.scattered ? ", " + std::to_string(task.lights.size()) + " lights" : "") +
+                ": the first frames took " + fixed(result.repeated, 2) +
+                " times as long when drawn again at the end; something else keeps "
+                "this machine busy, or its clock changes.");
     }
 }
 
@@ -180,6 +188,10 @@ std::string BenchReport::table() const {
     std::ostringstream text;
     text << heading_ << "\n"
          << std::left << std::setw(11) << "size" << std::setw(name) << "setting" << std::right;
+    const bool scattered = rows_.front().lights > 0;
+    if (scattered)
+        text << std::setw(8) << "lights" << std::setw(10) << "reaching" << std::setw(10)
+             << "shadowed";
     for (const char* head :
          {"median ms", "p95", "max", "ambient", "silhouette", "rasterise", "map", "lit"})
         text << std::setw(11) << head;
@@ -193,6 +205,9 @@ std::string BenchReport::table() const {
         text << "\n"
              << std::left << std::setw(11) << row.size << std::setw(name) << result.name
              << std::right;
+        if (scattered)
+            text << std::setw(8) << row.lights << std::setw(10) << result.lightsReaching
+                 << std::setw(10) << result.lightsShadowed;
         for (const double value : {spread.median, spread.p95, spread.max, stages.ambient,
                                    stages.silhouette, stages.rasterise, stages.map, stages.lit})
             text << std::setw(11) << milliseconds(value);

@@ -57,13 +57,15 @@ class BenchReport {
 
     std::string table() const;
 
-    /// {device, size, frames, timing, light, settings, frame_ms, stage_ms, plan_ms, vertex_runs,
-    /// bytes_gpu, bytes, repeated, warnings} of a single result, else {results, ratios, warnings}.
+    /// {device, size, frames, timing, light, light_count, lights_reaching, lights_shadowed,
+    /// settings, frame_ms, stage_ms, plan_ms, vertex_runs, bytes_gpu, bytes, repeated, warnings} of
+    /// a single result, else {results, ratios, warnings}.
     nlohmann::ordered_json json() const;
 
   private:
     struct Row {
         std::string size;
+        std::size_t lights; ///< scattered; 0: the scene's or the call's
         bench::Result result;
         bench::Ratios ratios; ///< the first row of that size over this one
         bool first;

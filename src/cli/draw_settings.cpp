@@ -323,6 +323,17 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
         ->check(CLI::Range(std::size_t{1}, mostLightPoints))
         ->type_name("N");
     addPrimitiveMapMemory(verb, settings);
+    verb.add_option_function<std::size_t>(
+            "--shadowed-lights",
+            [&settings](std::size_t most) {
+                settings.render.shadowedLights = most;
+                settings.typedShadowedLights = true;
+            },
+            "How many lights have shadows, 0 to " + std::to_string(mostLights) +
+                ": those that are estimated to add most to the picture; the others shine through "
+                "what casts (all)")
+        ->check(CLI::Range(std::size_t{0}, mostLights))
+        ->type_name("N");
     addShadingOptions(verb, settings);
     addEnvironment(verb, settings);
     verb.add_option("--ambient", settings.ambient,
@@ -359,6 +370,9 @@ void resolve(DrawSettings& settings) {
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
+    if (settings.render.shadows == ShadowMethod::none && settings.typedShadowedLights)
+        throw Error(ExitStatus::usage,
+                    "--shadowed-lights does not go with --shadows none, where none has any.");
     resolveMap(settings);
     resolveRivals(settings);
     if (settings.render.shadows == ShadowMethod::automatic && !settings.volumeOptions.empty())
@@ -404,6 +418,7 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     settings.fullOptions.clear();
     settings.extentOptions.clear();
     settings.planarOptions.clear();
+    settings.typedShadowedLights = false;
     // Either of the two that is typed here says what the other one is.
     settings.multiplicity.reset();
     settings.layout.reset();
@@ -470,6 +485,8 @@ std::string shortName(const DrawSettings& settings) {
         name += ", brute force " + nameIn(countNames, render.count);
     if (render.shadows == ShadowMethod::volumes && render.maskScale > 1)
         name += ", mask " + nameIn(maskScaleNames, render.maskScale);
+    if (render.shadowedLights && render.shadows != ShadowMethod::none)
+        name += ", of " + std::to_string(*render.shadowedLights) + " lights";
     return name;
 }
 
@@ -486,6 +503,8 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},
+        {"shadowed-lights", render.shadowedLights ? nlohmann::ordered_json(*render.shadowedLights)
+                                                  : nlohmann::ordered_json("all")},
         {"light-samples", render.lightSamples},
         {"shading", nameIn(shadingNames, render.shading)},
         {"ambient", render.ambient}};

@@ -39,6 +39,7 @@ struct DrawSettings {
     std::vector<std::string> mapOptions;          ///< those typed that only shadow maps have
     std::vector<std::string> volumeOptions;       ///< those that only shadow volumes have
     std::vector<std::string> primitiveMapOptions; ///< those that only primitive maps have
+    bool typedShadowedLights = false;             ///< --shadowed-lights was
     std::vector<std::string> extentOptions;       ///< those that only lights with an extent have
     std::vector<std::string> planarOptions;       ///< those that only planar shadows have
     CasterChanges casters;                        ///< of `--against`: on top of the call's own

@@ -159,7 +159,8 @@ void render(const RenderOptions& options) {
                    .subpixels = options.subpixels,
                    .mask = options.mask,
                    .shadeSamples = options.shadeSamples,
-                   .firstIsDown = options.view.lights.sun.isDown()};
+                   .firstIsDown = options.view.lights.sun.isDown(),
+                   .shadowedLights = options.settings.render.shadowedLights};
     task.request.depth.slices = options.settings.depthSlices;
     task.request.lightSamples = options.settings.render.countedPoints();
     requireFitting(options, task.request.lights);

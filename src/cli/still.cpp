@@ -4,6 +4,8 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/shadow/geometry/kept_layers.hpp"
+#include "src/shadow/geometry/light_budget.hpp"
 
 #include <algorithm>
 
@@ -148,12 +150,20 @@ FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n
                  const FrameView* like) {
     FrameRequest request = task.request;
     request.frustum = sampledAt(request.frustum, subpixelOffset(n), request.width, request.height);
-    FrameView view = like ? makeFrameView(loaded.scene, request, like->bounds)
-                          : makeFrameView(loaded.scene, loaded.settings.castMasked, request);
-    for (std::size_t i = 0; like && i < view.lights.size(); ++i)
-        view.lights[i].layers = like->lights[i].layers;
+    FrameView view =
+        makeFrameView(loaded.scene, request, like ? like->bounds : worldBounds(loaded.scene));
+    if (!like) {
+        chooseLights(view, task.shadowedLights);
+        KeptLayers().fill(loaded.scene, loaded.settings.castMasked, view.lights);
+    }
+    for (std::size_t i = 0; like && i < view.lights.size(); ++i) {
+        const FrameLight& known = like->lights[i];
+        if (!known.shadowed) leaveWithoutShadow(view.lights[i]);
+        view.lights[i].drawn = known.drawn;
+        view.lights[i].layers = known.layers;
+    }
+    if (task.firstIsDown) view.lights.front().drawn = false;
     view.mask = task.mask;
-    view.lights.front().drawn = !task.firstIsDown;
     return view;
 }
 

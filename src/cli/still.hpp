@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace edgeshade::cli {
@@ -17,6 +18,7 @@ struct StillTask {
     bool mask = false;         ///< the first light's: 255 * what of it is seen, rounded
     bool shadeSamples = false; ///< lights with an extent shade by each point
     bool firstIsDown = false;  ///< the first light shines on nothing
+    std::optional<std::size_t> shadowedLights{}; ///< see chooseLights()
 };
 
 /// Whether a mask is more than lit or not.

@@ -51,6 +51,16 @@ void addMapKinds(std::vector<TradeSetting>& settings, int largestMap,
     }
 }
 
+/// Shadows for the lights alone that matter most, of lights that are more than a few.
+void addShadowedLights(std::vector<TradeSetting>& settings, std::size_t lights) {
+    constexpr std::size_t few = 4;
+    for (std::size_t most = 1; lights > few && most < lights; most *= 4) {
+        const std::string number = std::to_string(most);
+        settings.push_back({number + (most == 1 ? " shadowed light" : " shadowed lights"),
+                            "shadows=volumes,shadowed-lights=" + number});
+    }
+}
+
 } // namespace
 
 std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal,
@@ -85,6 +95,7 @@ std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal,
             settings.push_back({name, text});
         }
     addMapKinds(settings, largestMap, lights);
+    addShadowedLights(settings, lights.size());
     return settings;
 }
 

@@ -10,6 +10,7 @@
 #include "src/desktop/app.hpp"
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/scene/pose.hpp"
+#include "src/shadow/geometry/light_budget.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 
 #include <memory>
@@ -124,6 +125,7 @@ void view(const WindowOptions& options) {
 
     viewer::ViewerSettings settings;
     settings.render = options.settings.render;
+    settings.chooseLights = chooseLights;
     settings.depth = options.view.depth;
     settings.depth.slices = options.settings.depthSlices;
     if (options.settings.instancing != InstancingChoice::automatic)

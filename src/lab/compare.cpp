@@ -1,8 +1,11 @@
 #include "src/lab/compare.hpp"
 
 #include "src/lab/heatmap.hpp"
+#include "src/lab/lit_textures.hpp"
 #include "src/lab/studio.hpp"
 #include "src/lab/texture_alpha.hpp"
+#include "src/shadow/geometry/kept_layers.hpp"
+#include "src/shadow/geometry/light_budget.hpp"
 
 #include <algorithm>
 #include <map>
@@ -19,6 +22,10 @@ std::vector<float> mapBiases(const ShadowMapSettings& map) {
 }
 constexpr std::size_t tuningViews = 3;
 
+/// Lights from which the oracle's picture is drawn at once, and no more one for each set of lights
+/// that some pixels have.
+constexpr std::size_t manyLights = 9;
+
 /// One view with its oracle, which all contenders share.
 struct JudgedView {
     FrameRequest request;
@@ -27,8 +34,12 @@ struct JudgedView {
     std::vector<Answer> answers;
 };
 
-FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request) {
-    FrameView frame = makeFrameView(loaded.scene, loaded.settings.castMasked, request);
+/// `mostShadowed`: see chooseLights().
+FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
+                  std::optional<std::size_t> mostShadowed = {}) {
+    FrameView frame = makeFrameView(loaded.scene, request, worldBounds(loaded.scene));
+    chooseLights(frame, mostShadowed);
+    KeptLayers().fill(loaded.scene, loaded.settings.castMasked, frame.lights);
     frame.drawBlended = false;
     return frame;
 }
@@ -64,13 +75,15 @@ class Jury {
         judged_ = judge(loaded_, task_, view, alpha_);
         pictures_ = {};
         unshadowed_.reset();
-        frames_ = {{&loaded_, judged_.frame}};
+        frames_.clear();
+        frames_.emplace(std::pair(&loaded_, std::optional<std::size_t>()), judged_.frame);
     }
 
     Comparison compare(Renderer& renderer, const Contender& contender) {
-        drawUnshadowed(renderer.settings(), frameWith(loaded_, contender.depthSlices));
+        drawUnshadowed(renderer.settings(), frameWith(loaded_, contender.depthSlices, {}));
         const LoadedScene& drawn = contender.scene ? *contender.scene : loaded_;
-        FrameView frame = frameWith(drawn, contender.depthSlices);
+        FrameView frame =
+            frameWith(drawn, contender.depthSlices, contender.settings.shadowedLights);
         pictures_.image = studio_.draw(renderer, drawn, frame);
         frame.mask = true;
         pictures_.mask = studio_.draw(renderer, drawn, frame);
@@ -85,10 +98,12 @@ class Jury {
     const std::vector<LightMethod>& methods() const { return methods_; }
 
   private:
-    FrameView frameWith(const LoadedScene& drawn, std::optional<int> depthSlices) {
-        auto found = frames_.find(&drawn);
+    FrameView frameWith(const LoadedScene& drawn, std::optional<int> depthSlices,
+                        std::optional<std::size_t> mostShadowed) {
+        const auto key = std::pair(&drawn, mostShadowed);
+        auto found = frames_.find(key);
         if (found == frames_.end())
-            found = frames_.emplace(&drawn, frameOf(drawn, judged_.request)).first;
+            found = frames_.emplace(key, frameOf(drawn, judged_.request, mostShadowed)).first;
         FrameView frame = found->second;
         frame.divide(depthSlices);
         return frame;
@@ -103,12 +118,18 @@ class Jury {
         unshadowed_ = key;
         plain.shadows = ShadowMethod::none;
         const auto renderer = std::make_shared<Renderer>(studio_.rendererFor(plain));
-        const auto drawn = std::make_shared<std::map<std::uint32_t, std::vector<std::uint8_t>>>();
-        pictures_.unshadowed = [this, frame, renderer, drawn](std::uint32_t lights) {
+        pictures_.litAs = nullptr;
+        if (frame.lights.size() >= manyLights)
+            pictures_.litAs = [this, frame, renderer](const std::vector<Answer>& answers) {
+                const LitTextures lit(answers, frame.lights.size(), frame.width, frame.height);
+                return studio_.draw(*renderer, loaded_, frame, lit.lookups());
+            };
+        const auto drawn = std::make_shared<std::map<LightSet, std::vector<std::uint8_t>>>();
+        pictures_.unshadowed = [this, frame, renderer, drawn](const LightSet& lights) {
             if (const auto found = drawn->find(lights); found != drawn->end()) return found->second;
             FrameView view = frame;
             for (std::size_t i = 0; i < view.lights.size(); ++i)
-                view.lights[i].drawn = (lights >> i & 1u) != 0;
+                view.lights[i].drawn = lights.has(i);
             auto picture = studio_.draw(*renderer, loaded_, view);
             constexpr std::size_t most = 16;
             if (drawn->size() < most) drawn->emplace(lights, picture);
@@ -121,7 +142,8 @@ class Jury {
     Studio studio_;
     AlphaLookup alpha_;
     JudgedView judged_;
-    std::map<const LoadedScene*, FrameView> frames_; ///< of judged_
+    /// Of judged_, by the scene and how many lights have shadows.
+    std::map<std::pair<const LoadedScene*, std::optional<std::size_t>>, FrameView> frames_;
     Pictures pictures_;
     std::vector<LightMethod> methods_;
     /// What the pictures without shadows were drawn with: slices and look.

@@ -144,7 +144,7 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
         if (lightSide == 0) verdict.coincident = true;
         const bool turnedAway = oracle.triangles()[own].casts && eyeSide * lightSide < 0;
         if (!turnedAway && !isBlocked(oracle, own, surface, point, roundedPoint, light))
-            verdict.answer.lit |= 1u << i;
+            verdict.answer.lit.add(i);
     }
     return verdict;
 }

@@ -314,7 +314,7 @@ Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
         }
         const bool turnedAway = surface.casts && eyeSide * lightSide < 0.0;
         if (!turnedAway && !isBlocked(hit.triangle, point, pointError, light, checked.certain))
-            checked.answer.lit |= 1u << i;
+            checked.answer.lit.add(i);
     }
     return checked;
 }

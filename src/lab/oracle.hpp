@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/lab/eye_triangles.hpp"
+#include "src/lab/light_set.hpp"
 #include "src/shadow/geometry/frustum.hpp"
 #include "src/shadow/geometry/light.hpp"
 
@@ -15,7 +16,7 @@ namespace edgeshade::lab {
 /// What one pixel shows: nothing, or a surface and which lights reach it.
 struct Answer {
     bool surface = false;
-    std::uint32_t lit = 0; ///< bit i: light i
+    LightSet lit;
 
     bool operator==(const Answer&) const = default;
 };
@@ -27,7 +28,7 @@ struct Question {
     bool castMasked = false;
     Frustum frustum; ///< orthographic: all that can be seen is before it, see standingBack()
     double near = 0.0;
-    std::vector<Light> lights; ///< at most mostLights
+    std::vector<Light> lights;
     int width = 1;
     int height = 1;
     bool cutoutsCast = false; ///< MASK surfaces cast what their alpha leaves

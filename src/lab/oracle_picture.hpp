@@ -21,7 +21,7 @@ class OraclePicture {
   private:
     const Pictures& pictures_;
     std::vector<Color> colors_;
-    std::vector<std::uint32_t> lit_; ///< by which lights the colours were drawn
+    std::vector<LightSet> lit_; ///< by which lights the colours were drawn
 };
 
 } // namespace edgeshade::lab

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "src/lab/oracle.hpp"
+
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -12,7 +14,10 @@ struct Pictures {
     std::vector<std::uint8_t> image; ///< the program's picture
     /// The program's picture without shadows, with those lights alone whose bits are set: what the
     /// oracle's picture takes each pixel from, whatever the surfaces are shaded with.
-    std::function<std::vector<std::uint8_t>(std::uint32_t lights)> unshadowed;
+    std::function<std::vector<std::uint8_t>(const LightSet& lights)> unshadowed;
+    /// The same of all pixels at once, each with the lights of its answer: where there are so many
+    /// lights that hardly two pixels have the same. Null: not asked for.
+    std::function<std::vector<std::uint8_t>(const std::vector<Answer>&)> litAs;
 };
 
 } // namespace edgeshade::lab

@@ -5,16 +5,16 @@
 #include "src/lab/tie.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace edgeshade::lab {
 namespace {
 
-/// The first lights of a part that count.
-std::uint32_t maskOf(std::size_t part, std::size_t lights) {
-    const std::size_t first = part * mostLights;
-    if (lights <= first) return 0;
-    return lights - first >= mostLights ? ~0u : (1u << (lights - first)) - 1;
+constexpr std::size_t lightsOfAPart = 64;
+
+/// How many of the first lights are of a part, or of earlier ones.
+std::size_t countingOf(std::size_t part, std::size_t lights) {
+    const std::size_t first = part * lightsOfAPart;
+    return lights <= first ? 0 : lights - first;
 }
 
 std::size_t apart(std::size_t a, std::size_t b) {
@@ -37,9 +37,9 @@ WrongSums& WrongSums::operator+=(const WrongSums& other) {
 
 PointOracle::PointOracle(const Question& question, const AlphaLookup& alpha)
     : width_(question.width), height_(question.height) {
-    for (std::size_t first = 0; first < question.lights.size(); first += mostLights) {
+    for (std::size_t first = 0; first < question.lights.size(); first += lightsOfAPart) {
         Question some = question;
-        const std::size_t end = std::min(first + mostLights, question.lights.size());
+        const std::size_t end = std::min(first + lightsOfAPart, question.lights.size());
         some.lights.assign(question.lights.begin() + static_cast<std::ptrdiff_t>(first),
                            question.lights.begin() + static_cast<std::ptrdiff_t>(end));
         Part& part = parts_.emplace_back();
@@ -52,8 +52,7 @@ PointOracle::PointOracle(const Question& question, const AlphaLookup& alpha)
 std::size_t PointOracle::countAt(std::size_t pixel, std::size_t lights) const {
     std::size_t count = 0;
     for (std::size_t p = 0; p < parts_.size(); ++p)
-        count += static_cast<std::size_t>(
-            std::popcount(parts_[p].answers[pixel].lit & maskOf(p, lights)));
+        count += parts_[p].answers[pixel].lit.countOfFirst(countingOf(p, lights));
     return count;
 }
 
@@ -69,7 +68,7 @@ void PointOracle::judgeAgain(std::size_t pixel) {
 
 bool PointOracle::isTied(std::size_t pixel, std::size_t lights) const {
     const auto width = static_cast<std::size_t>(width_);
-    for (std::size_t p = 0; p < parts_.size() && maskOf(p, lights) != 0; ++p) {
+    for (std::size_t p = 0; p < parts_.size() && countingOf(p, lights) > 0; ++p) {
         const auto x = static_cast<double>(pixel % width) + 0.5;
         const auto y = static_cast<double>(pixel / width) + 0.5;
         if (isTie(*parts_[p].oracle, static_cast<int>(pixel % width),

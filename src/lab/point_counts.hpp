@@ -39,7 +39,7 @@ class PointOracle {
 
   private:
     struct Part {
-        std::unique_ptr<Oracle> oracle; ///< of up to mostLights lights
+        std::unique_ptr<Oracle> oracle; ///< of up to lightsOfAPart lights
         std::vector<Answer> answers;    ///< a pixel each
     };
     std::size_t countAt(std::size_t pixel, std::size_t lights) const;

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace edgeshade::lab {
@@ -23,11 +24,12 @@ class Studio {
     }
 
     std::vector<std::uint8_t> draw(Renderer& renderer, const LoadedScene& loaded,
-                                   const FrameView& view) {
+                                   const FrameView& view,
+                                   std::span<const VisibilityLookup> visibility = {}) {
         const auto records = renderer.settings().records();
         GpuScene& scene = sceneFor(loaded, records);
         prepareScene(scene, loaded, view, renderer.settings(), context_.capabilities());
-        renderer.draw(scene, view);
+        renderer.draw(scene, view, nullptr, visibility);
         methods_ = lightMethods(scene, view, renderer);
         gl::requireNoError("drawing for comparison");
         return context_.readPixels();

@@ -30,7 +30,7 @@ class View {
         const bool surface = pictures_.mask[4 * i + 3] != 0;
         const bool lit = pictures_.mask[4 * i] != 0;
         const Answer& answer = answers_[i];
-        return surface != answer.surface || (surface && lit != ((answer.lit & 1u) != 0));
+        return surface != answer.surface || (surface && lit != answer.lit.has(0));
     }
 
     bool wrongInImage(std::size_t i) const {

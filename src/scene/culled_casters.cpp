@@ -62,8 +62,8 @@ CulledCasters::Kept culled(const LoadedScene& loaded, const Light& light, SidesL
 } // namespace
 
 bool CulledCasters::suits(const FrameLight& light) {
-    return light.drawn && light.atRest && !light.light.extent && light.points.empty() &&
-           !light.among && light.groupCount() == 1;
+    return light.drawn && light.shadowed && light.atRest && !light.light.extent &&
+           light.points.empty() && !light.among && light.groupCount() == 1;
 }
 
 void CulledCasters::make(const LoadedScene& loaded, const std::vector<FrameLight>& lights,

@@ -177,7 +177,7 @@ template <class Kept>
 auto groupsOf(Kept& kept, const FrameLight& light, VolumeLayout layout)
     -> decltype(&kept.front().groups.begin()->second) {
     for (auto& entry : kept) {
-        if (entry.light != placeOf(light) || entry.cut != light.cut) continue;
+        if (!entry.isOf(placeOf(light), light)) continue;
         const auto found = entry.groups.find(layout);
         return found != entry.groups.end() ? &found->second : nullptr;
     }
@@ -190,13 +190,13 @@ void OverflowGroups::upload(const LoadedScene& loaded, const std::vector<FrameLi
                             VolumeRecords records) {
     std::vector<Kept> kept;
     for (const FrameLight& of : lights) {
-        const auto isThere = [&](const Kept& entry) {
-            return entry.light == placeOf(of) && entry.cut == of.cut;
-        };
+        const auto isThere = [&](const Kept& entry) { return entry.isOf(placeOf(of), of); };
         if (of.groupCount() <= 1 || std::any_of(kept.begin(), kept.end(), isThere)) continue;
         const auto found = std::find_if(kept_.begin(), kept_.end(), isThere);
-        Kept& entry = kept.emplace_back(found != kept_.end() ? std::move(*found)
-                                                             : Kept{placeOf(of), of.cut, {}});
+        if (!of.drawn && found == kept_.end()) continue;
+        Kept& entry =
+            kept.emplace_back(found != kept_.end() ? std::move(*found)
+                                                   : Kept{placeOf(of), of.light.range, of.cut, {}});
         if (!entry.groups.contains(records.volumes))
             entry.groups.emplace(records.volumes, uploadGroups(loaded, of, records));
     }

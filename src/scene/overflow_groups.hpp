@@ -33,8 +33,13 @@ class OverflowGroups {
   private:
     struct Kept {
         glm::dvec4 light; ///< its place, or the middle of its points
+        double range;     ///< beyond which casters are in no certain group
         std::optional<glm::dvec4> cut;
         std::map<VolumeLayout, GroupedShadow> groups;
+
+        bool isOf(const glm::dvec4& place, const FrameLight& of) const {
+            return light == place && range == of.light.range && cut == of.cut;
+        }
     };
     std::vector<Kept> kept_;
 };

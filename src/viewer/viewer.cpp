@@ -451,7 +451,8 @@ FrameView Viewer::Parts::viewAt(const glm::dvec2& offset) const {
     request.depth = settings.depth;
     request.ground = state.ground.has_value();
     FrameView view = makeFrameView(loaded->scene, request, stage.bounds);
-    view.lights.front().drawn = !sunIsDown(state);
+    if (settings.chooseLights) settings.chooseLights(view, settings.render.shadowedLights);
+    if (sunIsDown(state)) view.lights.front().drawn = false;
     return view;
 }
 

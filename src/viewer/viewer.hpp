@@ -52,6 +52,8 @@ struct ViewerSettings {
     DepthChoice depth;
     /// Where primitive maps are built that aren't needed at once; null: by the viewer.
     std::shared_ptr<PrimitiveMapWorker> mapWorker;
+    /// chooseLights(), where the window has it; null: all lights are drawn with shadows.
+    void (*chooseLights)(FrameView&, std::optional<std::size_t>) = nullptr;
 };
 
 /// One viewer, the same in a window and in a browser: state, camera and light control, animation,

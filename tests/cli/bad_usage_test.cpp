@@ -41,10 +41,10 @@ BadUsage atNoon(const std::string& name, const std::vector<std::string>& more,
 
 /// A verb with more lights than a picture has; the last one is a sun.
 BadUsage tooManyLights(const std::string& name, std::vector<std::string> verb) {
-    for (int i = 0; i < 32; ++i)
+    for (int i = 0; i < 1000; ++i)
         verb.insert(verb.end(), {"--light", "1,2,3"});
     verb.insert(verb.end(), {"--sun", "0,1,0"});
-    return {name, verb, {"More than 32 lights were asked for"}};
+    return {name, verb, {"More than 1000 lights were asked for"}};
 }
 
 const BadUsage usages[] = {

@@ -80,9 +80,9 @@ TEST_F(FileLights, GoWithOneAnotherOrWithTypedOnes) {
 }
 
 TEST_F(FileLights, OfMoreThanAPictureHasTheFirstAreDrawn) {
-    const ProcessResult result = render({}, 33);
+    const ProcessResult result = render({"--shadowed-lights", "0"}, 1001);
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_NE(result.err.find("has 33 lights, but a picture has 32 at most"), std::string::npos)
+    EXPECT_NE(result.err.find("has 1001 lights, but a picture has 1000 at most"), std::string::npos)
         << result.err;
 }
 

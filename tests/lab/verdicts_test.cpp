@@ -95,7 +95,7 @@ TEST(Verdicts, WhatTheProgramDrawsIsRight) {
     RenderSettings plain;
     plain.shadows = ShadowMethod::none;
     const auto lit = test::drawScene(fixture.scene, view, plain);
-    fixture.pictures.unshadowed = [lit](std::uint32_t lights) {
+    fixture.pictures.unshadowed = [lit](const lab::LightSet& lights) {
         return lights == 0 ? std::vector<std::uint8_t>(lit.size(), 80) : lit;
     };
     const lab::WrongCounts counts = fixture.counts();

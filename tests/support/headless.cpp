@@ -1,6 +1,7 @@
 #include "tests/support/headless.hpp"
 
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/shadow/geometry/light_budget.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,7 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
         for (std::size_t i = 0; i < view.lights.size(); ++i)
             view.lights[i].drawn =
                 std::count(test.drawnLights->begin(), test.drawnLights->end(), i);
+    if (settings.shadowedLights) keepShadowed(view, *settings.shadowedLights);
     if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());

@@ -73,12 +73,12 @@ TEST(Commands, ResetGivesTheFirstViewBack) {
 
 TEST(Commands, LightsComeAndGoButOneStays) {
     ViewState state = start();
-    for (int i = 0; i < 50; ++i)
+    for (std::size_t i = 0; i < mostLights + 9; ++i)
         state = after(Command::addLight, state, stage);
     EXPECT_EQ(state.lights.size(), mostLights);
     EXPECT_EQ(state.chosenLight, mostLights - 1);
     EXPECT_EQ(after(Command::nextLight, state, stage).chosenLight, 0u);
-    for (int i = 0; i < 50; ++i)
+    for (std::size_t i = 0; i < mostLights + 9; ++i)
         state = after(Command::removeLight, state, stage);
     EXPECT_EQ(state.lights.size(), 1u);
     EXPECT_EQ(state.chosenLight, 0u);

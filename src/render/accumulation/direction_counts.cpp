@@ -23,7 +23,8 @@ LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request
         counts.lights = 0;
         return counts;
     }
-    const std::size_t atOnce = std::min(LitCounter::lightsAtOnce(scene), mostLights);
+    constexpr std::size_t most = 32; // of which plans are held at once
+    const std::size_t atOnce = std::min(LitCounter::lightsAtOnce(scene), most);
     for (std::size_t first = 0; first < directions.size();) {
         const std::size_t count = std::min(directions.size() - first, atOnce);
         counter.add(renderer, scene, loaded,

@@ -15,6 +15,10 @@ struct BatchView {
     glm::mat3 normalFromObject{1.0f};
     glm::mat4 mapFromObject{1.0f};  ///< see ShadowMapView, LightTiles; used where there is a map
     glm::mat4 coneFromObject{1.0f}; ///< see coneFromWorld(); used where the light is a spot
+    /// In its space, of a light that is added to what is there: chunks out of its range get
+    /// nothing.
+    glm::dvec3 light{0.0};
+    double range = std::numeric_limits<double>::infinity();
     /// Its chunks' triangles for a primitive map's light; null where there is none.
     const std::vector<SidedChunk>* sided = nullptr;
     const AlphaLookup* alpha = nullptr; ///< the batch's own; null: its materials' are taken

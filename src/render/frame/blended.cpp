@@ -86,16 +86,20 @@ void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
     bool first = true;
     for (std::size_t i = 0; i < pass.view.lights.size(); ++i) {
         const FrameLight& light = pass.view.lights[i];
-        if (!light.drawn) continue;
+        const LightPlan& plan = pass.plan.lights[i];
+        if (!light.drawn || plan.listed || plan.reach.empty()) continue;
         SurfaceShading shading = shadingOf(pass, i);
         shading.visibility = nullptr; // of what is behind
-        shading.primitives = anyPrimitiveMapOf(pass.scene, light.light);
+        shading.primitives = light.shadowed ? anyPrimitiveMapOf(pass.scene, light.light) : nullptr;
         shading.withAmbient = first;
         drawBlendedChunk(pass, batch, chunk, shading);
         first = false;
         glBlendFunc(GL_ONE, GL_ONE);
     }
     if (first) drawBlendedChunk(pass, batch, chunk, shadingOf(pass, {}));
+    if (!pass.plan.lists) return;
+    glBlendFunc(GL_ONE, GL_ONE);
+    drawBlendedChunk(pass, batch, chunk, listedShading(pass));
 }
 
 } // namespace edgeshade

@@ -9,6 +9,7 @@
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/scene/rival_build.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/plan/light_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,10 @@ void requireCountable(const RenderSettings& settings, const FrameView& view) {
                     what + " don't say which side of a triangle is its front, so "
                            "that culled casters can't be counted; '--multiplicity plane' can.");
 }
+
+/// Lights of a picture without any shadows from which they are listed; fewer take a pass each, as
+/// they always did.
+constexpr std::size_t manyUnshadowed = 9;
 
 /// Where lines of sight come from, from the camera's position.
 glm::vec4 eyeFrom(const Frustum& frustum) {
@@ -110,6 +115,8 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     if (maps_ && settings.map.kind == MapKind::warped) places_.emplace(capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
+    if constexpr (listsLights)
+        if (LightTable::isPossible(capabilities)) table_.emplace(capabilities);
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
 }
@@ -133,8 +140,12 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
 }
 
 Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) const {
-    if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return {};
-    LightSum sum{.full = true, .replaces = view.lights.size() == 1};
+    LightSum sum;
+    for (const FrameLight& of : view.lights)
+        sum.lights += of.weight;
+    if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return sum;
+    sum.full = true;
+    sum.replaces = view.lights.size() == 1;
     // All or none: Neutral shows dark and deep colours darker than the short way.
     sum.plainIsShort =
         sum.replaces && scene.plain && isPlain(settings_) && isPlain(view.lights.front().light);
@@ -164,9 +175,15 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
             drawShadow(pass);
         for (std::size_t i = 0; i < pass.plan.lights.size(); ++i) {
             const LightPlan& light = pass.plan.lights[i];
-            if (light.reach.empty() || (pass.plan.withAmbient && i == *pass.plan.first)) continue;
+            if (light.reach.empty() || light.listed ||
+                (pass.plan.withAmbient && i == *pass.plan.first))
+                continue;
             drawShadowedLight(pass, i);
             marked = marked || (light.inGroups() && !coarse_);
+        }
+        if (pass.plan.lists) {
+            uploadListed(pass);
+            addListed(pass);
         }
         if (!view.mask && view.drawBlended) drawBlended(pass);
     }
@@ -187,6 +204,11 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
         };
         task.planCount = [](const DepthSlice&, std::size_t, std::size_t) { return CountPlan(); };
     }
+    if constexpr (listsLights)
+        if (table_) {
+            task.mayBeListed = [&](std::size_t light) { return mayBeListed(view, light); };
+            task.list = listLights;
+        }
     if (!volumes_) return planFrame(task);
     task.groupCount = [&](std::size_t light) -> std::size_t {
         if (visibilityOf(light)) return 0;
@@ -373,12 +395,51 @@ void Renderer::addLight(const SlicePass& pass, std::size_t light, const ShadowMa
     const StageScope stage(pass.clock, FrameStage::lit);
     const bool counted = plan.isCounted() && !coarse_ && !plan.inGroups();
     if (!counted) clearStencil();
-    setLightBlending(plan.inGroups() && !coarse_);
+    setAddingLight(plan.inGroups() && !coarse_);
+    drawLit(pass, light, map);
+}
+
+bool Renderer::mayBeListed(const FrameView& view, std::size_t light) const {
+    if (visibilityOf(light) || settings_.tintPrimitives) return false;
+    return !view.lights[light].shadowed ||
+           (settings_.shadows == ShadowMethod::none && view.lights.size() >= manyUnshadowed);
+}
+
+void Renderer::uploadListed(const SlicePass& pass) {
+    if constexpr (listsLights) {
+        const StageScope stage(pass.clock, FrameStage::lit);
+        listed_ = table_->upload(*pass.plan.lists, pass.view, [&](std::size_t light) {
+            const SurfaceShading shading = shadingOf(pass, light);
+            return shading.full ? shading.full->lightColor : glm::vec3(shading.diffuse);
+        });
+    }
+}
+
+SurfaceShading Renderer::listedShading(const SlicePass& pass) const {
+    SurfaceShading shading = shadingOf(pass, {});
+    shading.listed = &listed_;
+    shading.diffuse = std::max(1.0f - shading.ambient, 0.0f) / static_cast<float>(sum_.lights);
+    return shading;
+}
+
+void Renderer::addListed(const SlicePass& pass) {
+    const StageScope stage(pass.clock, FrameStage::lit);
+    const gl::ScissorScope cut(pass.plan.lists->reach);
+    clearStencil();
+    setAddingLight(false);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    drawSurfaces(pass.scene, pass.view, pass.slice, listedShading(pass));
+    glDisable(GL_STENCIL_TEST);
+}
+
+void Renderer::setAddingLight(bool marked) const {
+    setLightBlending(marked);
     // Of surfaces that coincide the first is lit, as it is by ambient light.
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-    drawLit(pass, light, map);
 }
 
 /// `marked`: what a group has shaded has alpha 0 and takes no light.
@@ -434,7 +495,9 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
 }
 
 std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_t light) {
-    if (settings_.shadows != ShadowMethod::map || visibilityOf(light)) return std::nullopt;
+    if (settings_.shadows != ShadowMethod::map || visibilityOf(light) ||
+        !pass.view.lights[light].shadowed)
+        return std::nullopt;
     const StageScope stage(pass.clock, FrameStage::map);
     const ShadowMapLookup map =
         maps_->draw(pass.scene, pass.view, pass.view.lights[light].light, visible_);
@@ -445,7 +508,7 @@ std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_
 }
 
 const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const FrameLight& of) const {
-    if (!settings_.looksUpPrimitives()) return nullptr;
+    if (!settings_.looksUpPrimitives() || !of.shadowed) return nullptr;
     if (of.atOnce) return extendedMapOf(scene, of.light);
     return anyPrimitiveMapOf(scene, of.light);
 }
@@ -468,8 +531,7 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::siz
     shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
     shading.ambient = settings_.ambient;
     shading.background = settings_.background;
-    for (const FrameLight& of : pass.view.lights)
-        shading.lights += of.weight;
+    shading.lights = sum_.lights;
     if (sum_.full) setFull(pass, shading);
     if (!index) return shading;
     const FrameLight& of = pass.view.lights[*index];

@@ -44,6 +44,9 @@ namespace edgeshade {
 /// stencil counts, casters come in groups (GroupedShadow), and the picture's alpha remembers what
 /// any group has shaded. Draws into the current framebuffer, which needs a stencil and alpha.
 ///
+/// Lights that get no shadow are added up in one pass, tile by tile those that reach it, where the
+/// GL has tables of floats (LightTable), each in a pass of its own else.
+///
 /// Lights with a range are counted and drawn within the part of the picture that they reach, if
 /// any.
 ///
@@ -99,9 +102,13 @@ class Renderer {
     /// That of the one that lights are added up in.
     std::size_t lightBytes() const { return linear_ ? linear_->bytes() : 0; }
 
+    /// That of the table of lights without a shadow.
+    std::size_t tableBytes() const { return table_ ? table_->bytes() : 0; }
+
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() + lightBytes() + (volumes_ ? volumes_->bytes() : 0);
+        return mapBytes() + maskBytes() + lightBytes() + tableBytes() +
+               (volumes_ ? volumes_->bytes() : 0);
     }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
@@ -125,6 +132,7 @@ class Renderer {
         bool replaces = false;     ///< the one light is drawn over ambient light
         bool linear = false;       ///< light itself is added up
         bool plainIsShort = false; ///< see FullShading
+        double lights = 0.0;       ///< of the view, by their weights
 
         /// Whether shadow leaves colours the share that alpha says.
         bool darkens() const { return !full || plainIsShort; }
@@ -145,6 +153,14 @@ class Renderer {
     void drawDepthAndAmbient(const SlicePass& pass);
     void drawCoarseSurfaces(const SlicePass& pass);
     void drawShadowedLight(const SlicePass& pass, std::size_t light);
+    /// Adds the lights that have no shadow.
+    void addListed(const SlicePass& pass);
+    /// What surfaces look up of these; nothing where none are listed.
+    void uploadListed(const SlicePass& pass);
+    SurfaceShading listedShading(const SlicePass& pass) const;
+    /// State for adding light where the stencil is 0.
+    void setAddingLight(bool marked) const;
+    bool mayBeListed(const FrameView& view, std::size_t light) const;
     /// Adds it where the stencil, or what countAndMark() left, has no shadow.
     void addLight(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
@@ -193,6 +209,8 @@ class Renderer {
     std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
     std::optional<LinearTarget> linear_;
+    std::optional<LightTable> table_;           ///< where lights may be listed
+    LightTableLookup listed_;                   ///< of the slice that is drawn
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it
     std::optional<CoarseMask> coarse_;          ///< where volumes are counted at a lower resolution
     std::size_t vertexRuns_ = 0;                ///< of the last frame

@@ -24,7 +24,8 @@ MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& set
                 bool restingAlone, bool extents) {
     MapTask task{{}, isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all};
     for (const FrameLight& of : lights)
-        if (of.drawn && (extents || !of.light.extent) && (of.atRest || !restingAlone))
+        if (of.drawn && of.shadowed && (extents || !of.light.extent) &&
+            (of.atRest || !restingAlone))
             task.lights.push_back(of.light);
     return task;
 }

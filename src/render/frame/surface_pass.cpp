@@ -3,10 +3,12 @@
 #include "shaders_es2.hpp"
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/cull_scope.hpp"
+#include "src/render/frame/cone_window.hpp"
 #include "src/render/shadow_map/map_defines.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
+#include "src/shadow/geometry/light_range.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
@@ -21,6 +23,7 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
     program.set("u_maskValue", shading.maskValue);
     program.set("u_farthest", shading.farthest);
     program.set("u_ambient", shading.ambient);
+    program.set("u_diffuse", shading.diffuse);
     if (!shading.light) return;
     const glm::dvec4& light = shading.light->position;
     if (light.w == 0.0) {
@@ -29,19 +32,12 @@ void setShading(gl::Program& program, const SurfaceShading& shading, const glm::
         program.set("u_light", glm::vec3(glm::dvec3(light) / light.w - eye));
         program.set("u_inverseRange", static_cast<float>(1.0 / shading.light->range));
     }
-    program.set("u_diffuse", shading.diffuse);
 }
 
-/// See shaders_es2/light_window.glsl. Where the angles are the same the edge is a thousandth wide,
-/// of a narrow cone as of a wide one.
 void setCone(gl::Program& program, const Cone& cone, const BatchView& view) {
-    const auto fromOne = [](double angle) { // 1 - cos(angle), which rounding leaves its digits
-        const double half = std::sin(0.5 * angle);
-        return 2.0 * half * half;
-    };
-    const double outer = fromOne(cone.outer), inner = fromOne(cone.inner);
-    program.set("u_inverseOuter", static_cast<float>(1.0 / outer));
-    program.set("u_coneScale", static_cast<float>(outer / std::max(outer - inner, 1e-3 * outer)));
+    const ConeWindow window(cone);
+    program.set("u_inverseOuter", window.inverseOuter);
+    program.set("u_coneScale", window.scale);
     program.set("u_coneFromObject", view.coneFromObject);
 }
 
@@ -56,7 +52,7 @@ void setFullShading(gl::Program& program, const FullShading& full) {
 constexpr int unitsOfLookups(const SurfaceShading& shading) {
     if (shading.map) return 1 + std::max(shading.map->faces, 1) + (shading.map->warp ? 1 : 0);
     if (shading.primitives) return shading.primitives->cutouts ? 5 : 4;
-    if (shading.visibility) return 2;
+    if (shading.visibility || shading.listed) return 2;
     return shading.coarse ? 3 : 1;
 }
 
@@ -201,9 +197,9 @@ void setAlphaLookup(gl::Program& program, const AlphaLookup& alpha) {
 /// What an unlit material draws: all of its colour with ambient light, and black for what adds
 /// light, which of surfaces that coincide is drawn for the first as well.
 SurfaceShading unlitShading(SurfaceShading shading) {
-    const bool addsLight = shading.light && !shading.withAmbient;
-    shading.ambient = addsLight ? 0.0f : 1.0f;
+    shading.ambient = shading.addsLight() ? 0.0f : 1.0f;
     shading.light.reset();
+    shading.listed = nullptr;
     shading.withAmbient = false;
     shading.map = nullptr;
     shading.primitives = nullptr;
@@ -234,6 +230,7 @@ const SidedChunk* sidedOf(const SurfaceChunk& chunk, const BatchView& view,
 }
 
 bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
+    if (isBeyond(chunk.bounds, view.light, view.range)) return false;
     return std::none_of(view.planes.begin(), view.planes.end(),
                         [&](const glm::dvec4& plane) { return isOutside(chunk.bounds, plane); });
 }
@@ -265,6 +262,10 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
     result.nothingBefore = slice.near <= view.nearestDepths[number];
     if (shading.light && shading.light->isSpot())
         result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
+    if (shading.light && shading.light->hasRange() && shading.addsLight()) {
+        result.light = glm::dvec3(glm::inverse(batch.worldFromBatch) * shading.light->position);
+        result.range = rangeInObject(shading.light->range, batch.worldFromBatch);
+    }
     if (shading.map)
         result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
     if (shading.primitives) {
@@ -277,7 +278,7 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
 /// Of a material's textures; the environment's is bound to the one before where it is looked up.
 int SurfacePass::firstUnit(const SurfaceShading& shading, const gl::Program& program) {
     const int unit = unitsOfLookups(shading);
-    if (shading.light && !shading.withAmbient) return unit;
+    if (shading.addsLight()) return unit;
     shading.full->environment->bind(program, unit);
     return unit + 1;
 }
@@ -290,7 +291,7 @@ const std::array<SurfacePass::Attribute, 8> SurfacePass::attributes_ = {{
     {"a_color", 4, GL_UNSIGNED_BYTE, offsetof(SurfaceVertex, color), Buffer::vertices,
      [](const Variant& of) { return of.colored; }},
     {"a_normal", 3, GL_FLOAT, offsetof(SurfaceVertex, normal), Buffer::vertices,
-     [](const Variant& of) { return of.lit || of.plain || of.material; }},
+     [](const Variant& of) { return of.lit || of.plain || of.material || of.lightList > 0; }},
     {"a_tangent", 4, GL_FLOAT, offsetof(SurfaceDetail, tangent), Buffer::details,
      [](const Variant& of) { return of.material && of.material->tangents; }},
     {"a_texcoord1", 2, GL_FLOAT, offsetof(SurfaceDetail, texcoords), Buffer::details,
@@ -316,14 +317,14 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
         return;
     }
     if (material.unlit) return;
-    variant.softTerminator =
-        variant.lit && shading.full->softTerminator && chunk.smooth && derivatives_;
+    variant.softTerminator = (variant.lit || variant.lightList > 0) &&
+                             shading.full->softTerminator && chunk.smooth && derivatives_;
     const bool simple = material.isPlain() && material.alphaMode != AlphaMode::blend;
     if (simple && shading.full->plainIsShort) {
         variant.plain = true;
         return;
     }
-    const bool ambient = !shading.light || shading.withAmbient;
+    const bool ambient = !shading.addsLight();
     variant.material = featuresOf(scene, chunk, ambient, derivatives_,
                                   textureUnits_ - unitsOfLookups(shading) - (ambient ? 1 : 0));
     variant.textured = false;
@@ -348,6 +349,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
                       !shading.geometryAlone() && !shading.tintPrimitives;
     variant.colored = chunk.colored && (variant.catcher || material.ground == GroundMaterial::none);
     variant.lit = shading.light.has_value();
+    variant.lightList = shading.listed ? shading.listed->longest : 0;
     variant.withAmbient = variant.lit && shading.withAmbient;
     variant.directional = variant.lit && shading.light->position.w == 0.0;
     variant.ranged = variant.lit && shading.light->hasRange();
@@ -380,6 +382,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.alphaLookup) defines.push_back("ALPHA_LOOKUP");
     if (variant.colored) defines.push_back("COLORED");
     if (variant.lit) defines.push_back("LIT");
+    if (variant.lightList > 0) defines.push_back("LIGHT_LIST " + std::to_string(variant.lightList));
     if (derivatives_) defines.push_back("DERIVATIVES");
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
     if (variant.directional) defines.push_back("DIRECTIONAL");
@@ -487,6 +490,8 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     if (!shading.places.empty()) setPlaces(used, *shading.primitives, shading);
     if (shading.coarse) setCoarseMask(used, *shading.coarse, casts);
     if (shading.visibility) setVisibility(used, *shading.visibility);
+    if constexpr (listsLights)
+        if (shading.listed) setLightTable(used, *shading.listed, 1);
     if (shading.geometryAlone()) setPlaneSpace(used, *shading.geometryAlone());
     used.set("u_clipFromObject", view.clipFromObject);
     used.set("u_eyeOffsetFromObject", view.eyeOffsetFromObject);

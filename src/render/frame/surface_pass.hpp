@@ -3,6 +3,7 @@
 #include "src/gl/program.hpp"
 #include "src/render/drawing/batch_view.hpp"
 #include "src/render/frame/coarse_mask.hpp"
+#include "src/render/frame/light_table.hpp"
 #include "src/render/frame/material_features.hpp"
 #include "src/render/frame/visibility_lookup.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
@@ -59,8 +60,12 @@ struct SurfaceShading {
     bool tintPrimitives = false; ///< show what its texels hold
     const CoarseMaskLookup* coarse = nullptr;
     const VisibilityLookup* visibility = nullptr; ///< how much of its extent is seen
+    const LightTableLookup* listed = nullptr;     ///< all lights of lists by tile, in place of one
     const PlaneSpace* planes = nullptr;   ///< not null: planes are drawn, and nothing is shaded
     const PlaneSpace* nearness = nullptr; ///< likewise, nearness alone
+
+    /// Light alone is drawn, to be added to what is there.
+    bool addsLight() const { return (light && !withAmbient) || listed; }
 
     /// Surfaces themselves are drawn, not what they look like.
     const PlaneSpace* geometryAlone() const { return planes ? planes : nearness; }
@@ -128,6 +133,7 @@ class SurfacePass {
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
+        int lightList;     ///< lit by lists by tile, none longer; 0: not
         bool falloff;      ///< lit by a light that falls off with the square of the distance
         bool withAmbient;  ///< with ambient light, too
         bool directional;  ///< lit by a light of one direction
@@ -146,8 +152,8 @@ class SurfacePass {
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
-                            linear, softTerminator, catcher, textured, colored, lit, falloff,
-                            withAmbient, directional, ranged, spot, mask, sliced, coarse,
+                            linear, softTerminator, catcher, textured, colored, lit, lightList,
+                            falloff, withAmbient, directional, ranged, spot, mask, sliced, coarse,
                             visibility, planes, nearness, orthographic, alphaLookup, sided,
                             selfShadowed);
         }

@@ -49,6 +49,7 @@ struct RenderSettings {
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
     int maskScale = 1; ///< where they are volumes: counted once for so many by so many pixels
+    std::optional<std::size_t> shadowedLights; ///< keepShadowed()'s; nothing: all have shadows
     std::size_t lightSamples = 64; ///< points of a light that has an extent, 1..mostLightPoints
     Shading shading = Shading::base;
     float ambient = 0.35f; ///< 0..1, as the display shows it; the lights share the rest

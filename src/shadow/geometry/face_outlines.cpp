@@ -1,5 +1,9 @@
 #include "src/shadow/geometry/face_outlines.hpp"
 
+#include "src/shadow/geometry/light_range.hpp"
+
+#include <cmath>
+
 namespace edgeshade {
 namespace {
 
@@ -13,6 +17,15 @@ Outline outlineWithin(const glm::dmat3& face, const Rays& rays) {
     return outline;
 }
 
+/// Whether all of a triangle is farther away than the light reaches.
+bool isOutOfRange(const Rays& rays, const LightView& from) {
+    if (!std::isfinite(from.range)) return false;
+    Box box;
+    for (const glm::dvec3& ray : rays)
+        box.add(ray);
+    return isBeyond(box, glm::dvec3(0.0), from.range);
+}
+
 } // namespace
 
 std::vector<FaceOutlines> outlinesByFace(const Scene& scene, bool castMasked,
@@ -24,6 +37,10 @@ std::vector<FaceOutlines> outlinesByFace(const Scene& scene, bool castMasked,
         result[face].triangles.push_back(triangle);
     };
     forEachCaster(scene, castMasked, from, [&](const Rays& rays) {
+        if (isOutOfRange(rays, from)) {
+            ++triangle;
+            return;
+        }
         const int only = from.directional ? 0 : faceAround(rays);
         if (only >= 0) {
             const auto face = static_cast<std::size_t>(only);

@@ -14,6 +14,7 @@ struct FaceOutlines {
 };
 
 /// One entry a face of `from`. Most triangles lie on one face, which is what makes it quick.
+/// Triangles out of the light's range are on none.
 std::vector<FaceOutlines> outlinesByFace(const Scene& scene, bool castMasked,
                                          const LightView& from);
 

@@ -53,8 +53,9 @@ struct FrameLight {
     /// What stands for its extent; empty: it has none. `layers` are around any of them then.
     std::vector<Light> points{};
     std::optional<AmongPoints> among{}; ///< it is one of another light's points
-    bool atOnce = false; ///< of a mask: it is as many of 255 as of its points are seen, by its map
-    double weight = 1.0; ///< its share of one light's part in the picture
+    bool atOnce = false;  ///< of a mask: it is as many of 255 as of its points are seen, by its map
+    double weight = 1.0;  ///< its share of one light's part in the picture
+    bool shadowed = true; ///< else it shines through what casts, see keepShadowed()
 
     /// What shadows are counted for.
     std::vector<Light> counted() const { return points.empty() ? std::vector{light} : points; }

@@ -8,15 +8,18 @@ bool KeptLayers::fill(const Scene& scene, bool castMasked, std::vector<FrameLigh
     std::vector<Kept> kept;
     bool anyNew = false;
     for (FrameLight& of : lights) {
+        if (!of.shadowed) continue;
         const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& known) {
-            return known.light == of.light.position && known.extent == of.light.extent &&
-                   known.points == of.points.size();
+            return known.light == of.light.position && known.range == of.light.range &&
+                   known.extent == of.light.extent && known.points == of.points.size();
         });
-        anyNew = anyNew || found == kept_.end();
-        of.layers = found != kept_.end()
-                        ? found->layers
-                        : boundLayers(scene, castMasked, of.counted(), stencilLimit);
-        kept.push_back({of.light.position, of.light.extent, of.points.size(), of.layers});
+        const bool known = found != kept_.end();
+        if (!of.drawn && !known) continue; // nobody asks until it is
+        anyNew = anyNew || !known;
+        of.layers =
+            known ? found->layers : boundLayers(scene, castMasked, of.counted(), stencilLimit);
+        kept.push_back(
+            {of.light.position, of.light.range, of.light.extent, of.points.size(), of.layers});
     }
     kept_ = std::move(kept);
     return anyNew;

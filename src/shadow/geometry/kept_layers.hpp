@@ -5,7 +5,8 @@
 namespace edgeshade {
 
 /// Bounds the layers around lights, and keeps that for those that rest: it takes 8 ms for 150,000
-/// triangles where few lie behind each other, up to 0.1 s where many do.
+/// triangles where few lie behind each other, up to 0.1 s where many do. Lights that aren't drawn,
+/// or get no shadow, are not asked about.
 class KeptLayers {
   public:
     /// Fills in FrameLight::layers; those of lights that have not moved since the last call are
@@ -17,6 +18,7 @@ class KeptLayers {
   private:
     struct Kept {
         glm::dvec4 light; ///< its position
+        double range;
         std::optional<LightExtent> extent;
         std::size_t points = 0;
         LayerBound layers;

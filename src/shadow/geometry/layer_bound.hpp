@@ -16,7 +16,8 @@ inline constexpr std::size_t mostGroups = 64;
 /// How many shadow volumes can lie around one point: the stencil counts exactly the casting
 /// triangles between a point and the light, so this bounds the counter.
 struct LayerBound {
-    /// No straight line from the light meets more casting triangles than this.
+    /// No straight line from the light, as long as its range, meets more casting triangles than
+    /// this.
     std::size_t most = 0;
     /// Where `most` is above the limit: for each casting triangle (in the order of batches and
     /// their casters) the group it is counted in, so that no line meets more than `limit`

@@ -11,7 +11,7 @@
 namespace edgeshade {
 
 /// Lights that one frame can have.
-inline constexpr std::size_t mostLights = 32;
+inline constexpr std::size_t mostLights = 1000;
 
 /// Throws Error(usage) for more than those.
 void requireFewLights(std::size_t lights);

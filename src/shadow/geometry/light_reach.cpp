@@ -3,14 +3,13 @@
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/interval.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
+#include "src/shadow/geometry/light_range.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace edgeshade {
 namespace {
-
-constexpr double widening = 1.0 + 1e-5; // of a range, against rounding
 
 /// Bounds of x / depth over the part of a disc at depth >= near. The part is convex, so that they
 /// are taken where a line through the eye touches the circle, or at the ends of the near plane's
@@ -111,6 +110,9 @@ PixelRectangle spotReach(const FrameView& view, const Interval& depths, const Li
     const auto misses = [&](const glm::dvec4& plane) { return isOutside(view.visible, plane); };
     const std::vector<glm::dvec4> planes = planesAround(spot);
     if (!view.visible.empty() && std::any_of(planes.begin(), planes.end(), misses)) return {};
+    if (!view.visible.empty() && spot.hasRange() &&
+        isBeyond(view.visible, glm::dvec3(spot.position), spot.range))
+        return {};
     const double reach = reachOf(view, spot);
     if (!std::isfinite(reach)) return {0, 0, view.width, view.height};
     const PixelRectangle pixels = pixelsAround(ballAround(spot, reach), depths, view);
@@ -129,7 +131,10 @@ PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const 
     const Interval depths{slice.near, std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3)};
     if (light.isSpot()) return spotReach(view, depths, light);
     if (!light.hasRange()) return {0, 0, view.width, view.height};
-    return pixelsAround(Ball{glm::dvec3(light.position), widening * light.range}, depths, view);
+    if (!view.visible.empty() && isBeyond(view.visible, glm::dvec3(light.position), light.range))
+        return {};
+    return pixelsAround(Ball{glm::dvec3(light.position), rangeWidening * light.range}, depths,
+                        view);
 }
 
 PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,
@@ -143,11 +148,6 @@ PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,
     const auto [x, width] = scaled(reach.x, reach.width, view.width, size.x);
     const auto [y, height] = scaled(reach.y, reach.height, view.height, size.y);
     return intersection({x, y, width, height}, {0, 0, size.x, size.y});
-}
-
-bool isBeyond(const Box& box, const glm::dvec3& light, double range) {
-    const glm::dvec3 away = glm::max(glm::max(box.low - light, light - box.high), glm::dvec3(0.0));
-    return glm::length(away) > widening * range;
 }
 
 } // namespace edgeshade

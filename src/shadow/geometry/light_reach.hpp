@@ -20,8 +20,4 @@ PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const 
 PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,
                            const glm::ivec2& size);
 
-/// Whether everything in the box, which is in an object's space, is farther from a light there than
-/// the range in the world. `range`: as rangeInObject() has it.
-bool isBeyond(const Box& box, const glm::dvec3& light, double range);
-
 } // namespace edgeshade

@@ -5,7 +5,9 @@
 namespace edgeshade {
 
 LightView::LightView(const Light& light)
-    : directional(light.position.w == 0.0), position(light.position), faces{glm::dmat3(1.0)} {
+    : directional(light.position.w == 0.0), position(light.position),
+      range(light.hasRange() ? light.range : std::numeric_limits<double>::infinity()),
+      faces{glm::dmat3(1.0)} {
     if (!directional) {
         const auto six = directionFaces();
         faces.assign(six.begin(), six.end());

@@ -25,6 +25,7 @@ struct LightView {
 
     bool directional;
     glm::dvec3 position; ///< of a point light
+    double range;        ///< likewise; casters beyond shade nothing that it reaches
     glm::dvec3 across{0.0}, upward{0.0};
     std::vector<glm::dmat3> faces;
 };

@@ -2,6 +2,7 @@
 
 #include "src/shadow/geometry/light_extent.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/geometry/reached_part.hpp"
 
 namespace edgeshade {
 
@@ -19,7 +20,8 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
     const Light& source = view.lights[light].light;
     CountPlan plan;
     std::vector<PlanView> places;
-    const PlanView inWorld = planView(view, slice, source, glm::dmat4(1.0), settings.mantissaBits);
+    const FrameView seen = reachedPart(view, slice, source);
+    const PlanView inWorld = planView(seen, slice, source, glm::dmat4(1.0), settings.mantissaBits);
     for (const PlacedShadow& caster : casters) {
         if (const auto leftOut = leftOutWhole(*caster.shadow, caster.worldFromBatch, inWorld)) {
             places.emplace_back();
@@ -32,7 +34,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
             continue;
         }
         places.push_back(
-            planView(view, slice, source, caster.worldFromBatch, settings.mantissaBits));
+            planView(seen, slice, source, caster.worldFromBatch, settings.mantissaBits));
         std::span<const std::uint8_t> solids;
         if (view.culls && settings.solids) solids = settings.solids->of(caster.shadow);
         plan.batches.push_back({.batch = caster.batch,
@@ -59,6 +61,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         if (of.volumes.drawn.empty()) continue;
         if (settings.silhouettes) {
             SilhouetteKey key{of.shadow, of.batch, light};
+            key.range = places[i].range;
             if (const auto& among = view.lights[light].among) {
                 key.light = among->light;
                 key.around = ballInObject(among->region, casters[i].worldFromBatch);

@@ -10,11 +10,24 @@ LightPlan planLight(const FrameTask& task, const DepthSlice& slice, std::size_t 
     const FrameLight& of = task.view.lights[light];
     if (!of.drawn) return plan;
     plan.reach = intersection(task.open, lightReach(task.view, slice, of.light));
-    if (plan.reach.empty()) return plan;
+    if (plan.reach.empty() || !of.shadowed) return plan;
     const std::size_t groups = task.groupCount(light);
     for (std::size_t group = 0; group < groups; ++group)
         plan.counts.push_back(task.planCount(slice, light, group));
     return plan;
+}
+
+/// Takes the lights together that may be listed, if they are several.
+void listTogether(const FrameTask& task, SlicePlan& plan) {
+    if (!task.mayBeListed || task.view.mask) return;
+    std::vector<ReachingLight> listed;
+    for (std::size_t i = 0; i < plan.lights.size(); ++i)
+        if (!plan.lights[i].reach.empty() && task.mayBeListed(i))
+            listed.push_back({i, plan.lights[i].reach});
+    if (listed.size() < 2) return;
+    for (const ReachingLight& of : listed)
+        plan.lights[of.light].listed = true;
+    plan.lists = task.list(listed, task.view.width, task.view.height);
 }
 
 } // namespace
@@ -32,8 +45,12 @@ FramePlan planFrame(const FrameTask& task) {
         for (std::size_t i = 0; i < lights; ++i) {
             const LightPlan& light = plan.lights.emplace_back(planLight(task, slice, i));
             plan.reach = united(plan.reach, light.reach);
-            const bool byItself = !light.reach.empty() && !light.inGroups() && !task.ownStencil;
-            if (byItself && !plan.first) plan.first = i;
+        }
+        listTogether(task, plan);
+        for (std::size_t i = 0; i < lights && !plan.first; ++i) {
+            const LightPlan& light = plan.lights[i];
+            if (!light.reach.empty() && !light.inGroups() && !light.listed && !task.ownStencil)
+                plan.first = i;
         }
         plan.withAmbient = plan.first && !task.view.mask && !task.ambientApart;
     }

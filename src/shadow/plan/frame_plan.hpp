@@ -2,6 +2,7 @@
 
 #include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/plan/count_plan.hpp"
+#include "src/shadow/plan/light_lists.hpp"
 
 #include <functional>
 
@@ -13,6 +14,7 @@ struct LightPlan {
     /// What is counted for it, one stencil after the other: one, or one for each group of casters;
     /// none where its shadows are no volumes.
     std::vector<CountPlan> counts;
+    bool listed = false; ///< without a shadow, in SlicePlan::lists
 
     bool isCounted() const { return !counts.empty(); }
     bool inGroups() const { return counts.size() > 1; }
@@ -26,6 +28,8 @@ struct SlicePlan {
     /// stencil is cleared for it together with depth.
     std::optional<std::size_t> first;
     bool withAmbient = false; ///< that light is drawn together with ambient light
+    /// Lights without a shadow that one pass adds up; nothing where there aren't two of them.
+    std::optional<LightLists> lists{};
 
     /// Where the stencil starts as depth is drawn.
     StencilStart start() const;
@@ -48,6 +52,10 @@ struct FrameTask {
     std::function<std::size_t(std::size_t light)> groupCount;
     /// What is counted of one of the groups.
     std::function<CountPlan(const DepthSlice&, std::size_t light, std::size_t group)> planCount;
+    /// Whether that light has no shadow and may be listed; null: none may, each takes a pass.
+    std::function<bool(std::size_t light)> mayBeListed = nullptr;
+    /// listLights(), where lights may be.
+    LightLists (*list)(std::span<const ReachingLight>, int width, int height) = nullptr;
 };
 
 /// Plans for every slice which lights are drawn, where, together with what, and all draws of their

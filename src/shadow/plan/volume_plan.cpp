@@ -3,7 +3,7 @@
 #include "preprocess/base/error.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/geometry/light_range.hpp"
 #include "src/shadow/geometry/near_rectangle.hpp"
 
 #include <algorithm>

@@ -42,14 +42,17 @@ const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const g
     if (source.lastFrame != frame_) source.asked.clear();
     source.lastFrame = frame_;
     const auto [first, isNew] = source.asked.try_emplace(
-        bitsOf(key.around ? key.around->center : light), std::pair(key.batch, key.light));
+        std::pair(bitsOf(key.around ? key.around->center : light), key.range),
+        std::pair(key.batch, key.light));
     const auto [batch, index] = first->second;
     Entry& entry = entries_[{&shadow, batch, index}];
     SilhouetteList& list = entry.list;
     if (entry.lastFrame == frame_ && !key.around) return list;
     entry.lastFrame = frame_;
-    if (key.around ? entry.track.take(*key.around) : entry.track.follow(light)) {
-        listSilhouettes(shadow, source.facings, entry.track.ball(), mantissaBits_, list);
+    const bool moved = key.around ? entry.track.take(*key.around) : entry.track.follow(light);
+    if (moved || entry.range != key.range) {
+        entry.range = key.range;
+        listSilhouettes(shadow, source.facings, entry.track.ball(), mantissaBits_, list, key.range);
         list.identity = std::make_shared<const int>(0);
         ++made_;
     }

@@ -17,6 +17,7 @@ struct SilhouetteKey {
     std::size_t light = 0; ///< its index in the view
     /// Of a light's points: holds all of them, in the batch's space. The list serves them all.
     std::optional<LightBall> around{};
+    double range = std::numeric_limits<double>::infinity(); ///< as rangeInObject() has it
 };
 
 /// Keeps the lists of potential silhouettes for lights and batches from frame to frame, and makes
@@ -44,12 +45,16 @@ class PotentialSilhouettes {
         std::shared_ptr<const PlanePairShadow> shadow;
         LightFacings facings;
         std::size_t lastFrame = 0;
-        /// What was asked for of them in that frame: lights, bit for bit, and who asked first.
-        std::map<std::array<std::uint32_t, 4>, std::pair<std::size_t, std::size_t>> asked{};
+        /// What was asked for of them in that frame: lights, bit for bit, with their ranges, and
+        /// who asked first.
+        std::map<std::pair<std::array<std::uint32_t, 4>, double>,
+                 std::pair<std::size_t, std::size_t>>
+            asked{};
     };
     struct Entry { ///< one for a batch and a light
         LightTrack track;
         SilhouetteList list;
+        double range = 0.0;
         std::size_t lastFrame = 0;
     };
 

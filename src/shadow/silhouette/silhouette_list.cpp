@@ -1,5 +1,7 @@
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
+#include "src/shadow/geometry/light_range.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -70,12 +72,15 @@ std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCl
 }
 
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
-                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal) {
+                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
+                     double range) {
     facings.find(ball, mantissaBits, proposal.facings);
     Appender certain(proposal.certain, shadow.pairs.size());
     Appender uncertain(proposal.uncertain, shadow.pairs.size());
+    const glm::dvec3 center(ball.center);
     for (const ShadowCluster& cluster : shadow.clusters) {
-        for (std::uint32_t i = cluster.pairs.first; i < cluster.pairs.end(); ++i) {
+        const bool reached = !isBeyond(cluster.bounds, center, range + ball.radius);
+        for (std::uint32_t i = cluster.pairs.first; reached && i < cluster.pairs.end(); ++i) {
             const auto& [plane0, plane1] = shadow.pairPlanes[i];
             const int product =
                 facingOf(proposal.facings, plane0) * facingOf(proposal.facings, plane1);
@@ -87,6 +92,9 @@ void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
     }
     certain.end();
     uncertain.end();
+    if (!std::isfinite(range)) return;
+    for (PairList* list : {&proposal.certain, &proposal.uncertain})
+        list->pairs.shrink_to_fit();
 }
 
 } // namespace edgeshade

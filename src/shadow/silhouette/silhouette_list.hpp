@@ -2,6 +2,7 @@
 
 #include "src/shadow/silhouette/light_facings.hpp"
 
+#include <limits>
 #include <memory>
 
 namespace edgeshade {
@@ -44,8 +45,11 @@ inline bool mayFaceTheLight(std::int8_t facing) {
     return facing >= 0;
 }
 
-/// Fills in `proposal`, whose memory it uses again. `facings` must be those of the shadow.
+/// Fills in `proposal`, whose memory it uses again. `facings` must be those of the shadow. `range`:
+/// as rangeInObject() has it; pairs of clusters out of it, for all lights of the ball, are not
+/// listed, and no memory is kept for them.
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
-                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal);
+                     const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
+                     double range = std::numeric_limits<double>::infinity());
 
 } // namespace edgeshade

@@ -1,0 +1,10 @@
+#include "src/shadow/geometry/light_range.hpp"
+
+namespace edgeshade {
+
+bool isBeyond(const Box& box, const glm::dvec3& light, double range) {
+    const glm::dvec3 away = glm::max(glm::max(box.low - light, light - box.high), glm::dvec3(0.0));
+    return glm::length(away) > rangeWidening * range;
+}
+
+} // namespace edgeshade
