@@ -107,7 +107,7 @@ float texelScale(vec3 at) {
     return 1.0 / min(mapCascade.x, mapCascade.y);
 #elif defined(MAP_WARPED)
     vec3 axisS, axisT;
-    warpAxes(at.xy, u_mapStep, axisS, axisT);
+    warpAxes(u_mapStep, axisS, axisT);
     return max(length(axisS.xy / u_mapScale.xy), length(axisT.xy / u_mapScale.xy)) / u_mapTexel;
 #elif defined(MAP_DIRECTIONAL)
     return 1.0;
@@ -124,7 +124,7 @@ void texelAxes(vec3 at, out vec3 axisS, out vec3 axisT) {
     axisS = vec3(u_mapStep / mapCascade.x, 0.0, 0.0);
     axisT = vec3(0.0, u_mapStep / mapCascade.y, 0.0);
 #elif defined(MAP_WARPED)
-    warpAxes(at.xy, u_mapStep, axisS, axisT);
+    warpAxes(u_mapStep, axisS, axisT);
 #elif defined(MAP_DIRECTIONAL)
     axisS = vec3(u_mapStep, 0.0, 0.0);
     axisT = vec3(0.0, u_mapStep, 0.0);

@@ -20,6 +20,9 @@ const float steepSlope = 4.0;
 // Where the fragment is looked up, for a filter of `width` by `width` texels. `normal` and `light`
 // have unit length and lie on the same side of the surface.
 vec3 biasedReceiver(vec3 normal, vec3 light, float width) {
+#ifdef MAP_WARPED
+    useWarp(v_mapPosition.xy);
+#endif
     float texel = u_mapTexel * texelScale(v_mapPosition);
     // Within a texel the distance of a plane changes by the tangent of its angle to the light times
     // the texel, and a kernel reaches several. Moved along the normal by the sine, a receiver gains
@@ -29,7 +32,11 @@ vec3 biasedReceiver(vec3 normal, vec3 light, float width) {
     float slope = min(sine / max(cosine, 0.001), steepSlope);
     float reach = u_mapBias * texel * 0.5 * (width + 1.0);
     vec3 bias = light * (leastSlope + slope) + normal * max(sine - steepSlope * cosine, 0.0);
-    return v_mapPosition + u_mapFromWorld * (bias * reach);
+    vec3 at = v_mapPosition + u_mapFromWorld * (bias * reach);
+#ifdef MAP_WARPED
+    useWarp(at.xy);
+#endif
+    return at;
 }
 
 #if defined(PCSS) || defined(POISSON)

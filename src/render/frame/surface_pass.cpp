@@ -4,6 +4,7 @@
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/cull_scope.hpp"
 #include "src/render/frame/cone_window.hpp"
+#include "src/render/shadow_map/map_build.hpp"
 #include "src/render/shadow_map/map_defines.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
@@ -65,6 +66,19 @@ void setPcss(gl::Program& program, const PcssLight& light) {
     program.set("u_nearestCaster", light.nearestCaster);
 }
 
+/// See shaders_es2/warp.glsl.
+void setWarp([[maybe_unused]] gl::Program& program, [[maybe_unused]] const ShadowMapLookup& map) {
+    if constexpr (allMapKinds) {
+        if (!map.warp) return;
+        const int unit = 1 + map.faces;
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        glBindTexture(GL_TEXTURE_2D, map.warp);
+        program.setSampler("u_warp", unit);
+        program.set("u_warpInner", map.warpInner);
+        program.set("u_warpOuter", map.warpOuter);
+    }
+}
+
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
     const GLenum target = map.faces > 0 ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP;
     constexpr const char* faces[] = {"u_face0", "u_face1", "u_face2",
@@ -88,14 +102,7 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
             std::span<const glm::vec4>(map.cascades).first(static_cast<std::size_t>(map.faces)));
         program.set("u_cascadeMargin", map.cascadeMargin);
     }
-    if (map.warp) {
-        const int unit = 1 + map.faces;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D, map.warp);
-        program.setSampler("u_warp", unit);
-        program.set("u_warpInner", map.warpInner);
-        program.set("u_warpOuter", map.warpOuter);
-    }
+    setWarp(program, map);
     program.set("u_bleeding", map.bleeding);
     program.set("u_casts", casts ? 1.0f : 0.0f);
     if (map.pcss) setPcss(program, *map.pcss);

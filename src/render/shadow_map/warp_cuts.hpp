@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/render/shadow_map/map_warp.hpp"
+#include "src/shadow/geometry/polygon.hpp"
 
 #include <array>
 #include <glm/glm.hpp>
@@ -32,6 +33,10 @@ class WarpCuts {
             return atX * place.x + atY * place.y + offset;
         }
     };
+    struct Cut;
+    glm::dvec3 inLattice(const glm::dvec3& along, glm::length_t axis) const;
+    glm::ivec2 rowsOf(const Polygon& part, const glm::dvec3& y) const;
+    void addCell(const Polygon& part, const glm::ivec2& cell, const Cut& cut) const;
     const Affine& affine(int x, int y, bool upper) const {
         return affines_[static_cast<std::size_t>(2 * (y * MapWarp::cells + x) + upper)];
     }
