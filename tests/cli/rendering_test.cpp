@@ -326,9 +326,8 @@ TEST(Rendering, ExplainsWhatIsDrawnAndWhy) {
     EXPECT_NE(explained({"--layout", "brute-force", "--count", "z-pass", "--light", "2,3,2"})
                   .find("light 0: z-pass, near caps"),
               std::string::npos);
-    const std::string warped =
-        explained({"--shadows", "map", "--map-size", "256", "--map-kind", "warped", "--warp",
-                   "non-orthogonal", "--sun", "0,1,0"});
+    const std::string warped = explained({"--shadows", "map", "--map-size", "256", "--map-kind",
+                                          "warped", "--warp", "non-orthogonal", "--sun", "0,1,0"});
     EXPECT_NE(warped.find("one map, warped by a non-orthogonal grid, of 256 x 256 texels"),
               std::string::npos)
         << warped;
