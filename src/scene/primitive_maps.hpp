@@ -93,6 +93,10 @@ std::string extendedMapObstacle(const LoadedScene& loaded, const Light& light,
 /// one cost less.
 inline constexpr double longLists = 100.0;
 
+/// Lights of a picture that may have maps, the first of them: each takes megabytes. Of the others
+/// volumes are counted, and see-through surfaces get their light without shadows.
+inline constexpr std::size_t mostMappedLights = 32;
+
 /// Places of a light that one pass counts by its map.
 inline constexpr std::size_t placesAtOnce = 16;
 

@@ -6,7 +6,7 @@
 #include "src/shadow/geometry/light_range.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/geometry/reached_part.hpp"
-#include "tests/support/brute_force.hpp"
+#include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -7,7 +7,8 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
     std::vector<LightMethod> methods = lightMethods(scene, view, renderer.settings());
     if (renderer.settings().shadows == ShadowMethod::map)
         for (std::size_t i = 0; i < methods.size(); ++i)
-            methods[i].bytes = renderer.mapBytesOf(view.lights[i].light);
+            if (methods[i].method == "map")
+                methods[i].bytes = renderer.mapBytesOf(view.lights[i].light);
     return methods;
 }
 

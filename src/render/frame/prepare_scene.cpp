@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+#include <algorithm>
+#include <string>
+
 namespace edgeshade {
 namespace {
 
@@ -23,10 +26,12 @@ bool isAutomatic(const RenderSettings& settings) {
 MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& settings,
                 bool restingAlone, bool extents) {
     MapTask task{{}, isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all};
-    for (const FrameLight& of : lights)
+    for (std::size_t i = 0; i < std::min(lights.size(), mostMappedLights); ++i) {
+        const FrameLight& of = lights[i];
         if (of.drawn && of.shadowed && (extents || !of.light.extent) &&
             (of.atRest || !restingAlone))
             task.lights.push_back(of.light);
+    }
     return task;
 }
 
@@ -112,6 +117,12 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
     for (const FrameLight& of : view.lights) {
         LightMethod& method = methods.emplace_back();
         method.method = nameOf(settings.shadows);
+        if (!of.drawn || !of.shadowed) {
+            method.method = "none";
+            method.why = of.shadowed ? "it reaches nothing that is visible"
+                                     : "others are estimated to add more to the picture";
+            continue;
+        }
         if (settings.shadows == ShadowMethod::map) method.why = mapWords(of.light, settings.map);
         if constexpr (hasRivals)
             if (settings.shadows == ShadowMethod::planar) describePlanes(scene.planes, method);
@@ -130,7 +141,10 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         if (!settings.looksUpPrimitives()) continue;
         const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
         if (state || method.why.empty())
-            method.why = state             ? state->why
+            method.why = state ? state->why
+                         : methods.size() > mostMappedLights
+                             ? "only the first " + std::to_string(mostMappedLights) +
+                                   " lights have primitive maps"
                          : of.light.extent ? "it has an extent"
                          : of.atRest       ? "its primitive map is not built"
                                            : "it moves";

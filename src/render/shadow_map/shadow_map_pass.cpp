@@ -7,6 +7,7 @@
 #include "src/render/drawing/caster_chunk.hpp"
 #include "src/render/shadow_map/map_build.hpp"
 #include "src/render/shadow_map/pcss_view.hpp"
+#include "src/shadow/geometry/light_range.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -67,10 +68,10 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& fram
     const ShadowMapTarget& map = target(kind);
     const ShadowMapView view = shadowMapView(light, subjectOf(scene, frame.bounds), frame,
                                              settings_, map.depthBits(), visible);
-    Drawn wanted = drawnOf(scene, view);
+    Drawn wanted = drawnOf(scene, view, light);
     vertexRuns_ = 0;
     if (drawn_[kind] != wanted) {
-        drawFaces(scene, view, map);
+        drawFaces(scene, view, map, light);
         drawn_[kind] = std::move(wanted);
     }
     ShadowMapLookup lookup{map.kind(),
@@ -115,15 +116,16 @@ MapSubject ShadowMapPass::subjectOf(const GpuScene& scene, const Box& bounds) {
     return subject;
 }
 
-ShadowMapPass::Drawn ShadowMapPass::drawnOf(const GpuScene& scene, const ShadowMapView& view) {
-    Drawn drawn{scene.identity, view, {}, scene.cutoutsCast};
+ShadowMapPass::Drawn ShadowMapPass::drawnOf(const GpuScene& scene, const ShadowMapView& view,
+                                            const Light& light) {
+    Drawn drawn{scene.identity, view, {}, scene.cutoutsCast, light.range};
     for (const GpuBatch& batch : scene.batches)
         drawn.batches.emplace_back(batch.worldFromBatch, batch.hidden);
     return drawn;
 }
 
 void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
-                              const ShadowMapTarget& map) {
+                              const ShadowMapTarget& map, const Light& light) {
     glViewport(0, 0, settings_.size, settings_.size);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_DEPTH_TEST);
@@ -140,7 +142,7 @@ void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
         if (view.warp)
             drawWarped(scene, view);
         else if (view.faces[face].seesScene)
-            drawCasters(scene, view, face);
+            drawCasters(scene, view, face, light);
     }
     if constexpr (allMapKinds)
         if (settings_.isFiltered()) {
@@ -152,14 +154,17 @@ void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
     glEnable(GL_DITHER);
 }
 
-void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view,
-                                std::size_t face) {
+void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face,
+                                const Light& light) {
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
+        const glm::dvec3 source(glm::inverse(batch.worldFromBatch) * light.position);
+        const double range =
+            light.hasRange() ? rangeInObject(light.range, batch.worldFromBatch) : light.range;
         const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
         for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
-            if (!scene.castsInMaps(material)) continue;
+            if (!scene.castsInMaps(material) || isBeyond(chunk.bounds, source, range)) continue;
             // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.
             gl::Program& variant = program({view.kind, material.alphaMode == AlphaMode::mask});
             variant.use();

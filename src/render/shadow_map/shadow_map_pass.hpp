@@ -21,8 +21,8 @@ class ShadowMapPass {
     /// Throws Error(unavailable) if the maps are larger than the GL allows.
     ShadowMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
 
-    /// Draws the light's map of all casters, from both sides, for what `frame` shows. The
-    /// framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
+    /// Draws the light's map of all casters in its range, from both sides, for what `frame` shows.
+    /// The framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
     /// state are left changed. The map is valid until the next call.
     /// `visible`: places of what is seen, in the world, for which maps are warped.
     ShadowMapLookup draw(const GpuScene& scene, const FrameView& frame, const Light& light,
@@ -52,15 +52,18 @@ class ShadowMapPass {
         ShadowMapView view;
         std::vector<std::pair<glm::dmat4, bool>> batches; ///< worldFromBatch, hidden
         bool cutoutsCast;
+        double range; ///< of the light, out of which nothing is drawn
 
         bool operator==(const Drawn&) const = default;
     };
     static MapSubject subjectOf(const GpuScene& scene, const Box& bounds);
-    static Drawn drawnOf(const GpuScene& scene, const ShadowMapView& view);
+    static Drawn drawnOf(const GpuScene& scene, const ShadowMapView& view, const Light& light);
     const ShadowMapTarget& target(ShadowMapKind kind);
-    void drawFaces(const GpuScene& scene, const ShadowMapView& view, const ShadowMapTarget& map);
+    void drawFaces(const GpuScene& scene, const ShadowMapView& view, const ShadowMapTarget& map,
+                   const Light& light);
     gl::Program& program(const Variant& variant);
-    void drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face);
+    void drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face,
+                     const Light& light);
     void drawWarped(const GpuScene& scene, const ShadowMapView& view);
     void setHalf(const gl::Program& program, const ShadowMapView& view, std::size_t face) const;
     std::size_t warpBytes() const;
