@@ -31,6 +31,16 @@ std::vector<glm::dvec2> diagonalPlaces() {
     return places;
 }
 
+/// Four spots, of which neighbouring rows and columns see others.
+std::vector<glm::dvec2> spots() {
+    std::vector<glm::dvec2> places;
+    for (int i = 0; i < 1000; ++i)
+        for (const glm::dvec2& spot : {glm::dvec2(0.1, 0.45), glm::dvec2(0.45, 0.9),
+                                       glm::dvec2(0.9, 0.55), glm::dvec2(0.55, 0.1)})
+            places.push_back(spot + 0.01 * glm::dvec2(i % 10, i / 100));
+    return places;
+}
+
 /// Twice the areas of a cell's halves in the texture.
 glm::dvec2 areasOf(const MapWarp& warp, int x, int y) {
     const glm::dvec2 first = warp.node(x, y), across = warp.node(x + 1, y + 1) - first;
@@ -42,7 +52,7 @@ class Warps : public testing::TestWithParam<WarpGrid> {};
 
 TEST_P(Warps, FoldNowhereAndReachTheFrame) {
     for (const auto& places :
-         {placesAround({0.2, 0.7}), diagonalPlaces(), {}, {glm::dvec2(0.4, 0.9)}}) {
+         {placesAround({0.2, 0.7}), diagonalPlaces(), spots(), {}, {glm::dvec2(0.4, 0.9)}}) {
         const MapWarp warp = mapWarp(GetParam(), places, 0.01);
         for (int y = 0; y < cells; ++y)
             for (int x = 0; x < cells; ++x) {
