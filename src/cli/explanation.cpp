@@ -64,7 +64,7 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
     case ShadowMethod::map:
         return mapsOf(renderer, scene, view);
     case ShadowMethod::planar:
-        return "planar: all casters are projected onto " +
+        return "planar: all casters are projected " +
                lightMethods(scene, view, settings).front().why + ", " +
                std::to_string(scene.planes.bytes()) + " bytes";
     case ShadowMethod::automatic:

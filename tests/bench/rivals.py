@@ -20,7 +20,7 @@ from maps import MODELS, below, bytes_text
 from png_bytes import read_png, side_by_side, write_png
 from soft_shadows import lights_for
 
-SIZE, VIEWS, FRAMES = "160x120", 4, 3
+SIZE, VIEWS, FRAMES = "160x120", 2, 2
 FIRST = "volumes"
 FAIL, PASS = "brute force, z-fail", "brute force, z-pass"
 PLANAR = {f"planar {count}": f"shadows=planar,planes={count}" for count in (1, 4, 16)}

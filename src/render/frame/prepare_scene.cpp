@@ -68,9 +68,9 @@ const char* nameOf(ShadowMethod method) {
 /// What a light's planes are.
 void describePlanes(const ShadowPlanes& planes, LightMethod& method) {
     const std::size_t count = planes.all().size();
-    method.why = std::to_string(count) + (count == 1 ? " plane, " : " planes, ") +
-                 std::to_string(std::lround(100.0 * planes.share())) +
-                 " % of the area of all surfaces, alone";
+    method.why = "onto " + std::to_string(count) +
+                 (count == 1 ? " plane alone, which has " : " planes alone, which have ") +
+                 std::to_string(std::lround(100.0 * planes.share())) + " % of all surfaces' area";
     method.buildMs = planes.buildMs();
     method.bytes = planes.bytes();
 }
