@@ -12,7 +12,7 @@ void OraclePicture::follow(const std::vector<Answer>& answers) {
     for (std::size_t i = 0; i < answers.size(); ++i)
         if (first || lit_[i] != answers[i].lit) wanted[answers[i].lit].push_back(i);
     for (const auto& [lights, pixels] : wanted) {
-        const std::vector<std::uint8_t> picture = pictures_.unshadowed(lights);
+        const std::vector<std::uint8_t> picture = unshadowed_(lights);
         for (const std::size_t i : pixels) {
             for (std::size_t c = 0; c < 3; ++c)
                 colors_[i][c] = picture[4 * i + c];

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "src/lab/oracle.hpp"
-#include "src/lab/pictures.hpp"
 
 namespace edgeshade::lab {
 
@@ -11,7 +10,10 @@ class OraclePicture {
   public:
     using Color = std::array<int, 3>;
 
-    explicit OraclePicture(const Pictures& pictures) : pictures_(pictures) {}
+    using Draw = std::function<std::vector<std::uint8_t>(std::uint32_t lights)>;
+
+    /// `unshadowed`: as in Pictures.
+    explicit OraclePicture(Draw unshadowed) : unshadowed_(std::move(unshadowed)) {}
 
     /// Draws what is needed for these answers, as far as they are others than those before.
     void follow(const std::vector<Answer>& answers);
@@ -19,7 +21,7 @@ class OraclePicture {
     const Color& at(std::size_t pixel) const { return colors_[pixel]; }
 
   private:
-    const Pictures& pictures_;
+    Draw unshadowed_;
     std::vector<Color> colors_;
     std::vector<std::uint32_t> lit_; ///< by which lights the colours were drawn
 };

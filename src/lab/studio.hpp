@@ -30,7 +30,7 @@ class Studio {
         renderer.draw(scene, view);
         methods_ = lightMethods(scene, view, renderer);
         gl::requireNoError("drawing for comparison");
-        return context_.readPixels();
+        return context_.readPixels(view.width, view.height);
     }
 
     /// How the last picture's shadows were made, light by light.
