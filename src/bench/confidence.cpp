@@ -35,10 +35,10 @@ double marginOf(double deviation, std::size_t count, Surety surety) {
 double studentQuantile(std::size_t freedom, Surety surety) {
     constexpr std::size_t few = 6;
     constexpr double likely[few] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447};
-    constexpr double certain[few] = {318.309, 22.327, 10.215, 7.173, 5.893, 5.208};
+    constexpr double certain[few] = {63.657, 9.925, 5.841, 4.604, 4.032, 3.707};
     if (freedom <= few) return (surety == Surety::likely ? likely : certain)[freedom - 1];
     // Fisher's expansion around the normal distribution (Abramowitz and Stegun 26.7.5).
-    const double z = surety == Surety::likely ? 1.95996 : 3.09023;
+    const double z = surety == Surety::likely ? 1.95996 : 2.57583;
     const double z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
     const double n = static_cast<double>(freedom);
     return z + (z3 + z) / (4.0 * n) + (5.0 * z5 + 16.0 * z3 + 3.0 * z) / (96.0 * n * n) +

@@ -14,7 +14,7 @@ struct Bounds {
 /// How sure a bound is.
 enum class Surety {
     likely,  ///< 97.5 %
-    certain, ///< 99.9 %
+    certain, ///< 99.5 %
 };
 
 /// That quantile of Student's t with `freedom` >= 1 degrees of freedom.

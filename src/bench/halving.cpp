@@ -11,7 +11,7 @@
 namespace edgeshade::bench {
 namespace {
 
-constexpr int firstFrames = 5, firstViews = 4; // of a first round, at least
+constexpr int firstFrames = 8, firstViews = 4; // of a first round, at least
 constexpr std::size_t leastAlike = 8;          // wrong pixels
 // Spreads of logarithms that are taken at least, see logRatioBounds().
 constexpr double spreadOfTimes = 0.03, spreadOfErrors = 0.5;

@@ -2,8 +2,10 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/cli/caster_variants.hpp"
+#include "src/cli/tradeoff_family.hpp"
 #include "src/plot/trade_plot.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -16,14 +18,17 @@ std::string endingOf(const std::string& path) {
     return dot == std::string::npos ? "" : path.substr(dot);
 }
 
-plot::TradePoint pointOf(const TradeRow& row) {
-    using Family = plot::TradePoint::Family;
-    const ShadowMethod shadows = row.settings.render.shadows;
-    const Family family = shadows == ShadowMethod::map    ? Family::map
-                          : shadows == ShadowMethod::none ? Family::none
-                                                          : Family::volumes;
-    return {row.setting.name, family, row.estimate.milliseconds, row.estimate.wrongPercent,
-            row.pareto};
+plot::TradePoint pointOf(const TradeRow& row, const std::vector<TradeRow>& rows,
+                         const std::vector<std::string>& families) {
+    const auto family = std::ranges::find(families, familyOf(row.setting.text));
+    return {row.setting.name,
+            static_cast<std::size_t>(family - families.begin()),
+            row.estimate.milliseconds,
+            row.estimate.wrongPercent,
+            row.bytes,
+            row.pareto,
+            row.isDropped() ? "dominated early by " + rows[*row.standing.dominator].setting.name
+                            : ""};
 }
 
 } // namespace
@@ -92,8 +97,12 @@ void writeTradePlot(const TradeoffOptions& options, const std::vector<TradeRow>&
         std::to_string(measuring.views) + " views against the oracle; " + measuring.device.renderer;
     trade.timeLabel = measuring.timing == gl::Timing::processor ? "processor time of a frame, ms"
                                                                 : "time of a frame, ms";
+    std::vector<std::string> texts;
     for (const TradeRow& row : rows)
-        trade.points.push_back(pointOf(row));
+        texts.push_back(row.setting.text);
+    trade.families = familiesOf(texts);
+    for (const TradeRow& row : rows)
+        trade.points.push_back(pointOf(row, rows, trade.families));
     const auto canvas = endingOf(options.plot) == ".png"
                             ? plot::pngCanvas(plot::tradePlotWidth, plot::tradePlotHeight)
                             : plot::svgCanvas(plot::tradePlotWidth, plot::tradePlotHeight);
