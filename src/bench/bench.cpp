@@ -107,6 +107,8 @@ struct Contender {
     std::vector<StageMs> stages;
 };
 
+} // namespace
+
 /// The contenders of a task in one context, with all that they draw.
 class Course {
   public:
@@ -148,6 +150,18 @@ class Course {
             const auto spans = timed([&] { draw(contender, &clock); });
             contender.stages.push_back(stageMs(spans));
         });
+    }
+
+    /// Draws frame `index` by those contenders alone; what it took each of them.
+    std::vector<double> frame(int index, std::span<const std::size_t> who) {
+        look(shareOf(index));
+        std::vector<double> times(who.size());
+        for (std::size_t i = 0; i < who.size(); ++i) {
+            const std::size_t k = (static_cast<std::size_t>(index) + i) % who.size();
+            times[k] = frameMs(*contenders_[who[k]]);
+            contenders_[who[k]]->frameMs.push_back(times[k]);
+        }
+        return times;
     }
 
     /// Draws a frame of the beginning once more.
@@ -344,8 +358,6 @@ class Course {
     std::vector<std::unique_ptr<Contender>> contenders_;
 };
 
-} // namespace
-
 Report measure(const LoadedScene& loaded, const Task& task,
                const std::function<void(double)>& progress) {
     Course course(loaded, task);
@@ -359,6 +371,21 @@ Report measure(const LoadedScene& loaded, const Task& task,
         course.repeat(frame);
     progress(1.0);
     return course.report();
+}
+
+Turns::Turns(const LoadedScene& loaded, const Task& task)
+    : course_(std::make_unique<Course>(loaded, task)) {
+    course_->warmUp();
+}
+
+Turns::~Turns() = default;
+
+std::vector<double> Turns::frame(int index, std::span<const std::size_t> who) {
+    return course_->frame(index, who);
+}
+
+Report Turns::report() {
+    return course_->report();
 }
 
 } // namespace edgeshade::bench

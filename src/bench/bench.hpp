@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace edgeshade::bench {
@@ -77,5 +78,25 @@ struct Report {
 /// whatever scenes settings have. `progress` gets the share done. Throws Error.
 Report measure(const LoadedScene& loaded, const Task& task,
                const std::function<void(double)>& progress);
+
+class Course;
+
+/// The same in pieces: frames of the flight, one by one, by those of the settings that are asked
+/// for. No stages.
+class Turns {
+  public:
+    /// Draws the frames that are not measured. `loaded` and `task` must outlive it. Throws Error.
+    Turns(const LoadedScene& loaded, const Task& task);
+    ~Turns();
+
+    /// Milliseconds of frame `index` of each of `who`, indices of settings, drawn in turn.
+    std::vector<double> frame(int index, std::span<const std::size_t> who);
+
+    /// Of the frames so far.
+    Report report();
+
+  private:
+    std::unique_ptr<Course> course_;
+};
 
 } // namespace edgeshade::bench

@@ -171,16 +171,16 @@ void HeadlessContext::release() {
     eglTerminate(display_);
 }
 
-std::vector<std::uint8_t> HeadlessContext::readPixels() const {
-    const std::size_t stride = std::size_t{4} * static_cast<std::size_t>(width_);
-    std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(height_));
+std::vector<std::uint8_t> HeadlessContext::readPixels(int width, int height) const {
+    const std::size_t stride = std::size_t{4} * static_cast<std::size_t>(width);
+    std::vector<std::uint8_t> pixels(stride * static_cast<std::size_t>(height));
     if (multisampled_) multisampled_->resolve();
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     if (multisampled_) multisampled_->bind();
     requireNoError("reading the picture");
     if (reset_ && reset_->wasReset()) requireNoError(contextLost, "reading the picture");
-    for (std::size_t top = 0, bottom = static_cast<std::size_t>(height_) - 1; top < bottom;
+    for (std::size_t top = 0, bottom = static_cast<std::size_t>(height) - 1; top < bottom;
          ++top, --bottom)
         std::swap_ranges(pixels.begin() + top * stride, pixels.begin() + (top + 1) * stride,
                          pixels.begin() + bottom * stride);

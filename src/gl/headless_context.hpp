@@ -37,7 +37,9 @@ class HeadlessContext {
     int height() const { return height_; }
 
     /// The picture, RGBA, rows top to bottom. Throws Error(unavailable) if the context was lost.
-    std::vector<std::uint8_t> readPixels() const;
+    std::vector<std::uint8_t> readPixels() const { return readPixels(width_, height_); }
+    /// Its lower left part, which is where smaller views are drawn.
+    std::vector<std::uint8_t> readPixels(int width, int height) const;
 
   private:
     void makeCurrent(void* config);

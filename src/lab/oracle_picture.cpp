@@ -12,11 +12,11 @@ void OraclePicture::follow(const std::vector<Answer>& answers) {
     for (std::size_t i = 0; i < answers.size(); ++i)
         if (first || lit_[i] != answers[i].lit) wanted[answers[i].lit].push_back(i);
     std::vector<std::uint8_t> all;
-    if (pictures_.litAs && !wanted.empty()) all = pictures_.litAs(answers);
+    if (litAs_ && !wanted.empty()) all = litAs_(answers);
     for (const auto& [lights, pixels] : wanted) {
         const std::vector<std::uint8_t> own =
-            pictures_.litAs ? std::vector<std::uint8_t>() : pictures_.unshadowed(lights);
-        const std::vector<std::uint8_t>& picture = pictures_.litAs ? all : own;
+            litAs_ ? std::vector<std::uint8_t>() : unshadowed_(lights);
+        const std::vector<std::uint8_t>& picture = litAs_ ? all : own;
         for (const std::size_t i : pixels) {
             for (std::size_t c = 0; c < 3; ++c)
                 colors_[i][c] = picture[4 * i + c];

@@ -11,7 +11,9 @@ class OraclePicture {
   public:
     using Color = std::array<int, 3>;
 
-    explicit OraclePicture(const Pictures& pictures) : pictures_(pictures) {}
+    /// `unshadowed`, `litAs`: as in Pictures.
+    explicit OraclePicture(Pictures::Unshadowed unshadowed, Pictures::LitAs litAs = {})
+        : unshadowed_(std::move(unshadowed)), litAs_(std::move(litAs)) {}
 
     /// Draws what is needed for these answers, as far as they are others than those before.
     void follow(const std::vector<Answer>& answers);
@@ -19,7 +21,8 @@ class OraclePicture {
     const Color& at(std::size_t pixel) const { return colors_[pixel]; }
 
   private:
-    const Pictures& pictures_;
+    Pictures::Unshadowed unshadowed_;
+    Pictures::LitAs litAs_;
     std::vector<Color> colors_;
     std::vector<LightSet> lit_; ///< by which lights the colours were drawn
 };

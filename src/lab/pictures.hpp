@@ -10,14 +10,17 @@ namespace edgeshade::lab {
 
 /// One view's pictures, RGBA rows top to bottom, all of the question's size.
 struct Pictures {
+    using Unshadowed = std::function<std::vector<std::uint8_t>(const LightSet& lights)>;
+    using LitAs = std::function<std::vector<std::uint8_t>(const std::vector<Answer>&)>;
+
     std::vector<std::uint8_t> mask;  ///< the program's lit mask of light 0
     std::vector<std::uint8_t> image; ///< the program's picture
     /// The program's picture without shadows, with those lights alone whose bits are set: what the
     /// oracle's picture takes each pixel from, whatever the surfaces are shaded with.
-    std::function<std::vector<std::uint8_t>(const LightSet& lights)> unshadowed;
+    Unshadowed unshadowed;
     /// The same of all pixels at once, each with the lights of its answer: where there are so many
     /// lights that hardly two pixels have the same. Null: not asked for.
-    std::function<std::vector<std::uint8_t>(const std::vector<Answer>&)> litAs;
+    LitAs litAs;
 };
 
 } // namespace edgeshade::lab

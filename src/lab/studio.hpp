@@ -32,7 +32,7 @@ class Studio {
         renderer.draw(scene, view, nullptr, visibility);
         methods_ = lightMethods(scene, view, renderer);
         gl::requireNoError("drawing for comparison");
-        return context_.readPixels();
+        return context_.readPixels(view.width, view.height);
     }
 
     /// How the last picture's shadows were made, light by light.

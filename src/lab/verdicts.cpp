@@ -1,7 +1,6 @@
 #include "src/lab/verdicts.hpp"
 
 #include "src/lab/all_cores.hpp"
-#include "src/lab/oracle_picture.hpp"
 #include "src/lab/tie.hpp"
 
 #include <algorithm>
@@ -14,11 +13,40 @@ namespace {
 
 constexpr int tolerance = 2; // of 255, in the image (contract)
 
+bool differs(const OraclePicture::Color& expected, std::span<const std::uint8_t> image,
+             std::size_t i) {
+    for (std::size_t c = 0; c < 3; ++c)
+        if (std::abs(expected[c] - image[4 * i + c]) > tolerance) return true;
+    return false;
+}
+
+/// Whether answers differ within the 3x3 neighbourhood.
+bool isNearBoundary(const std::vector<Answer>& answers, int width, int height, std::size_t i) {
+    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+    for (int ny = std::max(0, y - 1); ny <= std::min(height - 1, y + 1); ++ny)
+        for (int nx = std::max(0, x - 1); nx <= std::min(width - 1, x + 1); ++nx)
+            if (!(answers[static_cast<std::size_t>(ny) * width + nx] == answers[i])) return true;
+    return false;
+}
+
+/// Judges pixels again, exactly unless rounding can't have changed the answer.
+std::vector<Verdict> judgedAgain(const Oracle& oracle, const std::vector<std::size_t>& pixels) {
+    const int width = oracle.question().width;
+    std::vector<Verdict> verdicts(pixels.size());
+    onAllCores(pixels.size(), [&](std::size_t s) {
+        const double x = static_cast<double>(pixels[s] % width) + 0.5;
+        const double y = static_cast<double>(pixels[s] / width) + 0.5;
+        const Oracle::Checked checked = oracle.checkedAt(x, y);
+        verdicts[s] = checked.certain ? Verdict{checked.answer} : judgeExactly(oracle, x, y);
+    });
+    return verdicts;
+}
+
 /// One view: pictures and answers side by side.
 class View {
   public:
     View(const Oracle& oracle, const std::vector<Answer>& answers, const Pictures& pictures)
-        : answers_(answers), pictures_(pictures), expected_(pictures),
+        : answers_(answers), pictures_(pictures), expected_(pictures.unshadowed, pictures.litAs),
           width_(oracle.question().width), height_(oracle.question().height) {
         follow();
     }
@@ -33,22 +61,9 @@ class View {
         return surface != answer.surface || (surface && lit != answer.lit.has(0));
     }
 
-    bool wrongInImage(std::size_t i) const {
-        const OraclePicture::Color& expected = expected_.at(i);
-        for (std::size_t c = 0; c < 3; ++c)
-            if (std::abs(expected[c] - pictures_.image[4 * i + c]) > tolerance) return true;
-        return false;
-    }
+    bool wrongInImage(std::size_t i) const { return differs(expected_.at(i), pictures_.image, i); }
 
-    /// Whether the oracle's answers differ within the 3x3 neighbourhood.
-    bool nearBoundary(std::size_t i) const {
-        const int x = static_cast<int>(i) % width_, y = static_cast<int>(i) / width_;
-        for (int ny = std::max(0, y - 1); ny <= std::min(height_ - 1, y + 1); ++ny)
-            for (int nx = std::max(0, x - 1); nx <= std::min(width_ - 1, x + 1); ++nx)
-                if (!(answers_[static_cast<std::size_t>(ny) * width_ + nx] == answers_[i]))
-                    return true;
-        return false;
-    }
+    bool nearBoundary(std::size_t i) const { return isNearBoundary(answers_, width_, height_, i); }
 
     PixelKind kindOfWrong(std::size_t i) const {
         const bool surface = pictures_.mask[4 * i + 3] != 0;
@@ -93,14 +108,7 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
     // Judge every disagreement that rounding may have caused again; what is settled now is nobody's
     // error.
     const std::vector<std::size_t> suspects = wrongPixels();
-    std::vector<Verdict> verdicts(suspects.size());
-    onAllCores(suspects.size(), [&](std::size_t s) {
-        const std::size_t i = suspects[s];
-        const double x = static_cast<double>(i % width) + 0.5;
-        const double y = static_cast<double>(i / width) + 0.5;
-        const Oracle::Checked checked = oracle.checkedAt(x, y);
-        verdicts[s] = checked.certain ? Verdict{checked.answer} : judgeExactly(oracle, x, y);
-    });
+    const std::vector<Verdict> verdicts = judgedAgain(oracle, suspects);
     for (std::size_t s = 0; s < suspects.size(); ++s)
         answers[suspects[s]] = verdicts[s].answer;
     view.follow();
@@ -141,6 +149,36 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
         comparison.kinds[i] = tie ? PixelKind::tie : view.kindOfWrong(i);
     }
     return comparison;
+}
+
+WrongCounts countWrongImage(const Oracle& oracle, SettledAnswers& answers,
+                            std::span<const std::uint8_t> image, OraclePicture& expected) {
+    expected.follow(answers.answers);
+    std::vector<std::size_t> wrong, suspects;
+    for (std::size_t i = 0; i < answers.answers.size(); ++i) {
+        if (!differs(expected.at(i), image, i)) continue;
+        wrong.push_back(i);
+        if (!answers.settled[i]) suspects.push_back(i);
+    }
+    const std::vector<Verdict> verdicts = judgedAgain(oracle, suspects);
+    for (std::size_t s = 0; s < suspects.size(); ++s) {
+        answers.answers[suspects[s]] = verdicts[s].answer;
+        answers.settled[suspects[s]] = true;
+    }
+    if (!suspects.empty()) expected.follow(answers.answers);
+
+    WrongCounts counts;
+    counts.pixels = answers.answers.size();
+    for (const Answer& answer : answers.answers)
+        counts.visiblePixels += answer.surface;
+    const Question& question = oracle.question();
+    for (const std::size_t i : wrong) {
+        if (!differs(expected.at(i), image, i)) continue;
+        ++counts.wrongImagePixels;
+        counts.wrongImageBeyond1px +=
+            !isNearBoundary(answers.answers, question.width, question.height, i);
+    }
+    return counts;
 }
 
 } // namespace edgeshade::lab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/lab/exact_judge.hpp"
+#include "src/lab/oracle_picture.hpp"
 #include "src/lab/pictures.hpp"
 
 #include <cstdint>
@@ -40,5 +41,21 @@ struct Comparison {
 /// pixels.
 Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
                              const Pictures& pictures, int subpixelBits);
+
+/// Answers of one view, and which of them were judged again, exactly where need be.
+struct SettledAnswers {
+    SettledAnswers() = default;
+    explicit SettledAnswers(std::vector<Answer> traced)
+        : answers(std::move(traced)), settled(answers.size(), false) {}
+
+    std::vector<Answer> answers;
+    std::vector<bool> settled;
+};
+
+/// The same of an image alone, without ties: pixels, visiblePixels, wrongImagePixels and
+/// wrongImageBeyond1px are counted. No pixel is judged again that was before. `expected`: the
+/// picture that these answers make.
+WrongCounts countWrongImage(const Oracle& oracle, SettledAnswers& answers,
+                            std::span<const std::uint8_t> image, OraclePicture& expected);
 
 } // namespace edgeshade::lab

@@ -2,6 +2,7 @@
 
 #include "preprocess/base/file_io.hpp"
 #include "src/plot/color.hpp"
+#include "src/plot/shape.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -9,11 +10,6 @@
 #include <string>
 
 namespace edgeshade::plot {
-
-struct Point {
-    double x = 0.0; ///< pixels, from the left
-    double y = 0.0; ///< from the top
-};
 
 /// A rectangle in pixels.
 struct Rectangle {
@@ -35,7 +31,9 @@ class Canvas {
   public:
     virtual ~Canvas() = default;
     virtual void line(std::span<const Point> points, Color color, double width, bool dashed) = 0;
-    virtual void disc(Point center, double radius, Color fill, Color rim) = 0;
+    /// `hover`: what is said where the pointer rests on it, by canvases that can; may be empty.
+    virtual void mark(Point center, Shape shape, double radius, Color fill, Color rim,
+                      const std::string& hover) = 0;
     virtual void rectangle(const Rectangle& rectangle, Color fill) = 0;
     /// Fills the rectangle with a picture of RGBA pixels, rows top to bottom; each keeps its edges.
     virtual void image(const Rectangle& rectangle, std::span<const std::uint8_t> rgba, int width,

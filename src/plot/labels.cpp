@@ -40,9 +40,12 @@ void LabelPlaces::keepOff(std::span<const Point> line) {
 }
 
 double LabelPlaces::covered(const Rectangle& candidate) const {
-    double area = 4.0 * (areaOf(candidate) - overlap(candidate, inside_));
+    constexpr double unreadable = 20.0; // what names over names and outside weigh, over marks 1
+    double area = unreadable * (areaOf(candidate) - overlap(candidate, inside_));
     for (const Rectangle& other : taken_)
         area += overlap(candidate, other);
+    for (const Rectangle& other : names_)
+        area += unreadable * overlap(candidate, other);
     return area;
 }
 
@@ -50,7 +53,7 @@ Rectangle LabelPlaces::place(const Point& point, double width, double height) {
     constexpr int directions = 16;
     Rectangle best;
     double least = std::numeric_limits<double>::infinity();
-    for (double distance = 9.0; distance < 80.0; distance += 7.0)
+    for (double distance = 9.0; distance < 150.0; distance += 7.0)
         for (int i = 0; i < directions; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / directions;
             const double x = point.x + distance * std::cos(angle);
@@ -65,7 +68,7 @@ Rectangle LabelPlaces::place(const Point& point, double width, double height) {
                 best = candidate;
             }
         }
-    taken_.push_back(best);
+    names_.push_back(best);
     return best;
 }
 

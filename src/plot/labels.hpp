@@ -23,7 +23,8 @@ class LabelPlaces {
     double covered(const Rectangle& candidate) const;
 
     Rectangle inside_;
-    std::vector<Rectangle> taken_;
+    std::vector<Rectangle> taken_; ///< by marks and lines
+    std::vector<Rectangle> names_;
 };
 
 } // namespace edgeshade::plot

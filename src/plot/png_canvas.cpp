@@ -39,9 +39,14 @@ class PngCanvas : public Canvas {
         cairo_stroke(cairo_.get());
     }
 
-    void disc(Point center, double radius, Color fill, Color rim) override {
+    void mark(Point center, Shape shape, double radius, Color fill, Color rim,
+              const std::string&) override {
         cairo_new_sub_path(cairo_.get());
-        cairo_arc(cairo_.get(), center.x, center.y, radius, 0.0, 2.0 * std::numbers::pi);
+        if (shape == Shape::disc)
+            cairo_arc(cairo_.get(), center.x, center.y, radius, 0.0, 2.0 * std::numbers::pi);
+        for (const Point& corner : outlineOf(shape, center, radius))
+            cairo_line_to(cairo_.get(), corner.x, corner.y);
+        cairo_close_path(cairo_.get());
         use(fill);
         cairo_fill_preserve(cairo_.get());
         cairo_set_dash(cairo_.get(), nullptr, 0, 0.0);

@@ -58,15 +58,27 @@ class SvgCanvas : public Canvas {
         text_ << "<polyline fill=\"none\" stroke=\"" << hex(color) << "\" stroke-width=\""
               << number(width) << "\"" << (dashed ? " stroke-dasharray=\"5 4\"" : "")
               << " points=\"";
-        for (std::size_t i = 0; i < points.size(); ++i)
-            text_ << (i > 0 ? " " : "") << number(points[i].x) << "," << number(points[i].y);
+        addPlaces(points);
         text_ << "\"/>\n";
     }
 
-    void disc(Point center, double radius, Color fill, Color rim) override {
-        text_ << "<circle cx=\"" << number(center.x) << "\" cy=\"" << number(center.y) << "\" r=\""
-              << number(radius) << "\" fill=\"" << hex(fill) << "\" stroke=\"" << hex(rim)
-              << "\" stroke-width=\"1.5\"/>\n";
+    void mark(Point center, Shape shape, double radius, Color fill, Color rim,
+              const std::string& hover) override {
+        const std::string colors =
+            "\" fill=\"" + hex(fill) + "\" stroke=\"" + hex(rim) + "\" stroke-width=\"1.5\"";
+        const char* element = shape == Shape::disc ? "circle" : "polygon";
+        if (shape == Shape::disc) {
+            text_ << "<circle cx=\"" << number(center.x) << "\" cy=\"" << number(center.y)
+                  << "\" r=\"" << number(radius) << colors;
+        } else {
+            text_ << "<polygon points=\"";
+            addPlaces(outlineOf(shape, center, radius));
+            text_ << colors;
+        }
+        if (hover.empty())
+            text_ << "/>\n";
+        else
+            text_ << "><title>" << escaped(hover) << "</title></" << element << ">\n";
     }
 
     void rectangle(const Rectangle& rectangle, Color fill) override {
@@ -99,6 +111,11 @@ class SvgCanvas : public Canvas {
     }
 
   private:
+    void addPlaces(std::span<const Point> points) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            text_ << (i > 0 ? " " : "") << number(points[i].x) << "," << number(points[i].y);
+    }
+
     std::ostringstream text_;
 };
 

@@ -6,24 +6,39 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace edgeshade::plot {
 namespace {
 
-constexpr Rectangle frame{86.0, 94.0, tradePlotWidth - 28.0, tradePlotHeight - 66.0};
+constexpr Rectangle frame{86.0, 94.0, tradePlotWidth - 190.0, tradePlotHeight - 66.0};
 constexpr Color ink = 0x222222, grey = 0x666666, gridColor = 0xE4E4E4;
 constexpr double nameSize = 12.0, radius = 5.0;
 
-Color colorOf(TradePoint::Family family) {
-    switch (family) {
-    case TradePoint::Family::volumes:
-        return 0x2471A3;
-    case TradePoint::Family::map:
-        return 0xC0392B;
-    case TradePoint::Family::none:
-        break;
-    }
-    return 0x777777;
+/// How a family is marked.
+struct Style {
+    Color color;
+    Shape shape;
+};
+
+/// Each two that are alike in one differ in the other.
+Style styleOf(std::size_t family) {
+    constexpr std::array<Color, 13> colors = {0x2471A3, 0x7D3C98, 0x148F77, 0x5DADE2, 0x1E8449,
+                                              0xC0392B, 0xE67E22, 0xB7950B, 0xCB4394, 0x6E2C00,
+                                              0x34495E, 0xF1948A, 0x777777};
+    return {colors[family % colors.size()],
+            static_cast<Shape>(family % static_cast<std::size_t>(shapeCount))};
+}
+
+/// What is said of a point where the pointer rests.
+std::string hoverOf(const TradePoint& point) {
+    std::ostringstream text;
+    text << point.name << std::setprecision(3) << "\n"
+         << point.milliseconds << " ms, " << point.wrongPercent << " % wrong, "
+         << static_cast<double>(point.bytes) / (1 << 20) << " MB on the GPU";
+    if (!point.note.empty()) text << "\n" << point.note;
+    return text.str();
 }
 
 /// The axes: x milliseconds, y percent, and where 0 percent is.
@@ -37,13 +52,14 @@ Axes axesFor(const std::vector<TradePoint>& points) {
     double fastest = INFINITY, slowest = 0.0, fewest = INFINITY, most = 0.0;
     bool hasZero = false;
     for (const TradePoint& point : points) {
-        fastest = std::min(fastest, point.milliseconds);
+        if (point.milliseconds > 0.0) fastest = std::min(fastest, point.milliseconds);
         slowest = std::max(slowest, point.milliseconds);
         most = std::max(most, point.wrongPercent);
         hasZero = hasZero || point.wrongPercent == 0.0;
         if (point.wrongPercent > 0.0) fewest = std::min(fewest, point.wrongPercent);
     }
-    if (!std::isfinite(fewest)) fewest = most = 1.0; // nothing is wrong anywhere
+    if (!std::isfinite(fastest)) fastest = slowest = 1.0; // less than the clock tells
+    if (!std::isfinite(fewest)) fewest = most = 1.0;      // nothing is wrong anywhere
     const double below = std::pow(10.0, std::floor(std::log10(fewest)));
     const double above = std::max(1.6 * most, 10.0 * below);
     const double bottom = hasZero ? frame.bottom - 40.0 : frame.bottom;
@@ -77,21 +93,24 @@ void drawGrid(Canvas& canvas, const Axes& axes, const std::string& timeLabel) {
                 {13.0, ink, Anchor::middle, false, true});
 }
 
-void drawLegend(Canvas& canvas) {
-    double x = frame.right - 470.0;
-    const double y = frame.top - 14.0;
-    const auto entry = [&](const std::string& text, Color fill, Color rim, double width) {
-        canvas.disc({x, y - 4.0}, radius, fill, rim);
-        canvas.text({x + 11.0, y}, text, {12.0, ink});
-        x += width;
+/// The families that there are, in a column beside the frame.
+void drawLegend(Canvas& canvas, const TradePlot& plot) {
+    const double x = frame.right + 22.0;
+    double y = frame.top + 6.0;
+    const auto entry = [&](const std::string& text, Shape shape, Color fill, Color rim) {
+        canvas.mark({x, y - 4.0}, shape, radius, fill, rim, {});
+        canvas.text({x + 13.0, y}, text, {12.0, ink});
+        y += 21.0;
     };
-    const auto solid = [&](TradePoint::Family family, const std::string& text, double width) {
-        entry(text, colorOf(family), colorOf(family), width);
-    };
-    solid(TradePoint::Family::volumes, "volumes", 84.0);
-    solid(TradePoint::Family::map, "maps", 66.0);
-    solid(TradePoint::Family::none, "no shadows", 104.0);
-    entry("filled: nothing beats it in both", 0xFFFFFF, grey, 0.0);
+    for (std::size_t family = 0; family < plot.families.size(); ++family) {
+        const auto isOfIt = [&](const TradePoint& point) { return point.family == family; };
+        if (std::ranges::none_of(plot.points, isOfIt)) continue;
+        const Style style = styleOf(family);
+        entry(plot.families[family], style.shape, style.color, style.color);
+    }
+    y += 12.0;
+    entry("filled: nothing beats it", Shape::disc, grey, grey);
+    entry("hollow: something does", Shape::disc, 0xFFFFFF, grey);
 }
 
 } // namespace
@@ -100,7 +119,7 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     const Axes axes = axesFor(plot.points);
     canvas.text({frame.left, 30.0}, plot.title, {17.0, ink, Anchor::start, true});
     canvas.text({frame.left, 50.0}, plot.subtitle, {12.0, grey});
-    drawLegend(canvas);
+    drawLegend(canvas, plot);
     drawGrid(canvas, axes, plot.timeLabel);
 
     // The front first, so that its names get the best places.
@@ -111,28 +130,27 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     std::vector<Point> places, front;
     for (const TradePoint& point : points) {
         const double y = point.wrongPercent > 0.0 ? axes.y.at(point.wrongPercent) : axes.zero;
-        places.push_back({axes.x.at(point.milliseconds), y});
+        places.push_back({std::max(frame.left, axes.x.at(point.milliseconds)), y});
         if (point.front) front.push_back(places.back());
     }
     if (front.size() > 1) canvas.line(front, 0x999999, 1.5, true);
 
     LabelPlaces labels(frame, places, radius);
     labels.keepOff(front);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const double letter = points[i].front ? 0.68 : 0.6; // bold is wider
-        const double width = letter * nameSize * static_cast<double>(points[i].name.size());
+    for (std::size_t i = 0; i < front.size(); ++i) {
+        const double width = 0.68 * nameSize * static_cast<double>(points[i].name.size()); // bold
         const Rectangle name = labels.place(places[i], width, 1.1 * nameSize);
         const Point nearest{std::clamp(places[i].x, name.left, name.right),
                             std::clamp(places[i].y, name.top, name.bottom)};
         if (std::hypot(nearest.x - places[i].x, nearest.y - places[i].y) > 3.5 * radius)
             canvas.line(std::array{places[i], nearest}, 0xBBBBBB, 0.8, false);
-        const Color color = colorOf(points[i].family);
         canvas.text({0.5 * (name.left + name.right), name.bottom - 2.5}, points[i].name,
-                    {nameSize, color, Anchor::middle, points[i].front});
+                    {nameSize, styleOf(points[i].family).color, Anchor::middle, true});
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Color color = colorOf(points[i].family);
-        canvas.disc(places[i], radius, points[i].front ? color : 0xFFFFFF, color);
+    for (std::size_t i = points.size(); i-- > 0;) { // the front on top
+        const Style style = styleOf(points[i].family);
+        canvas.mark(places[i], style.shape, radius, points[i].front ? style.color : 0xFFFFFF,
+                    style.color, hoverOf(points[i]));
     }
 }
 

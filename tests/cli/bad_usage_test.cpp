@@ -330,6 +330,8 @@ const BadUsage usages[] = {
     {"TradeoffWrongNegative",
      {"tradeoff", "IN", "--max-wrong-percent", "-1"},
      {"--max-wrong-percent", "-1"}},
+    {"TradeoffTimeOfZero", {"tradeoff", "IN", "--time-limit", "0"}, {"--time-limit", "0"}},
+    {"TradeoffTimeNaN", {"tradeoff", "IN", "--time-limit", "nan"}, {"--time-limit", "nan"}},
     {"TradeoffOfNoViews", {"tradeoff", "IN", "--views", "0"}, {"--views", "0"}},
     {"TradeoffAgainstUnknownOption",
      {"tradeoff", "IN", "--against", "speed=high"},

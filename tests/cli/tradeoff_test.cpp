@@ -42,6 +42,12 @@ TEST_F(Tradeoff, RowsHaveTheKeysOfTheContractAndTheFrontIsOne) {
         for (const char* key :
              {"frame_ms", "bytes_gpu", "wrong_image_percent", "wrong_image_beyond_1px_percent"})
             EXPECT_TRUE(row[key].is_number()) << key;
+        EXPECT_GE(row["rounds"], 1);
+        EXPECT_EQ(row["frames"], 2); // as typed: nothing is left to be dropped before
+        EXPECT_EQ(row["views"], 1);
+        EXPECT_EQ(row["dominated_early"], false);
+        EXPECT_GE(row["frame_ms_below"], row["frame_ms"]);
+        EXPECT_GE(row["wrong_image_percent_below"], row["wrong_image_percent"]);
         bool beaten = false;
         for (const Json& other : report["rows"])
             beaten = beaten || (other["frame_ms"] < row["frame_ms"] &&
@@ -50,7 +56,7 @@ TEST_F(Tradeoff, RowsHaveTheKeysOfTheContractAndTheFrontIsOne) {
     }
     EXPECT_FALSE(report.contains("take"));
     const Bytes svg = readFile(plot);
-    EXPECT_NE(std::string(svg.begin(), svg.end()).find(">map 512<"), std::string::npos);
+    EXPECT_NE(std::string(svg.begin(), svg.end()).find("<title>map 512\n"), std::string::npos);
 }
 
 TEST_F(Tradeoff, SaysTheSettingToTakeAsOptionsThatRenderTakes) {
@@ -112,6 +118,42 @@ TEST_F(Tradeoff, ACameraOfYoursIsTheOnlyView) {
     if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(result.out)["views"], 1);
+}
+
+TEST_F(Tradeoff, WithoutTimeAllRowsGetOneFrameAndOneView) {
+    const ProcessResult result =
+        runEdgeshade({"tradeoff", input_, "--size", "48x32", "--largest-map", "512", "--time-limit",
+                      "0.001", "--report", "-"});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json report = Json::parse(result.out);
+    EXPECT_EQ(report["time_limit"], 0.001);
+    EXPECT_GT(report["seconds"], 0.001);
+    for (const Json& row : report["rows"]) {
+        EXPECT_EQ(row["frames"], 1) << row["name"];
+        EXPECT_EQ(row["views"], 1) << row["name"];
+    }
+}
+
+TEST_F(Tradeoff, WhatIsDroppedEarlyStaysInTheReportAndIsNotOnTheFront) {
+    const ProcessResult result =
+        runEdgeshade({"tradeoff", input_, "--size", "32x24", "--largest-map", "512", "--frames",
+                      "10", "--views", "4", "--timing", "processor", "--report", "-"});
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json report = Json::parse(result.out);
+    EXPECT_EQ(report["frames"], 10);
+    EXPECT_EQ(report["views"], 4);
+    for (const Json& row : report["rows"]) {
+        EXPECT_EQ(row["dominated_early"], row.contains("dominated_by"));
+        if (row["dominated_early"]) {
+            EXPECT_FALSE(row["pareto"]) << row["name"];
+            EXPECT_LE(row["frames"], 10);
+        } else {
+            EXPECT_EQ(row["frames"], 10) << row["name"];
+            EXPECT_EQ(row["views"], 4) << row["name"];
+        }
+    }
 }
 
 TEST_F(Tradeoff, AnotherSettingIsOneMoreRow) {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "src/cli/options.hpp"
+#include "src/gl/span_timer.hpp"
+
+namespace edgeshade::cli {
+
+/// `tradeoff` as typed.
+struct TradeoffOptions : SceneOptions {
+    std::string report;
+    std::string plot;
+    int frames = 40;
+    bool framesTyped = false;
+    int views = 16;
+    bool viewsTyped = false;
+    double timeLimit = 240.0; ///< seconds
+    int largestMap = 8192;
+    bool lightMoves = false;
+    std::optional<double> budgetMs;
+    std::optional<double> maxWrongPercent;
+    std::optional<gl::Timing> timing;
+    std::vector<std::string> against;
+};
+
+} // namespace edgeshade::cli

@@ -1,0 +1,40 @@
+#include "src/cli/tradeoff_family.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace edgeshade::cli {
+namespace {
+
+TEST(TradeoffFamily, FollowsFromWhatTheSettingSays) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"shadows=volumes", "volumes"},
+        {"mask-scale=1/2", "coarser masks"},
+        {"shadows=volumes,layout=published,instancing=off", "volumes, published"},
+        {"shadows=volumes,multiplicity=three-edge", "volumes, published"},
+        {"shadows=volumes,depth-slices=1", "volumes"},
+        {"shadows=volumes,flat-tolerance=1", "coarser casters"},
+        {"shadows=primitive-map", "primitive map"},
+        {"shadows=none", "no shadows"},
+        {"shadows=map,map-size=512", "maps"},
+        {"shadows=map,map-size=512,pcf=3", "maps, pcf"},
+        {"shadows=map,pcf=1,map-size=512", "maps"},
+        {"shadows=map,filter=vsm,pcf=5", "maps, vsm"},
+        {"shadows=map,map-kind=cascades,filter=vsm", "cascades"}};
+    for (const auto& [text, family] : cases)
+        EXPECT_EQ(familyOf(text), family) << text;
+}
+
+TEST(TradeoffFamily, NewWordsAreNewFamiliesAndMoveNoneOfTheOthers) {
+    const auto before = familiesOf({}),
+               after = familiesOf({"shadows=map,filter=moment", "shadows=map,map-kind=warped",
+                                   "shadows=volumes,layout=brute-force", "shadows=planar",
+                                   "shadows=planar"});
+    ASSERT_EQ(after.size(), before.size() + 4);
+    EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()));
+    EXPECT_EQ(after[before.size()], "maps, moment");
+    EXPECT_EQ(after.back(), "planar");
+}
+
+} // namespace
+} // namespace edgeshade::cli
