@@ -13,10 +13,25 @@ void NearnessTarget::fit(int width, int height) {
     depth_.emplace(width, height, capabilities_);
     depth_->attach();
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw Error(ExitStatus::unavailable, "This GL can't draw into a texture with depth and "
-                                             "stencil, which a picture of nearness needs.");
+        attachDepthAlone(width, height);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ExitStatus::unavailable, "This GL can't draw into a texture with depth, "
+                                             "which a picture of nearness needs.");
     width_ = width;
     height_ = height;
+}
+
+/// Where a GL takes depth and stencil in one renderbuffer or not at all, and has none for both.
+void NearnessTarget::attachDepthAlone(int width, int height) {
+    depth_.reset();
+    gl::Name name = 0;
+    glGenRenderbuffers(1, &name);
+    depthAlone_ = gl::Renderbuffer(name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, width, height);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, name);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, 0);
 }
 
 void NearnessTarget::bind(int width, int height) {
@@ -26,7 +41,7 @@ void NearnessTarget::bind(int width, int height) {
 
 std::size_t NearnessTarget::bytes() const {
     const auto pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    return 4 * pixels + (depth_ ? depth_->bytes() : 0);
+    return 4 * pixels + (depth_ ? depth_->bytes() : 2 * pixels);
 }
 
 } // namespace edgeshade

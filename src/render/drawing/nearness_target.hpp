@@ -21,10 +21,12 @@ class NearnessTarget {
 
   private:
     void fit(int width, int height);
+    void attachDepthAlone(int width, int height);
 
     gl::Capabilities capabilities_;
     gl::ColorTarget target_;
     std::optional<gl::DepthStencil> depth_;
+    gl::Renderbuffer depthAlone_; ///< in place of `depth_`, where a framebuffer can't have both
     int width_ = 0, height_ = 0;
 };
 
