@@ -44,14 +44,14 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
     };
 
     lab::Pictures pictures;
-    std::map<std::uint32_t, std::vector<std::uint8_t>> unshadowed;
+    std::map<lab::LightSet, std::vector<std::uint8_t>> unshadowed;
     for (std::uint32_t lights = 0; lights < 1u << frame.lights.size(); ++lights) {
         FrameView view = frame;
         for (std::size_t i = 0; i < view.lights.size(); ++i)
             view.lights[i].drawn = (lights >> i & 1u) != 0;
         unshadowed[lights] = draw(plain, view);
     }
-    pictures.unshadowed = [unshadowed](std::uint32_t lights) { return unshadowed.at(lights); };
+    pictures.unshadowed = [unshadowed](const lab::LightSet& lights) { return unshadowed.at(lights); };
     pictures.image = draw(shadows, frame);
     frame.mask = true;
     pictures.mask = draw(shadows, frame);

@@ -29,7 +29,7 @@ struct Fixture {
         question.lights = {pointLight({1, 8, 2})};
         question.width = question.height = size;
         pictures.mask.assign(4 * pixelCount, 255);
-        pictures.unshadowed = [](std::uint32_t lights) {
+        pictures.unshadowed = [](const lab::LightSet& lights) {
             return std::vector<std::uint8_t>(4 * pixelCount, lights == 0 ? 80 : 200);
         };
         pictures.image.assign(4 * pixelCount, 200);
