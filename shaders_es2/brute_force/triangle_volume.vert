@@ -36,7 +36,10 @@ void emitSide(float v, float facing) {
     float of = corner - (ab ? 0.0 : bc ? 3.0 : 6.0);
     // The opposite vertex of AC is between its ends.
     float multiplicity = ab || bc ? facing : -facing;
-    float id = multiplicity > 0.0 ? (second ? of + 1.0 : 2.0 - of) : (second ? 3.0 - of : of);
+    // The other winding swaps the first two vertices: a rasteriser that turns triangles so, and keeps
+    // the last, reckons the same depths of both, and what touches a surface at the edge cancels.
+    if (multiplicity < 0.0) of = of > 1.5 ? of : 1.0 - of;
+    float id = second ? of + 1.0 : 2.0 - of;
     vec4 place = sideCorner(id, bc ? a_capB.xyz : a_capA.xyz, ab ? a_capB.xyz : a_capC.xyz);
     gl_Position = facing != 0.0 ? rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, place))
                                 : vec4(0.0);

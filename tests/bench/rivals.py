@@ -11,10 +11,12 @@ EDGESHADE names the program.
 """
 
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
 
+from culling import glb
 from edgeshade_runs import PROGRAM, ROOT, figure, mean, percent, replace_between, report, results_of
 from maps import MODELS, below, bytes_text
 from png_bytes import read_png, side_by_side, write_png
@@ -55,6 +57,42 @@ def measured():
                 print(name, kind, file=sys.stderr)
                 results[f"{name}, {kind}"] = case(path, lights[kind][:2])
     return results
+
+
+# How much the light's rays, beside which is 1, go through the near plane. The last is below where ZP+
+# is given up.
+TILTS = (1, 0.1, 0.01, 0.003, 0.0015, 0.0005)
+
+
+def leaves():
+    """Five hundred small triangles above the eye, around the near plane, and a wall behind them."""
+    chance = random.Random(2005)
+    triangles = [[[-9, -9, -6], [9, -9, -6], [9, 9, -6]], [[-9, -9, -6], [9, 9, -6], [-9, 9, -6]]]
+    for _ in range(500):
+        middle = [chance.uniform(-1.5, 1.5), chance.uniform(1, 3), chance.uniform(-2.5, 1)]
+        triangles.append([[m + chance.uniform(-0.15, 0.15) for m in middle] for _ in range(3)])
+    return triangles
+
+
+def near_plane():
+    """The eye among the shadows of leaves, whose outlines run through the near plane."""
+    rows = {}
+    with tempfile.TemporaryDirectory() as folder:
+        path = glb(pathlib.Path(folder) / "leaves.glb", (), leaves())
+        for tilt in TILTS:
+            judged = report("compare", path, "--camera-from", "0,0,1", "--camera-to", "0,0,-6", "--fov", 70,
+                            "--near", 1, "--sun", f"0,1,{tilt}", "--size", "640x480",
+                            "--against", AGAINST[FAIL], "--against", AGAINST[PASS])["results"][1:]
+            rows[str(tilt)] = [[of[key] for key in ("wrong_mask_pixels", "wrong_mask_beyond_1px")] for of in judged]
+    return rows
+
+
+def near_table(results):
+    lines = ["| tilt | z-fail: mask wrong, pixels | beyond 1 px | z-pass: mask wrong, pixels | beyond 1 px |",
+             "|" + " --- |" * 5]
+    lines += [f"| {tilt} | " + " | ".join(str(count) for of in rows for count in of) + " |"
+              for tilt, rows in results["scenes"].items()]
+    return "\n".join(lines)
 
 
 def row_of(name, shadows, row, first):
@@ -118,6 +156,7 @@ def main():
         results = results_of("rivals", measured)
         replace_between("docs/measured/rivals.md", "means", means(results))
         replace_between("docs/measured/rivals.md", "rivals", table(results))
+        replace_between("docs/measured/rivals.md", "near", near_table(results_of("rivals_near", near_plane)))
     if sys.argv[1:2] != ["--table"]:
         draw_picture()
 
