@@ -71,8 +71,8 @@ void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout l
     gpu.oppositeVertexLayout = layout;
 }
 
-std::shared_ptr<ShadowBuffers> trianglesOf(const LoadedScene& loaded, const Batch& batch,
-                                           SidesLayout layout) {
+[[maybe_unused]] std::shared_ptr<ShadowBuffers>
+trianglesOf(const LoadedScene& loaded, const Batch& batch, SidesLayout layout) {
     const bool alphaTested = loaded.settings.castMasked;
     const Casters casters = castersOf(batch, loaded.scene.materials, alphaTested);
     const CasterMesh mesh = weldCasters(batch, casters);
@@ -80,7 +80,7 @@ std::shared_ptr<ShadowBuffers> trianglesOf(const LoadedScene& loaded, const Batc
         mesh, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(), layout));
 }
 
-void addTriangles(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
+[[maybe_unused]] void addTriangles(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
     const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
     for (std::size_t i = 0; i < gpu.batches.size(); ++i)
         gpu.batches[i].volumes.triangles =
@@ -167,7 +167,8 @@ void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch) {
         volumes.oppositeVertices = uploadOppositeVertices(
             loaded, from, buildShadow(from, gpu.materials, loaded.settings.castMasked),
             gpu.oppositeVertexLayout);
-    if (volumes.triangles) volumes.triangles = trianglesOf(loaded, from, gpu.triangleLayout);
+    if (hasRivals && volumes.triangles)
+        volumes.triangles = trianglesOf(loaded, from, gpu.triangleLayout);
 }
 
 void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records) {

@@ -1,6 +1,7 @@
 #include "src/scene/overflow_groups.hpp"
 
 #include "src/scene/layered_shadow.hpp"
+#include "src/scene/rival_build.hpp"
 #include "src/shadow/geometry/cut_casters.hpp"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ class GroupUpload {
                 alphaTested ? alphaCorners(batch, casters, mesh, *shadow)
                             : std::vector<glm::vec4>(),
                 records_.layout);
-        } else if (records_.volumes == VolumeLayout::triangles) {
+        } else if (hasRivals && records_.volumes == VolumeLayout::triangles) {
             volumes.triangles = std::make_shared<ShadowBuffers>(uploadTriangles(
                 mesh, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(),
                 records_.layout));

@@ -66,7 +66,7 @@ const char* nameOf(ShadowMethod method) {
 }
 
 /// What a light's planes are.
-void describePlanes(const ShadowPlanes& planes, LightMethod& method) {
+[[maybe_unused]] void describePlanes(const ShadowPlanes& planes, LightMethod& method) {
     const std::size_t count = planes.all().size();
     method.why = "onto " + std::to_string(count) +
                  (count == 1 ? " plane alone, which has " : " planes alone, which have ") +
