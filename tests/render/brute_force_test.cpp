@@ -120,8 +120,8 @@ TEST(BruteForce, NeighboursSidesCancelAtTheSurface) {
         SceneBuilder().quad({-9, -9, -6}, {9, -9, -6}, {9, 9, -6}, {-9, 9, -6}).scene();
     for (const auto count : {BruteForceCount::zFail, BruteForceCount::zPass})
         for (const Light& light : {sun({0, 1, 1}), sun({0.3, 1, 0.1}), pointLight({1, 2, 3})}) {
-            const Outcome outcome = run({wall, {{0, 0, 1}, {0, 0, -6}, 70.0}, light},
-                                        bruteForce(count, SidesLayout::notInstanced));
+            const Outcome outcome = test::run({wall, {{0, 0, 1}, {0, 0, -6}, 70.0}, light},
+                                              bruteForce(count, SidesLayout::notInstanced));
             EXPECT_EQ(outcome.wrong, 0);
         }
 }
