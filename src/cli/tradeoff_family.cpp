@@ -62,10 +62,15 @@ std::string familyOf(const std::string& text) {
 }
 
 std::vector<std::string> familiesOf(const std::vector<std::string>& texts) {
-    std::vector<std::string> families = {
-        "volumes",  "volumes, published", "coarser masks", "coarser casters", "primitive map",
-        "maps",     "maps, pcf",          "maps, poisson", "maps, vsm",       "maps, esm",
-        "cascades", "paraboloid",         "no shadows"};
+    std::vector<std::string> families = {"volumes",       "volumes, published",
+                                         "coarser masks", "coarser casters",
+                                         "primitive map", "maps",
+                                         "maps, pcf",     "maps, poisson",
+                                         "maps, vsm",     "maps, esm",
+                                         "cascades",      "paraboloid",
+                                         "no shadows",    "volumes, brute-force",
+                                         "planar",        "warped",
+                                         "maps, msm"};
     for (const std::string& text : texts)
         if (const std::string family = familyOf(text);
             std::ranges::find(families, family) == families.end())

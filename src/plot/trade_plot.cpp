@@ -24,9 +24,9 @@ struct Style {
 
 /// Each two that are alike in one differ in the other.
 Style styleOf(std::size_t family) {
-    constexpr std::array<Color, 13> colors = {0x2471A3, 0x7D3C98, 0x148F77, 0x5DADE2, 0x1E8449,
-                                              0xC0392B, 0xE67E22, 0xB7950B, 0xCB4394, 0x6E2C00,
-                                              0x34495E, 0xF1948A, 0x777777};
+    constexpr std::array<Color, 17> colors = {
+        0x2471A3, 0x7D3C98, 0x148F77, 0x5DADE2, 0x1E8449, 0xC0392B, 0xE67E22, 0xB7950B, 0xCB4394,
+        0x6E2C00, 0x34495E, 0xF1948A, 0x777777, 0x4A235A, 0xD4AC0D, 0x0B5345, 0xEC407A};
     return {colors[family % colors.size()],
             static_cast<Shape>(family % static_cast<std::size_t>(shapeCount))};
 }

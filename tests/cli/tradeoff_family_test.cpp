@@ -12,6 +12,7 @@ TEST(TradeoffFamily, FollowsFromWhatTheSettingSays) {
         {"mask-scale=1/2", "coarser masks"},
         {"shadows=volumes,layout=published,instancing=off", "volumes, published"},
         {"shadows=volumes,multiplicity=three-edge", "volumes, published"},
+        {"shadows=volumes,layout=brute-force,count=z-pass", "volumes, brute-force"},
         {"shadows=volumes,depth-slices=1", "volumes"},
         {"shadows=volumes,flat-tolerance=1", "coarser casters"},
         {"shadows=primitive-map", "primitive map"},
@@ -27,13 +28,13 @@ TEST(TradeoffFamily, FollowsFromWhatTheSettingSays) {
 
 TEST(TradeoffFamily, NewWordsAreNewFamiliesAndMoveNoneOfTheOthers) {
     const auto before = familiesOf({}),
-               after = familiesOf({"shadows=map,filter=moment", "shadows=map,map-kind=warped",
-                                   "shadows=volumes,layout=brute-force", "shadows=planar",
-                                   "shadows=planar"});
+               after = familiesOf({"shadows=map,filter=new", "shadows=map,map-kind=spherical",
+                                   "shadows=volumes,layout=other", "shadows=ray-cast",
+                                   "shadows=ray-cast"});
     ASSERT_EQ(after.size(), before.size() + 4);
     EXPECT_TRUE(std::equal(before.begin(), before.end(), after.begin()));
-    EXPECT_EQ(after[before.size()], "maps, moment");
-    EXPECT_EQ(after.back(), "planar");
+    EXPECT_EQ(after[before.size()], "maps, new");
+    EXPECT_EQ(after.back(), "ray cast");
 }
 
 } // namespace

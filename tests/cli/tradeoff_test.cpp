@@ -12,12 +12,17 @@ class Tradeoff : public testing::Test {
   protected:
     Tradeoff() : input_(folder_.write("in.glb", variedScene().glb())) {}
 
+    /// It has some forty settings to make, which other programs' tests don't wait for.
+    static ProcessResult ended(const std::vector<std::string>& arguments) {
+        return ChildProcess(EDGESHADE_PROGRAM, arguments).wait(120.0);
+    }
+
     ProcessResult run(const std::vector<std::string>& more) const {
         std::vector<std::string> arguments = {"tradeoff",      input_, "--frames", "2",
                                               "--views",       "1",    "--size",   "48x32",
                                               "--largest-map", "512",  "--report", "-"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return runEdgeshade(arguments);
+        return ended(arguments);
     }
 
     /// Nothing of the report is tested where this program has no oracle.
@@ -113,17 +118,16 @@ TEST_F(Tradeoff, WhereNoSettingWillDoItSaysSoAfterTheReport) {
 
 TEST_F(Tradeoff, ACameraOfYoursIsTheOnlyView) {
     const ProcessResult result =
-        runEdgeshade({"tradeoff", input_, "--frames", "1", "--size", "16x16", "--largest-map",
-                      "512", "--camera-from", "9,9,9", "--camera-to", "0,0,0", "--report", "-"});
+        ended({"tradeoff", input_, "--frames", "1", "--size", "16x16", "--largest-map", "512",
+               "--camera-from", "9,9,9", "--camera-to", "0,0,0", "--report", "-"});
     if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(result.out)["views"], 1);
 }
 
 TEST_F(Tradeoff, WithoutTimeAllRowsGetOneFrameAndOneView) {
-    const ProcessResult result =
-        runEdgeshade({"tradeoff", input_, "--size", "48x32", "--largest-map", "512", "--time-limit",
-                      "0.001", "--report", "-"});
+    const ProcessResult result = ended({"tradeoff", input_, "--size", "48x32", "--largest-map",
+                                        "512", "--time-limit", "0.001", "--report", "-"});
     if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(result.out);
@@ -136,10 +140,9 @@ TEST_F(Tradeoff, WithoutTimeAllRowsGetOneFrameAndOneView) {
 }
 
 TEST_F(Tradeoff, WhatIsDroppedEarlyStaysInTheReportAndIsNotOnTheFront) {
-    ChildProcess process(EDGESHADE_PROGRAM,
-                         {"tradeoff", input_, "--size", "16x16", "--largest-map", "512", "--frames",
-                          "16", "--views", "4", "--timing", "processor", "--report", "-"});
-    const ProcessResult result = process.wait(120.0);
+    const ProcessResult result =
+        ended({"tradeoff", input_, "--size", "16x16", "--largest-map", "512", "--frames", "16",
+               "--views", "4", "--timing", "processor", "--report", "-"});
     if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(result.out);
