@@ -213,7 +213,9 @@ void ShadowMasks::remove(Id id) {
 
 void ShadowMasks::draw(const MaskView& view, std::span<const MaskLight> lights) {
     const std::vector<Light> planned = lightsOf(lights);
-    requireFewLights(planned.size());
+    if (planned.size() > mostLights)
+        throw InputError(std::to_string(planned.size()) + " lights are more than the " +
+                         std::to_string(mostLights) + " that have masks.");
     if (view.width < 1 || view.height < 1)
         throw InputError("A picture of " + std::to_string(view.width) + "x" +
                          std::to_string(view.height) + " pixels can't be drawn.");

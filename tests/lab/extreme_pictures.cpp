@@ -51,7 +51,9 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
             view.lights[i].drawn = (lights >> i & 1u) != 0;
         unshadowed[lights] = draw(plain, view);
     }
-    pictures.unshadowed = [unshadowed](const lab::LightSet& lights) { return unshadowed.at(lights); };
+    pictures.unshadowed = [unshadowed](const lab::LightSet& lights) {
+        return unshadowed.at(lights);
+    };
     pictures.image = draw(shadows, frame);
     frame.mask = true;
     pictures.mask = draw(shadows, frame);

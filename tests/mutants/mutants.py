@@ -41,7 +41,7 @@ MUTANTS = (
      "planar_shadow_test", "LargestPlanes.*"),
     ("caps are fans although the light is within the cluster",
      "src/shadow/plan/volume_plan.cpp",
-     "(!draw.backCaps || isOutsideOf(cluster, view.light))", "true",
+     "(!draw.backCaps || isOutsideOf(cluster.bounds, view.light))", "true",
      "volume_plan_test", "VolumePlan.*"),
     ("caps are fans although the cluster is alpha-tested",
      "src/shadow/plan/volume_plan.cpp",
