@@ -23,7 +23,7 @@ MODELS |= {name: SCENES / file for name, file in {
     "bunny": "bunny.draco.glb", "car": "car.draco.glb", "city": "city.draco.glb", "duck": "duck.glb",
     "engine": "engine.glb", "garden": "garden.draco.glb", "hospital": "hospital-electrical.glb",
     "oaktree": "oaktree.glb", "temple": "temple.glb", "truck": "truck.draco.glb"}.items()}
-SIZE, VIEWS, FRAMES = "320x180", 2, 3
+SIZE, VIEWS, FRAMES = "240x135", 2, 2
 MAP = "shadows=map,map-size="
 
 # Of as many texels each: 1024 x 1024, and of lamps 6 x 512 x 512.

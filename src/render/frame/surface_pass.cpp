@@ -6,6 +6,7 @@
 #include "src/render/frame/cone_window.hpp"
 #include "src/render/shadow_map/map_build.hpp"
 #include "src/render/shadow_map/map_defines.hpp"
+#include "src/scene/solid_surfaces.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
@@ -461,7 +462,8 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
 
 /// Those of the chunk's own indices, which are bound.
 void SurfacePass::drawTriangles(const SurfaceChunk& chunk, const BatchView& view) const {
-    const bool hidden = cullsSolids_ && !chunk.solids.empty() && areBacksHidden(chunk, view);
+    const bool hidden =
+        cullsSolids && cullsSolids_ && !chunk.solids.empty() && areBacksHidden(chunk, view);
     const int both = hidden ? chunk.firstSolidIndex : chunk.indexCount;
     if (both > 0) glDrawElements(GL_TRIANGLES, both, GL_UNSIGNED_SHORT, nullptr);
     if (!hidden) return;

@@ -94,10 +94,12 @@ ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& fram
     }
     lookup.cascadeMargin = static_cast<float>(view.cascadeMargin);
     lookup.bleeding = settings_.bleedingShare();
-    if (view.warp) {
-        lookup.warp = warp_->texture();
-        lookup.warpInner = glm::vec4(view.warp->inner());
-        lookup.warpOuter = glm::vec4(view.warp->outer());
+    if constexpr (allMapKinds) {
+        if (view.warp) {
+            lookup.warp = warp_->texture();
+            lookup.warpInner = glm::vec4(view.warp->inner());
+            lookup.warpOuter = glm::vec4(view.warp->outer());
+        }
     }
     return lookup;
 }
