@@ -291,9 +291,8 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
         verb, "--silhouette", settings.silhouette, silhouetteNames,
         "Which plane-pair records reach the vertex shader: those that can be silhouettes in this "
         "light, or all of them (proposed)");
-    addChoice(verb, "--cull-solids", settings.cullSolids, onOffNames,
-              "Backs of closed solids are not drawn where nobody can see them (on; off with "
-              "--layout published)");
+    addChoice(verb, "--cull-solids", settings.render.cullSolids, onOffNames,
+              "Backs of closed solids are not drawn where nobody can see them (off)");
     addVolumeOptions(verb, settings);
     addRivalOptions(verb, settings);
     addChoice(
@@ -365,7 +364,6 @@ void resolve(DrawSettings& settings) {
     for (const std::string& option : settings.volumeOptions)
         if (!planes && option != "--mask-scale")
             throw Error(ExitStatus::usage, option + " needs --layout adapted.");
-    settings.render.cullSolids = settings.cullSolids.value_or(planes);
     settings.render.silhouette =
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())

@@ -28,7 +28,6 @@ struct DrawSettings {
     std::optional<MultiplicityMethod> multiplicity; ///< as typed; see resolve()
     std::optional<VolumeLayout> layout;             ///< likewise
     std::optional<SilhouetteChoice> silhouette;     ///< likewise
-    std::optional<bool> cullSolids;                 ///< likewise
     std::optional<BruteForceCount> count;           ///< likewise
     InstancingChoice instancing = InstancingChoice::automatic;
     std::optional<int> depthSlices;               ///< nothing: as many as pay

@@ -6,9 +6,9 @@ namespace edgeshade {
 
 /// Whether this build leaves out backs of solids: pages don't, whose weight has no room for it.
 #ifdef EDGESHADE_DRAWS_BACKS
-inline constexpr bool cullsSolids = false;
+inline constexpr bool mayCullSolids = false;
 #else
-inline constexpr bool cullsSolids = true;
+inline constexpr bool mayCullSolids = true;
 #endif
 
 /// Which of a batch's opaque surfaces are of solids.

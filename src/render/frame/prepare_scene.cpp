@@ -86,7 +86,7 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
         scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
                                  capabilities);
     }
-    if constexpr (cullsSolids)
+    if constexpr (mayCullSolids)
         if (settings.cullSolids) sortSolidsLast(scene, loaded);
     if constexpr (hasRivals)
         if (settings.shadows == ShadowMethod::planar) scene.planes.make(loaded, settings.planes);

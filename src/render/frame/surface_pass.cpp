@@ -463,7 +463,7 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
 /// Those of the chunk's own indices, which are bound.
 void SurfacePass::drawTriangles(const SurfaceChunk& chunk, const BatchView& view) const {
     const bool hidden =
-        cullsSolids && cullsSolids_ && !chunk.solids.empty() && areBacksHidden(chunk, view);
+        mayCullSolids && cullsSolids_ && !chunk.solids.empty() && areBacksHidden(chunk, view);
     const int both = hidden ? chunk.firstSolidIndex : chunk.indexCount;
     if (both > 0) glDrawElements(GL_TRIANGLES, both, GL_UNSIGNED_SHORT, nullptr);
     if (!hidden) return;
