@@ -311,4 +311,12 @@ MUTANTS = (
      "shaders_es2/light_table.glsl",
      "} else if (where.w > 1.5) {", "} else {",
      "many_lights_test", "ManyLights.OnePass*"),
+    ("settings are dropped by sums that few views may decide",
+     "src/bench/halving.cpp",
+     "spreadOfErrors).low <= 0.0)", "spreadOfErrors).low <= -99.0)",
+     "bench_test", "Halving.*"),
+    ("figures of what was dropped early are as they were measured then",
+     "src/bench/halving.cpp",
+     "estimate.milliseconds = of.milliseconds * ratio;", "estimate.milliseconds *= ratio / ratio;",
+     "bench_test", "Estimates.*"),
 )
