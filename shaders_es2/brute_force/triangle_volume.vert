@@ -37,7 +37,8 @@ void emitSide(float v, float facing) {
     // The opposite vertex of AC is between its ends.
     float multiplicity = ab || bc ? facing : -facing;
     // The other winding swaps the first two vertices: a rasteriser that turns triangles so, and keeps
-    // the last, reckons the same depths of both, and what touches a surface at the edge cancels.
+    // the last, reckons the same depths of both, and what touches a surface at the edge cancels, if
+    // nothing of it is clipped.
     if (multiplicity < 0.0) of = of > 1.5 ? of : 1.0 - of;
     float id = second ? of + 1.0 : 2.0 - of;
     vec4 place = sideCorner(id, bc ? a_capB.xyz : a_capA.xyz, ab ? a_capB.xyz : a_capC.xyz);

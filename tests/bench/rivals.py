@@ -65,9 +65,11 @@ TILTS = (1, 0.1, 0.01, 0.003, 0.0015, 0.0005)
 
 
 def leaves():
-    """Five hundred small triangles above the eye, around the near plane, and a wall behind them."""
+    """Five hundred small triangles above the eye, around the near plane, and behind them a wall that
+    nothing of is clipped."""
     chance = random.Random(2005)
-    triangles = [[[-9, -9, -6], [9, -9, -6], [9, 9, -6]], [[-9, -9, -6], [9, 9, -6], [-9, 9, -6]]]
+    a, b, c, d = [[x, y, -6] for x, y in ((-4.5, -4.5), (4.5, -4.5), (4.5, 4.5), (-4.5, 4.5))]
+    triangles = [[a, b, c], [a, c, d]]
     for _ in range(500):
         middle = [chance.uniform(-1.5, 1.5), chance.uniform(1, 3), chance.uniform(-2.5, 1)]
         triangles.append([[m + chance.uniform(-0.15, 0.15) for m in middle] for _ in range(3)])
