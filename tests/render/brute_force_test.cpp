@@ -113,10 +113,10 @@ TEST(BruteForce, SliversLeaveNoStreaks) {
     }
 }
 
-// Within a wall two triangles' sides begin at the surface that is seen: unless both have the same
-// depths there they don't cancel. The wall is within the picture: clipped, they have other
-// vertices.
-TEST(BruteForce, NeighboursSidesCancelAtTheSurface) {
+// Within a wall two triangles' sides begin at the surface that is seen: where a rasteriser reckons
+// their depths from other corners they don't cancel, along their common edge alone (docs/method.md,
+// What is not proved). The wall is within the picture: clipped, they have other vertices.
+TEST(BruteForce, NeighboursSidesCancelButAlongTheirEdge) {
     const Scene wall =
         SceneBuilder()
             .quad({-3.6f, -3.6f, -6}, {3.6f, -3.6f, -6}, {3.6f, 3.6f, -6}, {-3.6f, 3.6f, -6})
@@ -125,7 +125,7 @@ TEST(BruteForce, NeighboursSidesCancelAtTheSurface) {
         for (const Light& light : {sun({0, 1, 1}), sun({0.3, 1, 0.1}), pointLight({1, 2, 3})}) {
             const Outcome outcome = test::run({wall, {{0, 0, 1}, {0, 0, -6}, 70.0}, light},
                                               bruteForce(count, SidesLayout::notInstanced));
-            EXPECT_EQ(outcome.wrong, 0);
+            EXPECT_LE(outcome.wrong, test::maskHeight); // a pixel in each row at most
         }
 }
 
