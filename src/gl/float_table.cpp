@@ -55,19 +55,12 @@ void FloatTable::allocate(std::size_t count, std::size_t channels,
         throw Error(ExitStatus::unavailable, "A table of " + std::to_string(count) +
                                                  " texels is larger than this GL's largest "
                                                  "texture.");
-    Name name = 0;
-    glGenTextures(1, &name);
-    texture_ = Texture(name);
-    glBindTexture(GL_TEXTURE_2D, name);
+    texture_ = nearestTexture();
     const GLenum format = formatOf(channels);
     const bool sized = channels == 4 && isEs3(capabilities);
     glTexImage2D(GL_TEXTURE_2D, 0, sized ? sizedFormat : static_cast<GLint>(format),
                  static_cast<GLsizei>(columns), static_cast<GLsizei>(rows), 0, format, GL_FLOAT,
                  nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
     channels_ = channels;
     columns_ = columns;

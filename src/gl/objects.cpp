@@ -42,6 +42,18 @@ Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()
     if (bytes.size() >= surelyThere) requireNoError("uploading a buffer");
 }
 
+Texture nearestTexture() {
+    Name name = 0;
+    glGenTextures(1, &name);
+    Texture texture(name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
 Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height,
                     const Sampler& sampler) {
     Name name = 0;

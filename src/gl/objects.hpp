@@ -73,6 +73,10 @@ Buffer vertexBuffer(std::span<const T> values) {
     return Buffer(Buffer::Kind::vertices, std::as_bytes(values));
 }
 
+/// A texture without an image yet, of which single texels are looked up, at its edges those there;
+/// left bound to the active unit's GL_TEXTURE_2D. Of any size.
+Texture nearestTexture();
+
 /// A texture of 8-bit RGBA texels, rows top to bottom, with mipmaps where its sampler takes them.
 /// Width and height must be powers of two.
 Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height,

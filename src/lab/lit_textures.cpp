@@ -7,17 +7,10 @@ namespace edgeshade::lab {
 namespace {
 
 gl::Texture uploaded(const std::vector<std::uint8_t>& pixels, int width, int height) {
-    gl::Name name = 0;
-    glGenTextures(1, &name);
-    gl::Texture texture(name);
-    glBindTexture(GL_TEXTURE_2D, name);
+    gl::Texture texture = gl::nearestTexture();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  pixels.data());
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
     return texture;
 }

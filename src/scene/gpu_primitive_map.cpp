@@ -31,17 +31,10 @@ std::size_t GpuPrimitiveMap::bytes() const {
 }
 
 AlphaTexture uploadAlpha(std::span<const std::uint8_t> alpha, int width, int height) {
-    gl::Name name = 0;
-    glGenTextures(1, &name);
-    AlphaTexture made{gl::Texture(name), {width, height}, alpha.size()};
-    glBindTexture(GL_TEXTURE_2D, name);
+    AlphaTexture made{gl::nearestTexture(), {width, height}, alpha.size()};
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, width, height, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE,
                  alpha.data());
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
     gl::requireNoError("uploading cutouts");
     return made;

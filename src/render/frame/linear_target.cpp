@@ -68,20 +68,13 @@ bool LinearTarget::make(int width, int height) {
 }
 
 bool LinearTarget::makeTexture(unsigned internalFormat, unsigned type) {
-    gl::Name name = 0;
-    glGenTextures(1, &name);
-    light_ = gl::Texture(name);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, name);
+    light_ = gl::nearestTexture();
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size_.x, size_.y, 0, GL_RGBA,
                  type, nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
     glBindTexture(GL_TEXTURE_2D, 0);
     framebuffer_ = makeFramebuffer();
-    attachTexture(name);
+    attachTexture(light_.name());
     return isComplete();
 }
 

@@ -4,15 +4,7 @@
 
 namespace edgeshade {
 
-WarpTable::WarpTable() {
-    gl::Name name = 0;
-    glGenTextures(1, &name);
-    texture_ = gl::Texture(name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+WarpTable::WarpTable() : texture_(gl::nearestTexture()) {
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
