@@ -1,7 +1,5 @@
 #include "src/render/drawing/batch_view.hpp"
 
-#include "src/shadow/geometry/near_rectangle.hpp"
-
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -18,8 +16,6 @@ BatchView batchViewOf(const GpuBatch& batch, const FrameView& view, const DepthS
     result.alpha = batch.alpha ? &*batch.alpha : nullptr;
     result.mirrored = batch.mirrored();
     result.culls = view.culls;
-    result.beforeNear = volumeBefore(
-        slice.near, view.frustum, glm::inverse(view.frustum.viewFromWorld * batch.worldFromBatch));
     return result;
 }
 

@@ -11,6 +11,7 @@
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
 #include "src/shadow/geometry/light_range.hpp"
+#include "src/shadow/geometry/near_rectangle.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
@@ -243,6 +244,11 @@ bool mayBeSeen(const SurfaceChunk& chunk, const BatchView& view) {
                         [&](const glm::dvec4& plane) { return isOutside(chunk.bounds, plane); });
 }
 
+/// Whether the scene culls such surfaces' backs, wherever they are seen from.
+bool showsFrontAlone(const Material& material, const BatchView& view) {
+    return view.culls && !material.doubleSided;
+}
+
 /// Whether none of the backs of the chunk's solids can be seen: nothing of them is between the eye
 /// and the slice (docs/method.md, C44).
 bool areBacksHidden(const SurfaceChunk& chunk, const BatchView& view) {
@@ -267,7 +273,12 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
                         const DepthSlice& slice, const SurfaceShading& shading) {
     BatchView result = batchViewOf(batch, view, slice);
     const auto number = static_cast<std::size_t>(&batch - scene.batches.data());
-    result.nothingBefore = slice.near <= view.nearestDepths[number];
+    if (mayCullSolids && scene.solidsLast) {
+        result.beforeNear =
+            volumeBefore(slice.near, view.frustum,
+                         glm::inverse(view.frustum.viewFromWorld * batch.worldFromBatch));
+        result.nothingBefore = slice.near <= view.nearestDepths[number];
+    }
     if (shading.light && shading.light->isSpot())
         result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
     if (shading.light && shading.light->hasRange() && shading.addsLight()) {
@@ -441,8 +452,7 @@ std::size_t SurfacePass::draw(const GpuScene& scene, const GpuBatch& batch, cons
         const Material& material = scene.materials[chunk.material];
         if (material.alphaMode != kind) continue;
         std::optional<CullScope> frontAlone;
-        if (view.culls && !material.doubleSided)
-            frontAlone.emplace(view.mirrored ? GL_FRONT : GL_BACK);
+        if (showsFrontAlone(material, view)) frontAlone.emplace(view.mirrored ? GL_FRONT : GL_BACK);
         runs += drawChunk(scene, chunk, view, eye, shading);
     }
     return runs;
@@ -461,20 +471,16 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
 }
 
 /// Those of the chunk's own indices, which are bound.
-void SurfacePass::drawTriangles(const SurfaceChunk& chunk, const BatchView& view) const {
-    const bool hidden =
-        mayCullSolids && cullsSolids_ && !chunk.solids.empty() && areBacksHidden(chunk, view);
+void SurfacePass::drawTriangles(const SurfaceChunk& chunk, const BatchView& view,
+                                const Material& material) const {
+    const bool hidden = mayCullSolids && cullsSolids_ && !showsFrontAlone(material, view) &&
+                        !chunk.solids.empty() && areBacksHidden(chunk, view);
     const int both = hidden ? chunk.firstSolidIndex : chunk.indexCount;
     if (both > 0) glDrawElements(GL_TRIANGLES, both, GL_UNSIGNED_SHORT, nullptr);
     if (!hidden) return;
-    const GLboolean culling = glIsEnabled(GL_CULL_FACE); // fronts alone are drawn already
-    if (!culling) {
-        glEnable(GL_CULL_FACE);
-        glCullFace(view.mirrored ? GL_FRONT : GL_BACK);
-    }
+    const CullScope frontAlone(view.mirrored ? GL_FRONT : GL_BACK);
     glDrawElements(GL_TRIANGLES, chunk.indexCount - both, GL_UNSIGNED_SHORT,
                    reinterpret_cast<const void*>(static_cast<std::size_t>(both) * 2));
-    if (!culling) glDisable(GL_CULL_FACE);
 }
 
 std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chunk,
@@ -535,7 +541,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     if (variant.sided)
         glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     else
-        drawTriangles(chunk, view);
+        drawTriangles(chunk, view, material);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     return static_cast<std::size_t>(chunk.indexCount);
 }

@@ -171,7 +171,8 @@ class SurfacePass {
     };
     static const std::array<Attribute, 8> attributes_; ///< in the order of their locations
 
-    void drawTriangles(const SurfaceChunk& chunk, const BatchView& view) const;
+    void drawTriangles(const SurfaceChunk& chunk, const BatchView& view,
+                       const Material& material) const;
     std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                          const glm::dvec3& eye, const SurfaceShading& shading);
     Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
