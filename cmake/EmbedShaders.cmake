@@ -2,9 +2,7 @@
 # `#include "file"` lines replaced by that file. The shaders have no other preprocessing here;
 # the runtime puts the #define lines of a variant in front.
 set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
-# A page's shadow maps are plain ones (src/render/shadow_map/map_build.hpp), it has neither brute-force
-# volumes nor planar shadows (src/scene/rival_build.hpp), and it lists no lights
-# (src/render/frame/light_table.hpp).
+# Of what pages leave out (src/scene/build_parts.hpp).
 if(EMSCRIPTEN)
   set(EDGESHADE_SHADERS_LEFT_OUT
     cascades.glsl,filtered_distance.glsl,filtered_map.glsl,light_table.glsl,moments.glsl,moment_shadow.glsl,poisson.glsl,shadow_map_blur.frag,warp.glsl,near_cap.vert,projected.frag,projected_caster.vert,triangle_volume.vert)

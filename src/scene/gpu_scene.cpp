@@ -1,6 +1,5 @@
 #include "src/scene/gpu_scene.hpp"
-
-#include "src/scene/rival_build.hpp"
+#include "src/scene/build_parts.hpp"
 
 namespace edgeshade {
 namespace {
@@ -53,9 +52,7 @@ std::shared_ptr<ShadowBuffers> uploadOppositeVertices(const LoadedScene& loaded,
 
 /// See GpuBatch::geometry.
 void keepGeometry([[maybe_unused]] GpuBatch& of, [[maybe_unused]] const Batch& batch) {
-#ifndef EDGESHADE_PLAIN_MAPS
-    of.geometry = batch.geometry;
-#endif
+    if constexpr (allMapKinds) of.geometry = batch.geometry;
 }
 
 void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {

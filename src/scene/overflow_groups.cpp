@@ -1,7 +1,7 @@
 #include "src/scene/overflow_groups.hpp"
 
+#include "src/scene/build_parts.hpp"
 #include "src/scene/layered_shadow.hpp"
-#include "src/scene/rival_build.hpp"
 #include "src/shadow/geometry/cut_casters.hpp"
 
 #include <algorithm>

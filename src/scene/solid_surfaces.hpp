@@ -4,13 +4,6 @@
 
 namespace edgeshade {
 
-/// Whether this build leaves out backs of solids: pages don't, whose weight has no room for it.
-#ifdef EDGESHADE_DRAWS_BACKS
-inline constexpr bool mayCullSolids = false;
-#else
-inline constexpr bool mayCullSolids = true;
-#endif
-
 /// Which of a batch's opaque surfaces are of solids.
 struct SolidSurfaces {
     static constexpr std::uint32_t none = 0xffffffff;

@@ -24,8 +24,8 @@
 
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/reading/animation_reading.hpp"
+#include "src/scene/build_parts.hpp"
 #include "src/scene/pose.hpp"
-#include "src/scene/rival_build.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>

@@ -5,9 +5,8 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_renderers.hpp"
-#include "src/render/shadow_map/map_build.hpp"
 #include "src/render/volumes/stencil_count.hpp"
-#include "src/scene/rival_build.hpp"
+#include "src/scene/build_parts.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/plan/light_lists.hpp"
 

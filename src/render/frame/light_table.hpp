@@ -10,13 +10,6 @@
 
 namespace edgeshade {
 
-/// Whether this build lists lights by tile: a page's weight has no room for it.
-#ifdef EDGESHADE_PLAIN_MAPS
-inline constexpr bool listsLights = false;
-#else
-inline constexpr bool listsLights = true;
-#endif
-
 /// What surfaces look up of listed lights.
 struct LightTableLookup {
     gl::Name texture = 0;

@@ -1,7 +1,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 
 #include "src/render/shadow_map/map_words.hpp"
-#include "src/scene/rival_build.hpp"
+#include "src/scene/build_parts.hpp"
 #include "src/scene/solid_surfaces.hpp"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "src/render/volumes/brute_force/triangle_volumes.hpp"
 #include "src/render/volumes/plane_pair_volumes.hpp"
 #include "src/render/volumes/published/opposite_vertex_volumes.hpp"
-#include "src/scene/rival_build.hpp"
+#include "src/scene/build_parts.hpp"
 
 namespace edgeshade {
 

@@ -5,8 +5,8 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/caster_chunk.hpp"
-#include "src/render/shadow_map/map_build.hpp"
 #include "src/render/shadow_map/pcss_view.hpp"
+#include "src/scene/build_parts.hpp"
 #include "src/shadow/geometry/light_range.hpp"
 
 #include <algorithm>

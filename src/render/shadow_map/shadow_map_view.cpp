@@ -1,7 +1,7 @@
 #include "src/render/shadow_map/shadow_map_view.hpp"
 
 #include "src/render/shadow_map/cascades.hpp"
-#include "src/render/shadow_map/map_build.hpp"
+#include "src/scene/build_parts.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "src/render/volumes/volume_counter.hpp"
 
 #include "src/render/volumes/stencil_count.hpp"
-#include "src/scene/rival_build.hpp"
+#include "src/scene/build_parts.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>

@@ -1,0 +1,25 @@
+#pragma once
+
+namespace edgeshade {
+
+/// Pages leave out what their weight has no room for.
+#ifdef EDGESHADE_FOR_PAGES
+inline constexpr bool isForPages = true;
+#else
+inline constexpr bool isForPages = false;
+#endif
+
+/// Whether this build has all kinds and filters of shadow maps, or cubes, single maps and PCF
+/// alone.
+inline constexpr bool allMapKinds = !isForPages;
+
+/// Whether it has brute-force volumes and planar shadows, which are there to be compared with.
+inline constexpr bool hasRivals = !isForPages;
+
+/// Whether it lists lights by tile.
+inline constexpr bool listsLights = !isForPages;
+
+/// Whether it can leave out backs of solids.
+inline constexpr bool mayCullSolids = !isForPages;
+
+} // namespace edgeshade
