@@ -16,8 +16,9 @@
 #define VERTICES_PER_SIDE 6
 #define VERTICES_PER_CAP_PAIR 6
 
-// Those of the volume of one triangle, in the order of brute_force/triangle_volume.vert.
-#define VERTICES_PER_TRIANGLE_VOLUME 24
+// Those of one of the two draws of a triangle's volume, in the order of
+// brute_force/triangle_volume.vert.
+#define VERTICES_PER_TRIANGLE_VOLUME 18
 #define FIRST_SIDE_VERTEX 3
-#define SECOND_SIDE_VERTEX 12
-#define BACK_CAP_VERTEX 21
+#define SECOND_SIDE_VERTEX 9
+#define BACK_CAP_VERTEX 15

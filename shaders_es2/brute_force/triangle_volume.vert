@@ -1,9 +1,13 @@
 // The shadow volume of one triangle A < B < C, no matter what is next to it (Sambeek 2007): its
-// front cap, its three sides, its back cap, all turned by the one sign of that triangle, so that it is
+// front cap, its three sides, its back cap, all counted by the one sign of that triangle, so that it is
 // closed whatever the sign is (docs/method.md, C3).
 //
-// Vertices v: 0..2 the front cap; 3..11 the first triangle of the sides over AB, BC and AC, 12..20
-// the second, which has no area where the light is a direction; 21..23 the back cap, likewise.
+// It takes two draws: caps and sides of multiplicity 1, then sides of multiplicity -1, whose stencil
+// operations are swapped. So the side over an edge has the same vertices in the same order whichever
+// triangle it is of, and neighbours' sides cancel in every pixel (C5).
+//
+// Vertices v: 0..2 the front cap; 3..8 the first triangles of up to two sides, 9..14 the second ones,
+// which have no area where the light is a direction; 15..17 the back cap, likewise.
 //
 // Variants: INSTANCED as in sides.vert, else u_vertices says which are drawn; those of
 // cap_corner.glsl.
@@ -20,30 +24,24 @@ attribute vec4 a_capA; // not instanced: w = v
 attribute vec4 a_capB;
 attribute vec4 a_capC;
 
-uniform vec4 u_light; // in object space
-
-// Vertex id of the side over low < high, 0..5, as in sides.vert: neighbours' sides over one edge have
-// one diagonal, so that they cover the same pixels.
-vec4 sideCorner(float id, vec3 low, vec3 high) {
-    vec3 end = id == 0.0 || id == 2.0 ? low : high;
-    return id > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
-}
+uniform vec4 u_light;         // in object space
+uniform float u_multiplicity; // 1 or -1: that of the sides which are drawn
 
 void emitSide(float v, float facing) {
-    bool second = v > 8.5;
-    float corner = second ? v - 9.0 : v;
-    bool ab = corner < 2.5, bc = !ab && corner < 5.5;
-    float of = corner - (ab ? 0.0 : bc ? 3.0 : 6.0);
-    // The opposite vertex of AC is between its ends.
-    float multiplicity = ab || bc ? facing : -facing;
-    // The other winding swaps the first two vertices: a rasteriser that turns triangles so, and keeps
-    // the last, reckons the same depths of both, and what touches a surface at the edge cancels, if
-    // nothing of it is clipped.
-    if (multiplicity < 0.0) of = of > 1.5 ? of : 1.0 - of;
-    float id = second ? of + 1.0 : 2.0 - of;
-    vec4 place = sideCorner(id, bc ? a_capB.xyz : a_capA.xyz, ab ? a_capB.xyz : a_capC.xyz);
-    gl_Position = facing != 0.0 ? rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, place))
-                                : vec4(0.0);
+    bool second = v > 5.5;
+    float corner = second ? v - 6.0 : v;
+    bool further = corner > 2.5; // the other side
+    float of = further ? corner - 3.0 : corner;
+    // AB and BC have the triangle's sign; the opposite vertex of AC is between its ends.
+    bool two = facing == u_multiplicity;
+    vec3 low = two && further ? a_capB.xyz : a_capA.xyz;
+    vec3 high = two && !further ? a_capB.xyz : a_capC.xyz;
+    float id = second ? of + 1.0 : 2.0 - of; // as in sides.vert
+    vec3 end = id == 0.0 || id == 2.0 ? low : high;
+    vec4 place = id > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
+    bool drawn = facing != 0.0 && (two || !further);
+    gl_Position = drawn ? rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, place))
+                        : vec4(0.0);
 #ifdef ALPHA_TEST
     v_alphaLookup = vec3(0.0);
     v_isBack = 1.0; // solid
@@ -61,8 +59,8 @@ void main() {
     float v = a_capA.w;
     if (v < u_vertices.x || v >= u_vertices.y) facing = 0.0;
 #endif
-    if (v > 2.5 && v < 20.5)
+    if (v > 2.5 && v < 14.5)
         emitSide(v - 3.0, facing);
     else
-        emitCap(v < 2.5 ? v : v - 18.0, facing, a_capA.xyz, a_capB.xyz, a_capC.xyz, u_light);
+        emitCap(v < 2.5 ? v : v - 12.0, facing, a_capA.xyz, a_capB.xyz, a_capC.xyz, u_light);
 }

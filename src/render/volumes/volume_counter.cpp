@@ -52,7 +52,10 @@ void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
     const auto drawAll = [&](const std::vector<VolumeDraw>& draws) {
         forEachDraw(draws, plan, volumes, scene, casters,
                     [&](const VolumeDraw& draw, const DrawnBatch& batch) {
-                        countByOne(draw.zFail, batch.mirrored);
+                        bool turned = batch.mirrored;
+                        if constexpr (hasRivals)
+                            if (draw.shape == VolumeDraw::Shape::negativeSides) turned = !turned;
+                        countByOne(draw.zFail, turned);
                         std::optional<CulledCapOffset> offset;
                         if (draw.culled) offset.emplace(offsetSlopes_, offsetUnits_);
                         std::optional<CountAll> all;

@@ -23,7 +23,8 @@ struct VolumeDraw {
         sides,
         fans, ///< caps of silhouette edges, each joined to the middle of the cluster's box
         caps, ///< of triangles
-        triangleVolumes, ///< each triangle's whole volume, or what z-pass takes of it
+        triangleVolumes, ///< of each triangle's volume sides of multiplicity 1; of z-fail caps, too
+        negativeSides,   ///< its sides of multiplicity -1, not turned, but counted the other way
         nearCaps,        ///< triangles projected by the light onto the near plane (ZP+)
     };
     /// What the vertex shader gets.

@@ -70,12 +70,13 @@ TriangleVolumes::Variant TriangleVolumes::variantOf(const VolumeDraw& draw) {
 
 TriangleVolumes::Vertices TriangleVolumes::verticesOf(const VolumeDraw& draw,
                                                       const DrawnBatch& batch) {
-    if (draw.shape != Shape::triangleVolumes) return {0, verticesPerCap};
-    const bool directional = batch.plan.light.w == 0.0f;
+    const bool negative = draw.shape == Shape::negativeSides;
+    if (!negative && draw.shape != Shape::triangleVolumes) return {0, verticesPerCap};
+    const bool directional = batch.plan.light.w == 0.0f, sidesAlone = negative || !draw.zFail;
     const int end = directional  ? SECOND_SIDE_VERTEX
-                    : draw.zFail ? VERTICES_PER_TRIANGLE_VOLUME
-                                 : BACK_CAP_VERTEX;
-    const int first = draw.zFail ? 0 : FIRST_SIDE_VERTEX;
+                    : sidesAlone ? BACK_CAP_VERTEX
+                                 : VERTICES_PER_TRIANGLE_VOLUME;
+    const int first = sidesAlone ? FIRST_SIDE_VERTEX : 0;
     return {first, end - first};
 }
 
@@ -123,6 +124,8 @@ void TriangleVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) cons
         program.set("u_heights", glm::vec2(0.0f, light.w == 0.0f ? std::numeric_limits<float>::max()
                                                                  : std::abs(height) / light.w));
     }
+    const bool negative = draw.shape == Shape::negativeSides;
+    if (draw.shape != Shape::nearCaps) program.set("u_multiplicity", negative ? -1.0f : 1.0f);
     const Vertices all = verticesOf(draw, batch);
     if (!draw.alphaTested) {
         drawRecords(program, triangles, draw.range, all, false);
@@ -133,6 +136,7 @@ void TriangleVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) cons
         program.set("u_frontCapAtInfinity", 1.0f);
         drawRecords(program, triangles, draw.range, all, true);
     }
+    if (negative) return;
     program.set("u_frontCapAtInfinity", 0.0f);
     drawRecords(program, triangles, draw.range, {0, verticesPerCap}, true);
 }

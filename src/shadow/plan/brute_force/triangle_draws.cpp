@@ -6,12 +6,15 @@
 namespace edgeshade {
 namespace {
 
-/// That a triangle's volume runs.
-int verticesOf(const TriangleCount& count) {
-    const int sides = count.directional ? SECOND_SIDE_VERTEX - FIRST_SIDE_VERTEX
-                                        : BACK_CAP_VERTEX - FIRST_SIDE_VERTEX;
-    if (!count.zFail) return sides;
-    return verticesPerCap + sides + (count.directional ? 0 : verticesPerCap);
+/// That a triangle runs for its sides of one multiplicity.
+int sideVerticesOf(const TriangleCount& count) {
+    return (count.directional ? SECOND_SIDE_VERTEX : BACK_CAP_VERTEX) - FIRST_SIDE_VERTEX;
+}
+
+/// That it runs for its caps.
+int capVerticesOf(const TriangleCount& count) {
+    if (!count.zFail) return 0;
+    return count.directional ? verticesPerCap : 2 * verticesPerCap;
 }
 
 } // namespace
@@ -31,12 +34,15 @@ void appendTriangleDraws(const std::vector<MaterialCasters>& groups, std::size_t
             draws.push_back(draw);
         }
         draw.shape = VolumeDraw::Shape::triangleVolumes;
-        draw.verticesPerRecord = verticesOf(count);
+        draw.verticesPerRecord = sideVerticesOf(count) + capVerticesOf(count);
         draw.nearDiscard = count.zFail && count.nearDiscard;
         if (count.zFail && range.alphaTested) {
             draw.alphaTested = range.alphaTested;
             draw.verticesPerRecord += verticesPerCap; // in the cutouts
         }
+        draws.push_back(draw);
+        draw.shape = VolumeDraw::Shape::negativeSides;
+        draw.verticesPerRecord = sideVerticesOf(count);
         draws.push_back(draw);
         if (count.zFail || !range.alphaTested) continue;
         draw.shape = VolumeDraw::Shape::caps;

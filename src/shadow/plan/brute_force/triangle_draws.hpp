@@ -15,6 +15,7 @@ struct TriangleCount {
 
 /// Appends the draws of one batch: with z-fail every triangle's whole volume, with z-pass what of
 /// the triangles lies before the near plane (ZP+), then their sides, then front caps in cutouts.
+/// Sides of multiplicity 1 and of -1 are drawn one after the other.
 /// `index`: of the batch in the plan; `groups`: ranges of its triangles.
 void appendTriangleDraws(const std::vector<MaterialCasters>& groups, std::size_t index,
                          const TriangleCount& count, const std::vector<Material>& materials,
