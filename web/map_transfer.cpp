@@ -7,7 +7,7 @@ namespace edgeshade::web {
 template <class Archive>
 void transfer(Archive& archive, Maybe<PrimitiveMapTask> auto& task) {
     auto& settings = task.settings;
-    archive(task.light, settings.size, settings.mostBytes, settings.splitAbove, settings.mostSplits,
+    archive(task.light, task.castersReceive, settings.size, settings.mostBytes, settings.splitAbove, settings.mostSplits,
             settings.othersReceive, settings.receivers, settings.cutouts);
 }
 
@@ -26,7 +26,7 @@ void transfer(Archive& archive, Maybe<SidedTriangles> auto& triangles) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<BuiltPrimitiveMap> auto& built) {
-    archive(built.light, built.extent, built.tooFar, built.milliseconds, built.map,
+    archive(built.light, built.mostBytes, built.tooFar, built.milliseconds, built.map,
             built.triangles);
 }
 

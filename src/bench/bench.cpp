@@ -27,6 +27,10 @@ struct Needs {
     std::optional<VolumeRecords> volumes; ///< nothing: draws none
     bool proposed = false;                ///< most records never reach the GPU
     bool primitiveMaps = false;
+    bool automatic = false;              ///< of the lights where they pay
+    bool seeThroughLooksUp = false;      ///< where volumes are counted
+    std::size_t mapBytes = 0;            ///< what primitive maps may take, where there may be any
+    std::optional<std::size_t> shadowed{}; ///< lights that have shadows; nothing: all
     bool culledCasters = false;
     std::size_t planes = 0; ///< shadows are projected onto
 
@@ -34,9 +38,18 @@ struct Needs {
 };
 
 Needs needsOf(const RenderSettings& settings) {
-    return {settings.records(), settings.silhouette == SilhouetteChoice::proposed,
-            settings.looksUpPrimitives(), settings.casterCulling,
-            settings.shadows == ShadowMethod::planar ? settings.planes : 0};
+    Needs needs{.volumes = settings.records(),
+                .proposed = settings.silhouette == SilhouetteChoice::proposed,
+                .primitiveMaps = settings.looksUpPrimitives(),
+                .automatic = settings.shadows == ShadowMethod::automatic,
+                .culledCasters = settings.casterCulling};
+    needs.seeThroughLooksUp =
+        settings.shadows == ShadowMethod::volumes && settings.shading == Shading::full;
+    if (needs.primitiveMaps || needs.seeThroughLooksUp)
+        needs.mapBytes = settings.primitiveMap.mostBytes;
+    if (needs.volumes) needs.shadowed = settings.shadowedLights;
+    if (settings.shadows == ShadowMethod::planar) needs.planes = settings.planes;
+    return needs;
 }
 
 /// A scene that some of the contenders draw, with what they share of it.
@@ -68,14 +81,14 @@ class Stage {
     const FrameView& view() const { return view_; }
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
-    /// With the groups of casters that the view's lights need.
-    GpuScene& sceneFor(const Needs& needs, const RenderSettings& settings) {
+    /// With the groups of casters and the maps that the lights of `view`, a contender's, need.
+    GpuScene& sceneFor(const Needs& needs, const FrameView& view, const RenderSettings& settings) {
         auto found = scenes_.find(needs);
         if (found == scenes_.end())
             found =
                 scenes_.emplace(needs, uploadScene(loaded_, needs.volumes, capabilities_)).first;
         GpuScene& scene = found->second;
-        prepareScene(scene, loaded_, view_, settings, capabilities_);
+        prepareScene(scene, loaded_, view, settings, capabilities_);
         return scene;
     }
 
@@ -270,7 +283,7 @@ class Course {
         Stage& stage = contender.stage;
         const FrameView view = viewFor(contender);
         drawWithExtents(contender.renderer, contender.extendedLights,
-                        stage.sceneFor(contender.needs, contender.renderer.settings()),
+                        stage.sceneFor(contender.needs, view, contender.renderer.settings()),
                         stage.loaded(), view, clock);
         gl::requireNoError("drawing for measuring");
     }
@@ -291,7 +304,8 @@ class Course {
 
     double frameMs(Contender& contender) {
         // What is made on first use is no part of a frame; of lights that move, nothing is first.
-        contender.stage.sceneFor(contender.needs, contender.renderer.settings());
+        contender.stage.sceneFor(contender.needs, viewFor(contender),
+                                 contender.renderer.settings());
         return timed([&] {
                    timer_.begin(0);
                    draw(contender, nullptr);
@@ -323,8 +337,9 @@ class Course {
                 sum += fill;
             result.fill = sum.times(1.0 / static_cast<double>(contender.fills.size()));
         }
+        const FrameView view = viewFor(contender);
         const GpuScene& scene =
-            contender.stage.sceneFor(contender.needs, contender.renderer.settings());
+            contender.stage.sceneFor(contender.needs, view, contender.renderer.settings());
         result.sideBytes = scene.groups.sideBytes() + scene.culled.sideBytes();
         result.capBytes = scene.groups.capBytes() + scene.culled.capBytes();
         for (const GpuBatch& batch : scene.batches) {
@@ -340,7 +355,7 @@ class Course {
             contender.renderer.mapBytes() + scene.primitiveMaps.bytes() + scene.planes.bytes();
         result.tableBytes = contender.renderer.tableBytes();
         result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
-        result.lights = lightMethods(scene, contender.stage.view(), contender.renderer);
+        result.lights = lightMethods(scene, view, contender.renderer);
         result.lightsReaching = static_cast<std::size_t>(median(contender.reaching));
         result.lightsShadowed = static_cast<std::size_t>(median(contender.shadowed));
         const auto first = contender.frameMs.begin();

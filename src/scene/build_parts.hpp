@@ -19,6 +19,9 @@ inline constexpr bool hasRivals = !isForPages;
 /// Whether it lists lights by tile.
 inline constexpr bool listsLights = !isForPages;
 
+/// Whether it weighs lights against each other, or takes the first to matter most.
+inline constexpr bool weighsLights = !isForPages;
+
 /// Whether it can leave out backs of solids.
 inline constexpr bool mayCullSolids = !isForPages;
 

@@ -2,6 +2,9 @@
 
 #include "preprocess/base/stopwatch.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #ifdef __linux__
 #include <pthread.h>
 #endif
@@ -21,10 +24,11 @@ namespace {
 
 PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTask& task,
                                  KeptEdges edges)
-    : light_(task.light), settings_(task.settings), materials_(&loaded.scene.materials),
+    : light_(task.light), castersReceive_(task.castersReceive), settings_(task.settings),
+      materials_(&loaded.scene.materials),
       edges_(std::move(edges)) {
-    built_.light = light_.position;
-    built_.extent = light_.extent;
+    built_.light = light_;
+    built_.mostBytes = settings_.mostBytes;
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {
         const Batch& batch = loaded.scene.batches[i];
         placed_.push_back({&batch, loaded.planePairs[i], batch.worldFromBatch, batch.isAnimated()});
@@ -85,10 +89,13 @@ bool PrimitiveMapJob::step() {
     } else if (built_.triangles.size() < placed_.size()) {
         const Placed& of = placed_[built_.triangles.size()];
         built_.triangles.emplace_back();
-        if (!of.animated)
-            built_.triangles.back() = sidedTriangles(
-                *of.batch, *materials_, shapeOf(light_).in(glm::inverse(of.worldFromBatch)),
-                light_.extent.has_value());
+        if (of.animated || !castersReceive_) return true;
+        built_.triangles.back() = sidedTriangles(
+            *of.batch, *materials_, shapeOf(light_).in(glm::inverse(of.worldFromBatch)),
+            light_.extent.has_value(),
+            light_.hasRange() ? rangeInObject(light_.range, of.worldFromBatch) : INFINITY);
+        for (const SidedTriangles& part : built_.triangles.back())
+            settings_.mostBytes -= std::min(settings_.mostBytes, part.bytes());
     } else if (!fitting_) {
         std::vector<PlacedCasters> casters = solid_;
         casters.insert(casters.end(), cutouts_.begin(), cutouts_.end());

@@ -21,17 +21,19 @@ using KeptEdges =
 /// What a primitive map is made from, beside the scene.
 struct PrimitiveMapTask {
     Light light;
-    PrimitiveMapSettings settings; ///< `cutouts`: empty where MASK surfaces cast nothing
+    /// What casts is looked up, too; false: only what is see-through, which casts nothing.
+    bool castersReceive = true;
+    PrimitiveMapSettings settings; ///< `mostBytes`: of all that is built; `cutouts`: empty where MASK surfaces cast nothing
 };
 
 /// What came of it.
 struct BuiltPrimitiveMap {
-    glm::dvec4 light{0.0};             ///< its position
-    std::optional<LightExtent> extent; ///< its own; nothing of the map is for its middle alone then
+    Light light;
+    std::size_t mostBytes = 0; ///< what it might take
     /// Nothing if it would take more memory or time than it may, or the light is too far off.
     std::optional<PrimitiveMap> map;
     bool tooFar = false;
-    std::vector<std::vector<SidedTriangles>> triangles; ///< by batch, by chunk
+    std::vector<std::vector<SidedTriangles>> triangles; ///< by batch, by chunk, or none
     double milliseconds = 0.0;                          ///< that were worked
 };
 
@@ -71,6 +73,7 @@ class PrimitiveMapJob {
         bool animated;
     };
     Light light_;
+    bool castersReceive_;
     PrimitiveMapSettings settings_;
     const std::vector<Material>* materials_;
     std::vector<Placed> placed_;

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace edgeshade {
 namespace {
+
+constexpr double moreWouldNotHelp = std::numeric_limits<double>::infinity();
 
 std::size_t silhouettesOf(const LoadedScene& loaded, const Light& light) {
     std::size_t count = 0;
@@ -77,10 +80,29 @@ bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
     return choice == MapChoice::all || records > fewSilhouettes || loaded.cutoutsCast;
 }
 
+std::vector<PrimitiveMaps::Kept>::const_iterator
+PrimitiveMaps::firstAt(const glm::dvec4& place) const {
+    const auto isBefore = [](const Kept& kept, const glm::dvec4& of) {
+        const glm::dvec4& at = kept.light.position;
+        return std::tie(at.x, at.y, at.z, at.w) < std::tie(of.x, of.y, of.z, of.w);
+    };
+    return std::lower_bound(kept_.begin(), kept_.end(), place, isBefore);
+}
+
+std::size_t PrimitiveMaps::placeOf(const Light& light) const {
+    auto at = firstAt(light.position);
+    while (at != kept_.end() && !castAlike(at->light, light))
+        at = at->light.position == light.position ? at + 1 : kept_.end();
+    return static_cast<std::size_t>(at - kept_.begin());
+}
+
+void PrimitiveMaps::keep(const Light& light, PrimitiveMapState state, double room) {
+    kept_.insert(firstAt(light.position), {light, std::move(state), room, false});
+}
+
 const PrimitiveMapState* PrimitiveMaps::of(const Light& light) const {
-    const auto found = std::find_if(kept_.begin(), kept_.end(),
-                                    [&](const Kept& kept) { return kept.isOf(light); });
-    return found == kept_.end() ? nullptr : &found->state;
+    const std::size_t place = placeOf(light);
+    return place == kept_.size() ? nullptr : &kept_[place].state;
 }
 
 void PrimitiveMaps::clear() {
@@ -101,39 +123,74 @@ std::size_t PrimitiveMaps::bytes() const {
     return total + (cutouts_ ? cutouts_->bytes : 0);
 }
 
-void PrimitiveMaps::keepOnly(const std::vector<Light>& lights) {
-    const auto isGone = [&](const glm::dvec4& of, const std::optional<LightExtent>& extent) {
-        return std::none_of(lights.begin(), lights.end(), [&](const Light& light) {
-            return light.position == of && light.extent == extent;
-        });
-    };
-    std::erase_if(kept_, [&](const Kept& kept) { return isGone(kept.light, kept.extent); });
-    if (job_ && isGone(job_->light().position, job_->light().extent)) job_.reset();
-    if (asked_ && isGone(asked_->position, asked_->extent)) giveUp();
+void PrimitiveMaps::keepOnly(const MapDemand& demand) {
+    if (demand.castersReceive != castersReceive_) clear();
+    castersReceive_ = demand.castersReceive;
+    for (Kept& kept : kept_)
+        kept.seen = false;
+    bool job = false, asked = false;
+    for (const Light& light : demand.lights) {
+        if (const std::size_t place = placeOf(light); place < kept_.size())
+            kept_[place].seen = true;
+        job = job || (job_ && castAlike(job_->light(), light));
+        asked = asked || (asked_ && castAlike(*asked_, light));
+    }
+    std::erase_if(kept_, [](const Kept& kept) { return !kept.seen; });
+    if (!job) job_.reset();
+    if (!asked) giveUp();
+}
+
+void PrimitiveMaps::keepWhatFits(const MapDemand& demand, std::size_t mostBytes) {
+    for (Kept& kept : kept_)
+        kept.seen = false;
+    std::size_t taken = cutouts_ ? cutouts_->bytes : 0;
+    for (const Light& light : demand.lights) {
+        const std::size_t place = placeOf(light);
+        if (place == kept_.size() || kept_[place].seen || !kept_[place].state.map) continue;
+        const std::size_t bytes = kept_[place].state.map->bytes();
+        if (taken + bytes > mostBytes) {
+            kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(place));
+            continue;
+        }
+        taken += bytes;
+        kept_[place].seen = true;
+    }
 }
 
 bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
-                             const gl::Capabilities& capabilities) {
-    if (of(light)) return false;
+                             const gl::Capabilities& capabilities, std::size_t room) {
+    if (const std::size_t place = placeOf(light); place < kept_.size()) {
+        const Kept& kept = kept_[place];
+        const auto enough = std::max(2.0 * kept.room, static_cast<double>(leastMapBytes));
+        if (kept.state.map || static_cast<double>(room) < enough) return false;
+        kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(place));
+    }
     std::string why = light.extent ? extendedMapObstacle(loaded, light, capabilities)
                                    : primitiveMapObstacle(loaded, capabilities);
     if (why.empty() && choice == MapChoice::thatPay && !loaded.cutoutsCast && !light.extent)
         if (const std::size_t count = silhouettesOf(loaded, light); count <= fewSilhouettes)
             why = "volumes of " + std::to_string(count) + " silhouette edges cost less";
-    if (why.empty()) return true;
-    kept_.push_back({light.position, light.extent, {nullptr, why, 0.0}});
+    if (!why.empty()) {
+        keep(light, {nullptr, why, 0.0}, moreWouldNotHelp);
+        return false;
+    }
+    if (room >= leastMapBytes) return true;
+    keep(light, {nullptr, "other lights' primitive maps leave no room", 0.0},
+         static_cast<double>(room));
     return false;
 }
 
 /// Batches that whoever built it didn't know, the ground, have no sided triangles.
-void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches, MapChoice choice,
-                         const PrimitiveMapSettings& settings,
+void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
+                         const MapDemand& demand, const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
     PrimitiveMapState state{nullptr, "at rest", built.milliseconds};
-    const std::string refusal = refusalOf(built.map, built.tooFar, settings.mostBytes);
+    double room = moreWouldNotHelp;
+    const std::string refusal = refusalOf(built.map, built.tooFar, built.mostBytes);
     if (!refusal.empty()) {
         state.why = refusal;
-    } else if (choice == MapChoice::thatPay && built.map->meanList > longLists) {
+        if (!built.tooFar && !built.map) room = static_cast<double>(built.mostBytes);
+    } else if (demand.choice == MapChoice::thatPay && built.map->meanList > longLists) {
         state.why = "volumes cost less than lists of " +
                     std::to_string(std::lround(built.map->meanList)) + " triangles";
     } else {
@@ -142,7 +199,8 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches, Ma
         map->sided.resize(std::max(map->sided.size(), batches));
         state.map = std::move(map);
     }
-    kept_.push_back({built.light, built.extent, std::move(state)});
+    keep(built.light, std::move(state), room);
+    keepWhatFits(demand, settings.mostBytes);
 }
 
 PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& light,
@@ -159,7 +217,7 @@ PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& l
                     settings.receivers.add(
                         glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
     }
-    if (!loaded.cutoutsCast) return {light, std::move(settings)};
+    if (!loaded.cutoutsCast) return {light, castersReceive_, std::move(settings)};
     if (!cutouts_) {
         const CutoutAtlas atlas = cutoutAtlasOf(loaded, capabilities.largestTexture);
         textures_ = atlas.textures;
@@ -167,40 +225,49 @@ PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& l
             uploadAlpha(atlas.alpha, atlas.width, atlas.height));
     }
     settings.cutouts = textures_;
-    return {light, std::move(settings)};
+    return {light, castersReceive_, std::move(settings)};
 }
 
 std::optional<PrimitiveMapTask> PrimitiveMaps::nextTask(const LoadedScene& loaded,
-                                                        const std::vector<Light>& lights,
-                                                        MapChoice choice,
+                                                        const MapDemand& demand,
                                                         const PrimitiveMapSettings& settings,
                                                         const gl::Capabilities& capabilities) {
-    for (const Light& light : lights)
-        if (needsJob(loaded, light, choice, capabilities))
-            return taskOf(loaded, light, settings, capabilities);
+    std::size_t left = settings.mostBytes;
+    const auto take = [&](std::size_t bytes) { left -= std::min(left, bytes); };
+    if (cutouts_) take(cutouts_->bytes);
+    for (std::size_t i = 0; i < demand.wanted; ++i) {
+        const Light& light = demand.lights[i];
+        if (needsJob(loaded, light, demand.choice, capabilities, left / 2)) {
+            PrimitiveMapSettings its = settings;
+            its.mostBytes = left / 2;
+            return taskOf(loaded, light, std::move(its), capabilities);
+        }
+        const PrimitiveMapState* state = of(light);
+        if (state->map) take(state->map->bytes());
+    }
     return std::nullopt;
 }
 
-void PrimitiveMaps::make(const LoadedScene& loaded, const std::vector<Light>& lights,
-                         MapChoice choice, const PrimitiveMapSettings& settings,
+void PrimitiveMaps::make(const LoadedScene& loaded, const MapDemand& demand,
+                         const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
-    keepOnly(lights);
-    while (const auto task = nextTask(loaded, lights, choice, settings, capabilities)) {
+    keepOnly(demand);
+    while (const auto task = nextTask(loaded, demand, settings, capabilities)) {
         PrimitiveMapJob job(loaded, *task, edges_);
         job.finish();
         edges_ = job.edges();
-        take(job.built(), loaded.scene.batches.size(), choice, settings, capabilities);
+        take(job.built(), loaded.scene.batches.size(), demand, settings, capabilities);
     }
 }
 
-bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<Light>& lights,
-                            MapChoice choice, const PrimitiveMapSettings& settings,
+bool PrimitiveMaps::advance(const LoadedScene& loaded, const MapDemand& demand,
+                            const PrimitiveMapSettings& settings,
                             const gl::Capabilities& capabilities, double milliseconds) {
-    keepOnly(lights);
+    keepOnly(demand);
     const bool helped = worker_ && worker_->works();
     if (!helped) asked_.reset();
     if (!job_ && !(helped && asked_))
-        if (const auto task = nextTask(loaded, lights, choice, settings, capabilities)) {
+        if (const auto task = nextTask(loaded, demand, settings, capabilities)) {
             if (helped) {
                 worker_->ask(*task);
                 asked_ = task->light;
@@ -214,13 +281,13 @@ bool PrimitiveMaps::advance(const LoadedScene& loaded, const std::vector<Light>&
         const auto built = worker_->take();
         if (!built) return false;
         asked_.reset();
-        take(*built, batches, choice, settings, capabilities);
+        take(*built, batches, demand, settings, capabilities);
         return true;
     }
     if (!job_ || !job_->advance(milliseconds)) return false;
     const auto job = std::move(job_);
     edges_ = job->edges();
-    take(job->built(), batches, choice, settings, capabilities);
+    take(job->built(), batches, demand, settings, capabilities);
     return true;
 }
 

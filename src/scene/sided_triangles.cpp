@@ -1,6 +1,7 @@
 #include "src/scene/sided_triangles.hpp"
 
 #include "src/scene/surface_parts.hpp"
+#include "src/shadow/geometry/light_range.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
 
 #include <algorithm>
@@ -10,20 +11,29 @@
 namespace edgeshade {
 namespace {
 
-/// SidedVertex::lightSide of each triangle.
+/// SidedVertex::lightSide of each triangle; those out of the range say what the one before them
+/// does.
 std::vector<int> sidesOf(const Batch& batch, const SurfacePart& part, const LightShape& light,
-                         bool extended) {
+                         bool extended, double range) {
     const auto corner = [&](std::size_t i) {
         return glm::dvec3(batch.geometry->positions[part.vertices[part.indices[i]]]);
     };
     std::vector<int> sides;
     sides.reserve(part.indices.size() / 3);
+    std::size_t unasked = 0; // before the first that is within the range
     for (std::size_t i = 0; i < part.indices.size(); i += 3) {
         const std::array<glm::dvec3, 3> corners = {corner(i), corner(i + 1), corner(i + 2)};
+        if (areBeyond(corners, glm::dvec3(light.center), range)) {
+            if (unasked == sides.size()) ++unasked;
+            sides.push_back(sides.empty() ? 1 : sides.back());
+            continue;
+        }
         sides.push_back(extended                                 ? sideOfAll(corners, light)
                         : lightSideOf(corners, light.center) > 0 ? 1
                                                                  : -1);
     }
+    if (unasked < sides.size())
+        std::fill_n(sides.begin(), unasked, sides[unasked]);
     return sides;
 }
 
@@ -61,8 +71,9 @@ class SidedVertices {
 };
 
 SidedTriangles sided(const Batch& batch, const std::vector<Material>& materials,
-                     const SurfacePart& part, const LightShape& light, bool extended) {
-    const std::vector<int> sides = sidesOf(batch, part, light, extended);
+                     const SurfacePart& part, const LightShape& light, bool extended,
+                     double range) {
+    const std::vector<int> sides = sidesOf(batch, part, light, extended, range);
     SidedTriangles triangles;
     const bool alike =
         std::all_of(sides.begin(), sides.end(), [&](int side) { return side == sides.front(); });
@@ -83,10 +94,11 @@ SidedTriangles sided(const Batch& batch, const std::vector<Material>& materials,
 
 std::vector<SidedTriangles> sidedTriangles(const Batch& batch,
                                            const std::vector<Material>& materials,
-                                           const LightShape& light, bool extended) {
+                                           const LightShape& light, bool extended,
+                                           double range) {
     std::vector<SidedTriangles> all;
     for (const SurfacePart& part : surfacePartsOf(batch))
-        all.push_back(sided(batch, materials, part, light, extended));
+        all.push_back(sided(batch, materials, part, light, extended, range));
     return all;
 }
 

@@ -3,6 +3,8 @@
 #include "src/scene/surface_buffers.hpp"
 #include "src/shadow/geometry/light_shape.hpp"
 
+#include <limits>
+
 namespace edgeshade {
 
 /// A vertex whose triangles all have a light on the same side; 40 bytes.
@@ -22,11 +24,17 @@ struct SidedTriangles {
     std::vector<SidedVertex> vertices;  ///< those of triangles on several sides stand for each
     std::vector<SurfaceDetail> details; ///< of the vertices, as far as the material has any
     std::vector<std::uint16_t> indices;
+
+    std::size_t bytes() const {
+        return vertices.size() * sizeof(SidedVertex) + details.size() * sizeof(SurfaceDetail) +
+               indices.size() * sizeof(std::uint16_t);
+    }
 };
 
 /// Of every part of a batch, for a light in the batch's space. `extended`: it has an extent.
-std::vector<SidedTriangles> sidedTriangles(const Batch& batch,
-                                           const std::vector<Material>& materials,
-                                           const LightShape& light, bool extended = false);
+/// `range`: triangles farther from it, as rangeInObject() has it, say either side.
+std::vector<SidedTriangles>
+sidedTriangles(const Batch& batch, const std::vector<Material>& materials, const LightShape& light,
+               bool extended = false, double range = std::numeric_limits<double>::infinity());
 
 } // namespace edgeshade

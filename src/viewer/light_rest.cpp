@@ -1,5 +1,7 @@
 #include "src/viewer/light_rest.hpp"
 
+#include "src/shadow/geometry/light_shape.hpp"
+
 #include <algorithm>
 
 namespace edgeshade::viewer {
@@ -8,15 +10,15 @@ void LightRest::see(const std::vector<Light>& lights, double now) {
     std::vector<Known> next;
     for (const Light& light : lights) {
         const auto known = std::find_if(since_.begin(), since_.end(),
-                                        [&](const Known& of) { return of.is(light); });
-        next.push_back({light.position, light.extent, known == since_.end() ? now : known->since});
+                                        [&](const Known& of) { return castAlike(of.light, light); });
+        next.push_back({light, known == since_.end() ? now : known->since});
     }
     since_ = std::move(next);
 }
 
 bool LightRest::rests(const Light& light, double now) const {
     return std::any_of(since_.begin(), since_.end(),
-                       [&](const Known& of) { return of.is(light) && now - of.since >= enough; });
+                       [&](const Known& of) { return castAlike(of.light, light) && now - of.since >= enough; });
 }
 
 } // namespace edgeshade::viewer

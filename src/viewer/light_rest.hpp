@@ -7,7 +7,7 @@
 
 namespace edgeshade::viewer {
 
-/// Since when lights are where they are, as large as they are.
+/// Since when lights are where they are, as large as they are and of the range that they have.
 class LightRest {
   public:
     /// How long a light stays before it counts as resting, in seconds.
@@ -21,12 +21,7 @@ class LightRest {
 
   private:
     struct Known {
-        bool is(const Light& light) const {
-            return position == light.position && extent == light.extent;
-        }
-
-        glm::dvec4 position;
-        std::optional<LightExtent> extent;
+        Light light;
         double since;
     };
 

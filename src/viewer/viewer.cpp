@@ -394,9 +394,10 @@ void Viewer::Parts::countHours(double now) {
 
 /// Goes on with primitive maps for the lights that rest, if some side looks them up.
 void Viewer::Parts::advanceMaps(double now) {
-    mapsPending = false;
     rest.see(state.lights, now);
-    if (!loaded || !gpu || !gpu->scene) return;
+    const bool mayChange = dirty || mapsPending;
+    mapsPending = false;
+    if (!mayChange || !loaded || !gpu || !gpu->scene) return;
     // What is see-through looks itself up where volumes are counted, too.
     const bool seeThrough = gpu->scene->seeThrough && state.shading == Shading::full;
     const auto takesMaps = [&](const SideSettings& of) {
@@ -410,22 +411,19 @@ void Viewer::Parts::advanceMaps(double now) {
                                  ? MapChoice::thatPay
                                  : MapChoice::all;
     if (!mayHaveMaps(*loaded, choice, gpu->capabilities)) return;
-    std::vector<FrameLight> lights;
-    for (const Light& light : state.lights) {
-        lights.push_back({light, {}});
-        lights.back().atRest = rest.rests(light, now);
-    }
-    lights.front().drawn = !sunIsDown(state);
+    FrameView view = viewAt(glm::dvec2(0.0));
+    for (FrameLight& of : view.lights)
+        of.atRest = rest.rests(of.light, now);
     RenderSettings wanted = settings.render;
     wanted.shadows =
         choice == MapChoice::all ? ShadowMethod::primitiveMap : ShadowMethod::automatic;
-    if (prepareSceneMeanwhile(*gpu->scene, *loaded, lights, wanted, gpu->capabilities,
+    if (prepareSceneMeanwhile(*gpu->scene, *loaded, view, wanted, gpu->capabilities,
                               buildingMs)) {
         dirty = true;
         ++changes;
     }
-    for (const FrameLight& of : lights)
-        if (of.drawn && !gpu->scene->primitiveMaps.of(of.light)) mapsPending = true;
+    for (const FrameLight& of : view.lights)
+        if (of.drawn && of.shadowed && !gpu->scene->primitiveMaps.of(of.light)) mapsPending = true;
 }
 
 void Viewer::Parts::drawSides(const FrameView& view, Convergence& convergence,

@@ -3,6 +3,8 @@
 #include "src/render/shadow_map/map_words.hpp"
 #include "src/scene/build_parts.hpp"
 #include "src/scene/solid_surfaces.hpp"
+#include "src/shadow/geometry/light_budget.hpp"
+#include "src/shadow/geometry/light_range.hpp"
 
 #include <cmath>
 
@@ -12,27 +14,57 @@
 namespace edgeshade {
 namespace {
 
-/// What primitive maps are made of and for.
-struct MapTask {
-    std::vector<Light> lights;
-    MapChoice choice;
-};
-
 bool isAutomatic(const RenderSettings& settings) {
     return settings.shadows == ShadowMethod::automatic;
 }
 
-/// `extents`: also those of lights with an extent.
-MapTask mapTask(const std::vector<FrameLight>& lights, const RenderSettings& settings,
-                bool restingAlone, bool extents) {
-    MapTask task{{}, isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all};
-    for (std::size_t i = 0; i < std::min(lights.size(), mostMappedLights); ++i) {
-        const FrameLight& of = lights[i];
-        if (of.drawn && of.shadowed && (extents || !of.light.extent) &&
-            (of.atRest || !restingAlone))
-            task.lights.push_back(of.light);
+/// Whether a light may reach something that is see-through.
+bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
+    if (!light.hasRange()) return true;
+    for (const GpuBatch& batch : scene.batches) {
+        const glm::dvec3 at(glm::inverse(batch.worldFromBatch) * light.position);
+        const double range = rangeInObject(light.range, batch.worldFromBatch);
+        for (const SurfaceChunk& chunk : *batch.surfaces)
+            if (scene.materials[chunk.material].alphaMode == AlphaMode::blend &&
+                !isBeyond(chunk.bounds, at, range))
+                return true;
     }
-    return task;
+    return false;
+}
+
+/// Sorts lights by what they add to the picture, those with maps taken twice: a map is built in
+/// many frames' time, and would go with the next turn of the camera.
+void sortByImportance(const FrameView& view, const PrimitiveMaps& maps,
+                      std::vector<Light>& lights) {
+    std::vector<std::pair<double, Light>> weighed;
+    for (const Light& light : lights) {
+        const PrimitiveMapState* state = maps.of(light);
+        weighed.emplace_back(importanceOf(view, light) * (state && state->map ? 2.0 : 1.0), light);
+    }
+    std::stable_sort(weighed.begin(), weighed.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::transform(weighed.begin(), weighed.end(), lights.begin(),
+                   [](const auto& of) { return of.second; });
+}
+
+/// `extents`: also those of lights with an extent. `seeThroughAlone`: volumes are counted for what
+/// casts.
+MapDemand demandOf(const GpuScene& scene, const FrameView& view, const RenderSettings& settings,
+                   bool restingAlone, bool extents, bool seeThroughAlone = false) {
+    MapDemand demand;
+    demand.choice = isAutomatic(settings) ? MapChoice::thatPay : MapChoice::all;
+    demand.castersReceive = !seeThroughAlone;
+    std::vector<Light> others;
+    for (const FrameLight& of : view.lights) {
+        if ((of.light.extent && !extents) || (restingAlone && !of.atRest)) continue;
+        const bool wanted = of.drawn && of.shadowed &&
+                            !(seeThroughAlone && !mayReachSeeThrough(scene, of.light));
+        (wanted ? demand.lights : others).push_back(of.light);
+    }
+    if constexpr (weighsLights) sortByImportance(view, scene.primitiveMaps, demand.lights);
+    demand.wanted = demand.lights.size();
+    demand.lights.insert(demand.lights.end(), others.begin(), others.end());
+    return demand;
 }
 
 /// Whether there are surfaces to look up that volumes can't give shadows: they are seen together
@@ -80,11 +112,10 @@ const char* nameOf(ShadowMethod method) {
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities) {
     if (settings.looksUpPrimitives() || receivesSeeThrough(scene, view, settings)) {
-        const MapTask task =
-            mapTask(view.lights, settings, settings.shadows != ShadowMethod::primitiveMap,
-                    settings.shadows == ShadowMethod::primitiveMap);
-        scene.primitiveMaps.make(loaded, task.lights, task.choice, settings.primitiveMap,
-                                 capabilities);
+        const bool all = settings.shadows == ShadowMethod::primitiveMap;
+        const MapDemand demand =
+            demandOf(scene, view, settings, !all, all, !settings.looksUpPrimitives());
+        scene.primitiveMaps.make(loaded, demand, settings.primitiveMap, capabilities);
     }
     if constexpr (mayCullSolids)
         if (settings.cullSolids) sortSolidsLast(scene, loaded);
@@ -100,11 +131,11 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
 }
 
 bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
-                           const std::vector<FrameLight>& lights, const RenderSettings& settings,
+                           const FrameView& view, const RenderSettings& settings,
                            const gl::Capabilities& capabilities, double milliseconds) {
-    const MapTask task = mapTask(lights, settings, true, true);
-    return scene.primitiveMaps.advance(loaded, task.lights, task.choice, settings.primitiveMap,
-                                       capabilities, milliseconds);
+    const MapDemand demand = demandOf(scene, view, settings, true, true);
+    return scene.primitiveMaps.advance(loaded, demand, settings.primitiveMap, capabilities,
+                                       milliseconds);
 }
 
 const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light) {
@@ -143,9 +174,6 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
         if (state || method.why.empty())
             method.why = state ? state->why
-                         : methods.size() > mostMappedLights
-                             ? "only the first " + std::to_string(mostMappedLights) +
-                                   " lights have primitive maps"
                          : of.light.extent ? "it has an extent"
                          : of.atRest       ? "its primitive map is not built"
                                            : "it moves";

@@ -13,10 +13,11 @@ namespace edgeshade {
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities);
 
-/// Goes on with primitive maps of those of the lights that are at rest, in the background, or for
-/// so long where there are no threads, and forgets those of others. Returns whether one is new.
+/// Goes on with primitive maps of those of the view's lights that are at rest, in the background,
+/// or for so long where there are no threads, and forgets those of others. Returns whether one is
+/// new.
 bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
-                           const std::vector<FrameLight>& lights, const RenderSettings& settings,
+                           const FrameView& view, const RenderSettings& settings,
                            const gl::Capabilities& capabilities, double milliseconds);
 
 /// The map of all of a light that has an extent; null: there is none, and its points are counted

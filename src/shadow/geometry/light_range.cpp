@@ -7,4 +7,11 @@ bool isBeyond(const Box& box, const glm::dvec3& light, double range) {
     return glm::length(away) > rangeWidening * range;
 }
 
+bool areBeyond(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& light, double range) {
+    Box box;
+    for (const glm::dvec3& corner : corners)
+        box.add(corner);
+    return isBeyond(box, light, range);
+}
+
 } // namespace edgeshade

@@ -41,6 +41,10 @@ LightShape shapeOf(const Light& light) {
     return shape;
 }
 
+bool castAlike(const Light& a, const Light& b) {
+    return a.position == b.position && a.range == b.range && a.extent == b.extent;
+}
+
 int sideOfAll(const std::array<glm::dvec3, 3>& corners, const LightShape& light) {
     constexpr double rounding = 1e-9;
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);

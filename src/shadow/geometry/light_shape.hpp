@@ -23,6 +23,9 @@ struct LightShape {
 /// In the world; of a light without an extent its place alone.
 LightShape shapeOf(const Light& light);
 
+/// Whether what casts leaves them the same shadows: place, range and extent are alike.
+bool castAlike(const Light& a, const Light& b);
+
 /// Which side of a triangle all of a light is on, in one space: 1 where it sees it
 /// counter-clockwise; 0: no side, as far as rounding tells.
 int sideOfAll(const std::array<glm::dvec3, 3>& corners, const LightShape& light);

@@ -42,8 +42,8 @@ struct Occluders {
     std::vector<CutoutPlanes> cutouts; ///< of those that are alpha-tested
 };
 
-/// The casting triangles of all batches: those that the light is not in the plane of; of a light
-/// with an extent all.
+/// The casting triangles of all batches: those within its range that the light is not in the plane
+/// of; of a light with an extent all.
 Occluders occludersOf(const Light& light, const LightTiles& tiles,
                       const std::vector<PlacedCasters>& casters);
 

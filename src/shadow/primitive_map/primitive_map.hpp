@@ -11,7 +11,9 @@ namespace edgeshade {
 /// How primitive maps are made.
 struct PrimitiveMapSettings {
     int size = 512; ///< texels along a tile's edge; a power of 2, >= 4
-    std::size_t mostBytes = std::size_t{64} << 20; ///< on the GPU; smaller maps are tried first
+    /// On the GPU, of a map; of a scene's PrimitiveMaps all of them together. Smaller maps are
+    /// tried first.
+    std::size_t mostBytes = std::size_t{128} << 20;
     std::size_t splitAbove = 8; ///< texels whose points have more to test are divided in 4 x 4
     int mostSplits = 3;         ///< one in another
     bool othersReceive = false; ///< some surfaces are no casters

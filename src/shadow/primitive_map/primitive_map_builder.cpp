@@ -234,6 +234,8 @@ PrimitiveMapBuilder::PrimitiveMapBuilder(const Light& light,
         }
         divideIntoParts(tile);
     }
+    const auto size = static_cast<std::size_t>(settings_.size);
+    charge(tiles_.tiles.size() * size * size, 0);
 }
 
 void PrimitiveMapBuilder::charge(std::size_t listed, std::size_t looks) {

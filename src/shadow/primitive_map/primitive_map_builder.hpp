@@ -62,7 +62,7 @@ class PrimitiveMapBuilder {
     Occluders occluders_;
     std::vector<Tile> prints_; ///< by tile
     std::vector<Part> parts_;
-    std::atomic<std::size_t> listed_ = 0; ///< entries and texels of blocks, by all parts
+    std::atomic<std::size_t> listed_ = 0; ///< entries and texels, by all parts
     std::atomic<std::size_t> looks_ = 0;  ///< at a footprint in a square
     std::atomic<bool> tooLarge_ = false;
 };
