@@ -10,6 +10,7 @@ namespace edgeshade {
 namespace {
 
 constexpr double moreWouldNotHelp = std::numeric_limits<double>::infinity();
+constexpr char noRoom[] = "other lights' primitive maps leave no room";
 
 std::size_t silhouettesOf(const LoadedScene& loaded, const Light& light) {
     std::size_t count = 0;
@@ -175,8 +176,7 @@ bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapC
         return false;
     }
     if (room >= leastMapBytes) return true;
-    keep(light, {nullptr, "other lights' primitive maps leave no room", 0.0},
-         static_cast<double>(room));
+    keep(light, {nullptr, noRoom, 0.0}, static_cast<double>(room));
     return false;
 }
 
@@ -201,6 +201,9 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
     }
     keep(built.light, std::move(state), room);
     keepWhatFits(demand, settings.mostBytes);
+    if (!of(built.light)) // others came to matter more while it was built
+        keep(built.light, {nullptr, noRoom, built.milliseconds},
+             static_cast<double>(built.mostBytes));
 }
 
 PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& light,

@@ -1,62 +1,123 @@
 #!/usr/bin/env python3
-"""Lights scattered over scenes: frames by their number, of volumes, of some with shadows, of maps. The
-tables of docs/measured/many-lights.md.
+"""Lights scattered over scenes: frames by their number, of volumes, of some with shadows, of primitive
+maps, of shadow maps; and lights that reach nothing. The tables of docs/measured/many-lights.md.
 
     tests/bench/many_lights.py           measures, then tables
     tests/bench/many_lights.py --table   tables from the results that are there
 
-EDGESHADE names the program.
+EDGESHADE names the program. Takes some minutes.
 """
+
+import math
 
 from edgeshade_runs import ROOT, SCENES, figure, replace_between, report, results_of
 
 MODELS = {"pavilion": ROOT / "assets" / "pavilion.glb", "garden": SCENES / "garden.draco.glb",
           "city": SCENES / "city.draco.glb"}
-SIZE, FRAMES, COUNTS = "160x120", 2, (1, 4, 16, 64)
+SIZE, FRAMES, COUNTS = "480x270", 4, (1, 4, 16, 64, 256)
+ALL = "all with shadows"
 SETTINGS = {"4 of them": "shadowed-lights=4", "none of them": "shadowed-lights=0",
-            "maps 256": "shadows=map,map-size=256"}
+            "primitive maps": "shadows=primitive-map", "maps 256": "shadows=map,map-size=256"}
+AWAY = 500  # lights that reach nothing
+SEEN = 8    # beside so many that do
+
+
+def bench(path, *words):
+    return report("bench", path, "--size", SIZE, "--frames", FRAMES, "--warm-up", 1, "--timing",
+                  "processor", "--shading", "full", *words)["results"]
+
+
+def row(told):
+    return {"ms": told["frame_ms"]["median"], "runs": told["vertex_runs"], "bytes": told["bytes_gpu"],
+            "reaching": told["lights_reaching"]}
+
+
+def by_number(path):
+    """One call for each number, so that no more scenes are on the GPU at once than one number's."""
+    rows = {}
+    for count in COUNTS:
+        told = bench(path, "--lights", count,
+                     *(word for of in SETTINGS.values() for word in ("--against", of)))
+        rows[str(count)] = {name: row(of) for name, of in zip([ALL, *SETTINGS], told)}
+    return told[0]["device"]["renderer"], rows
+
+
+def away(path):
+    """So many lights in a ring around the scene's middle, alone and with others far from it."""
+    box = report("info", path)["bounds"]
+    low, high = box["min"], box["max"]
+    size = math.dist(low, high)
+    middle = [(a + b) / 2 for a, b in zip(low, high)]
+
+    def ring(count, radius):
+        for i in range(count):
+            turn = 2 * math.pi * i / count
+            place = (middle[0] + radius * math.cos(turn), middle[1], middle[2] + radius * math.sin(turn))
+            yield from ("--light", ",".join(f"{x:.9g}" for x in place))
+
+    lights = [*ring(SEEN, 0.15 * size), "--light-range", f"{0.2 * size:.9g}"]
+    return {"without": row(bench(path, *lights)[0]),
+            "with": row(bench(path, *lights, *ring(AWAY, 20 * size))[0])}
 
 
 def measured():
     scenes = {}
     for name, path in MODELS.items():
-        told = report("bench", path, "--lights", ",".join(map(str, COUNTS)), "--size", SIZE,
-                      "--frames", FRAMES, "--warm-up", 1, "--timing", "processor", "--shading", "full",
-                      *(word for of in SETTINGS.values() for word in ("--against", of)))["results"]
-        rows = {}
-        each = 1 + len(SETTINGS)
-        for i, count in enumerate(COUNTS):
-            group = told[i * each:(i + 1) * each]
-            rows[str(count)] = {
-                "reaching": group[0]["lights_reaching"],
-                "settings": {setting: {"ms": of["frame_ms"]["median"], "runs": of["vertex_runs"],
-                                       "bytes": of["bytes_gpu"]}
-                             for setting, of in zip(["all with shadows", *SETTINGS], group)}}
-        scenes[name] = {"renderer": told[0]["device"]["renderer"], "rows": rows}
+        renderer, rows = by_number(path)
+        scenes[name] = {"renderer": renderer, "rows": rows, "away": away(path)}
     return scenes
+
+
+def growth(rows, setting, of):
+    """The power of the number of lights that reach something by which it grows: least squares of the
+    logarithms, over numbers from 4 on; 1 is linear."""
+    points = [(math.log(rows[str(count)][ALL]["reaching"]), math.log(rows[str(count)][setting][of]))
+              for count in COUNTS if count >= 4 and rows[str(count)][setting][of] > 0]
+    x, y = (sum(values) / len(points) for values in zip(*points))
+    return sum((a - x) * (b - y) for a, b in points) / sum((a - x) ** 2 for a, _ in points)
+
+
+def table(name, scene):
+    rows = scene["rows"]
+    names = [ALL, *SETTINGS]
+    lines = [f"**{name}**", "", "| lights | that reach | " + " | ".join(f"{of}: ms | MB" for of in names) +
+             f" | {ALL}: ms a light | thousands of vertices |", "| --- | --- |" + " --- |" * (2 * len(names) + 2)]
+    for count, row in rows.items():
+        cells = [count, str(row[ALL]["reaching"])]
+        for of in names:
+            cells += [figure(row[of]["ms"]), figure(row[of]["bytes"] / 2 ** 20)]
+        cells += [figure(row[ALL]["ms"] / row[ALL]["reaching"]), figure(row[ALL]["runs"] / 1e3)]
+        lines.append("| " + " | ".join(cells) + " |")
+    return [*lines, ""]
 
 
 def tables(results):
     machine = results["machine"]
-    names = ["all with shadows", *SETTINGS]
+    scenes = results["scenes"]
     lines = [f"{machine['processor']}, {machine['cores']} cores, {machine['date']}; "
-             f"{next(iter(results['scenes'].values()))['renderer']}. Processor's milliseconds a frame of "
-             f"{SIZE} pixels, medians of {FRAMES}; thousands of vertices through shaders of volumes or maps; "
-             "MB on the GPU.", ""]
-    for name, scene in results["scenes"].items():
-        lines += [f"**{name}**", "", "| lights | that reach | " +
-                  " | ".join(f"{of}: ms | vertices | MB" for of in names) + " |",
-                  "| --- | --- |" + " --- | --- | --- |" * len(names)]
-        for count, row in scene["rows"].items():
-            cells = [count, str(row["reaching"])]
-            for of in names:
-                value = row["settings"][of]
-                cells += [figure(value["ms"]), figure(value["runs"] / 1e3), figure(value["bytes"] / 2 ** 20)]
-            lines.append("| " + " | ".join(cells) + " |")
-        lines.append("")
-    return "\n".join(lines).rstrip() + "\n"
+             f"{next(iter(scenes.values()))['renderer']}. Processor's milliseconds a frame of "
+             f"{SIZE} pixels, medians of {FRAMES}; MB on the GPU, of shadows and of the table of lights; vertices "
+             "through shaders of volumes.", ""]
+    for name, scene in scenes.items():
+        lines += table(name, scene)
+    lines += ["**Growth**: the power of the number of lights that reach something by which a frame's time grows, and "
+              "volumes' vertices, from 4 lights on. 1 is linear.", "",
+              "| scene | " + " | ".join(f"{of}: time" for of in (ALL, *SETTINGS)) + f" | {ALL}: vertices |",
+              "| --- |" + " --- |" * (len(SETTINGS) + 2)]
+    for name, scene in scenes.items():
+        powers = [growth(scene["rows"], of, "ms") for of in (ALL, *SETTINGS)]
+        lines.append("| " + " | ".join([name, *(f"{power:.2f}" for power in powers),
+                                        f"{growth(scene['rows'], ALL, 'runs'):.2f}"]) + " |")
+    lines += ["", f"**Lights that reach nothing that is visible**: {SEEN} lights around the scene's middle, all with "
+              f"shadows, and the same with {AWAY} more, 20 scenes' sizes away.", "",
+              "| scene | lights | that reach | ms | thousands of vertices | MB |", "| --- |" + " --- |" * 5]
+    for name, scene in scenes.items():
+        for which, count in (("without", SEEN), ("with", SEEN + AWAY)):
+            of = scene["away"][which]
+            lines.append(f"| {name} | {count} | {of['reaching']} | {figure(of['ms'])} | {figure(of['runs'] / 1e3)} | "
+                         f"{figure(of['bytes'] / 2 ** 20)} |")
+    return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
-    replace_between(ROOT / "docs" / "measured" / "many-lights.md", "lights",
-                    tables(results_of("many_lights", measured)))
+    replace_between("docs/measured/many-lights.md", "lights", tables(results_of("many_lights", measured)))

@@ -3,7 +3,10 @@
 #include "tests/support/packing.hpp"
 #include "tests/support/temp_folder.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <map>
+#include <sstream>
 
 namespace edgeshade::test {
 namespace {
@@ -106,6 +109,39 @@ TEST_F(Tradeoff, CoarserCastersAreRowsAndTheirOptionsWorkInRender) {
     EXPECT_EQ(simplified, 3u);
     EXPECT_EQ(flat, 3u);
     EXPECT_EQ(welded, 1u);
+}
+
+TEST_F(Tradeoff, OfEightLampsShadowsForSomeAreRowsJudgedByAnOracleOfAll) {
+    std::vector<std::string> arguments = {"--light-range", "9"};
+    for (int i = 0; i < 8; ++i) {
+        const double turn = 0.25 * M_PI * i;
+        std::ostringstream lamp;
+        lamp << 3.0 * std::cos(turn) << ",2.5," << 3.0 * std::sin(turn) << ":#ffffff:" << 40 - i;
+        arguments.insert(arguments.end(), {"--light", lamp.str()});
+    }
+    const ProcessResult result = run(arguments);
+    if (!hasLab(result)) GTEST_SKIP();
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json report = Json::parse(result.out);
+    std::map<std::string, Json> rows;
+    for (const Json& row : report["rows"])
+        rows[row["name"].get<std::string>()] = row;
+    for (const char* name : {"volumes", "primitive map", "1 shadowed light", "4 shadowed lights",
+                             "map 512", "paraboloid 512", "no shadows"})
+        ASSERT_TRUE(rows.contains(name)) << name;
+    const auto wrong = [&](const char* name) -> double {
+        return rows[name]["wrong_image_percent"];
+    };
+    EXPECT_LT(wrong("volumes"), 1.0);
+    EXPECT_LT(wrong("primitive map"), 1.0);
+    EXPECT_GT(wrong("4 shadowed lights"), 2.0 * wrong("volumes") + 1.0);
+    EXPECT_GE(wrong("1 shadowed light"), wrong("4 shadowed lights"));
+    EXPECT_GE(wrong("no shadows"), wrong("1 shadowed light"));
+    EXPECT_EQ(rows["4 shadowed lights"]["settings"]["shadowed-lights"], 4);
+    EXPECT_NE(rows["4 shadowed lights"]["options"].get<std::string>().find("--shadowed-lights 4"),
+              std::string::npos);
+    for (const auto& [name, row] : rows)
+        EXPECT_GT(row["frame_ms"], 0.0) << name;
 }
 
 TEST_F(Tradeoff, WhereNoSettingWillDoItSaysSoAfterTheReport) {

@@ -17,11 +17,6 @@ using test::SceneBuilder;
 constexpr int width = 160, height = 120;
 constexpr std::size_t megabyte = std::size_t{1} << 20;
 
-bool looksUp() {
-    const gl::HeadlessContext context(test::testPicture(4, 4));
-    return gl::hasFloatTables(context.capabilities());
-}
-
 RenderSettings settingsOf(ShadowMethod shadows, std::size_t mostBytes) {
     RenderSettings settings;
     settings.shadows = shadows;
@@ -42,8 +37,8 @@ SceneBuilder town() {
 /// A scene that frames are drawn of.
 class Stage {
   public:
-    Stage(const Scene& scene, RenderSettings settings)
-        : context_(test::testPicture(width, height)),
+    Stage(const gl::HeadlessContext& context, const Scene& scene, RenderSettings settings)
+        : context_(context),
           loaded_{{}, scene, {}, buildPlanePairs(scene, false), {}, {}},
           settings_(withLayout(std::move(settings))), renderer_(settings_, context_.capabilities()),
           gpu_(uploadScene(loaded_, settings_.records(), context_.capabilities())) {}
@@ -81,7 +76,7 @@ class Stage {
         return settings;
     }
 
-    gl::HeadlessContext context_;
+    const gl::HeadlessContext& context_;
     LoadedScene loaded_;
     RenderSettings settings_;
     Renderer renderer_;
@@ -96,34 +91,41 @@ std::size_t differing(const std::vector<std::uint8_t>& a, const std::vector<std:
     return count;
 }
 
-TEST(ManyMaps, SixtyFourLightsKeepToTheBudgetAndAreExact) {
-    if (!looksUp()) GTEST_SKIP() << "no float textures";
+class ManyMaps : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!gl::hasFloatTables(context.capabilities())) GTEST_SKIP() << "no float textures";
+    }
+
+    gl::HeadlessContext context{test::testPicture(width, height)};
+};
+
+TEST_F(ManyMaps, SixtyFourLightsKeepToTheBudgetAndAreExact) {
     const Scene scene = town().scene();
     const std::vector<Light> lights = bench::scatterLights(scene, 64);
-    Stage volumes(scene, settingsOf(ShadowMethod::volumes, 0));
+    Stage volumes(context, scene, settingsOf(ShadowMethod::volumes, 0));
     const auto counted = volumes.draw(lights);
     std::size_t before = 0;
     for (const std::size_t budget : {megabyte / 8, megabyte, 8 * megabyte, 128 * megabyte}) {
-        Stage stage(scene, settingsOf(ShadowMethod::primitiveMap, budget));
+        Stage stage(context, scene, settingsOf(ShadowMethod::primitiveMap, budget));
         EXPECT_LE(differing(stage.draw(lights), counted), 40u) << budget;
         EXPECT_LE(stage.mapBytes(), budget);
         EXPECT_GE(stage.mapsOf(lights), before) << budget;
         before = stage.mapsOf(lights);
     }
     EXPECT_GT(before, 40u);
-    Stage little(scene, settingsOf(ShadowMethod::primitiveMap, megabyte));
+    Stage little(context, scene, settingsOf(ShadowMethod::primitiveMap, megabyte));
     little.draw(lights);
     EXPECT_GT(little.mapsOf(lights), 0u);
     EXPECT_LT(little.mapsOf(lights), before);
 }
 
-TEST(ManyMaps, ThoseThatMatterMostHaveTheirs) {
-    if (!looksUp()) GTEST_SKIP() << "no float textures";
+TEST_F(ManyMaps, ThoseThatMatterMostHaveTheirs) {
     const Scene scene = town().scene();
     std::vector<Light> lights = bench::scatterLights(scene, 24);
     for (std::size_t i = 0; i < lights.size(); ++i) // the last are the brightest
         lights[i].color *= 1.0f + 4.0f * static_cast<float>(i);
-    Stage stage(scene, settingsOf(ShadowMethod::primitiveMap, megabyte));
+    Stage stage(context, scene, settingsOf(ShadowMethod::primitiveMap, megabyte));
     stage.draw(lights);
     const std::size_t count = stage.mapsOf(lights);
     ASSERT_GT(count, 0u);
@@ -141,8 +143,7 @@ TEST(ManyMaps, ThoseThatMatterMostHaveTheirs) {
         }
 }
 
-TEST(ManyMaps, WhatMattersMoreLaterTakesTheRoomOfOthers) {
-    if (!looksUp()) GTEST_SKIP() << "no float textures";
+TEST_F(ManyMaps, WhatMattersMoreLaterTakesTheRoomOfOthers) {
     const Scene scene = town().scene();
     std::vector<Light> lights;
     for (const double x : {-8.0, -7.0, -6.0, 6.0, 7.0, 8.0}) {
@@ -152,7 +153,7 @@ TEST(ManyMaps, WhatMattersMoreLaterTakesTheRoomOfOthers) {
     const std::vector<Light> left(lights.begin(), lights.begin() + 3),
         right(lights.begin() + 3, lights.end());
     const Camera atLeft{{-9, 2, 3}, {-7, 0, 0}, 40.0}, atRight{{9, 2, 3}, {7, 0, 0}, 40.0};
-    Stage roomy(scene, settingsOf(ShadowMethod::primitiveMap, 128 * megabyte));
+    Stage roomy(context, scene, settingsOf(ShadowMethod::primitiveMap, 128 * megabyte));
     roomy.draw(lights, atLeft);
     const std::size_t three = roomy.mapBytes();
     EXPECT_EQ(roomy.mapsOf(left), 3u);
@@ -161,22 +162,21 @@ TEST(ManyMaps, WhatMattersMoreLaterTakesTheRoomOfOthers) {
     EXPECT_EQ(roomy.mapsOf(lights), 6u) << "there is room for all";
     EXPECT_GT(roomy.mapBytes(), three);
 
-    Stage narrow(scene, settingsOf(ShadowMethod::primitiveMap, megabyte));
+    Stage narrow(context, scene, settingsOf(ShadowMethod::primitiveMap, megabyte));
     narrow.draw(lights, atLeft);
     EXPECT_GT(narrow.mapsOf(left), 0u);
     narrow.draw(lights, atRight);
     EXPECT_GT(narrow.mapsOf(right), 0u);
     EXPECT_LE(narrow.mapBytes(), megabyte);
-    Stage volumes(scene, settingsOf(ShadowMethod::volumes, 0));
+    Stage volumes(context, scene, settingsOf(ShadowMethod::volumes, 0));
     EXPECT_LE(differing(narrow.draw(lights, atRight), volumes.draw(lights, atRight)), 40u);
 }
 
-TEST(ManyMaps, AMapIsOfWhatItsLightReaches) {
-    if (!looksUp()) GTEST_SKIP() << "no float textures";
+TEST_F(ManyMaps, AMapIsOfWhatItsLightReaches) {
     const Scene scene = town().scene();
     Light everywhere = test::pointLight({0.05, 1.0, 0.1}), near = everywhere;
     near.range = 2.0;
-    Stage stage(scene, settingsOf(ShadowMethod::primitiveMap, 128 * megabyte));
+    Stage stage(context, scene, settingsOf(ShadowMethod::primitiveMap, 128 * megabyte));
     stage.draw({everywhere});
     const std::size_t whole = stage.bytesOf(everywhere);
     stage.draw({near});
@@ -189,8 +189,7 @@ TEST(ManyMaps, AMapIsOfWhatItsLightReaches) {
     EXPECT_LT(stage.bytesOf(near), whole / 4);
 }
 
-TEST(ManyMaps, WhereVolumesAreCountedOnlyWhatIsSeeThroughNeedsSome) {
-    if (!looksUp()) GTEST_SKIP() << "no float textures";
+TEST_F(ManyMaps, WhereVolumesAreCountedOnlyWhatIsSeeThroughNeedsSome) {
     Material pane;
     pane.alphaMode = AlphaMode::blend;
     pane.doubleSided = true;
@@ -205,13 +204,13 @@ TEST(ManyMaps, WhereVolumesAreCountedOnlyWhatIsSeeThroughNeedsSome) {
     }
     RenderSettings settings = settingsOf(ShadowMethod::volumes, 128 * megabyte);
     settings.shading = Shading::full;
-    Stage volumes(scene, settings);
+    Stage volumes(context, scene, settings);
     const auto counted = volumes.draw(lights);
     EXPECT_EQ(volumes.mapsOf(lights), 1u);
     EXPECT_GT(volumes.bytesOf(lights[0]), 0u);
     // Casters aren't looked up, so nothing is there that says which side of them the light is on.
     settings.shadows = ShadowMethod::primitiveMap;
-    Stage maps(scene, settings);
+    Stage maps(context, scene, settings);
     EXPECT_LE(differing(maps.draw(lights), counted), 40u);
     EXPECT_EQ(maps.mapsOf(lights), lights.size());
     EXPECT_LT(volumes.bytesOf(lights[0]), maps.bytesOf(lights[0]));
