@@ -27,9 +27,9 @@ struct Needs {
     std::optional<VolumeRecords> volumes; ///< nothing: draws none
     bool proposed = false;                ///< most records never reach the GPU
     bool primitiveMaps = false;
-    bool automatic = false;              ///< of the lights where they pay
-    bool seeThroughLooksUp = false;      ///< where volumes are counted
-    std::size_t mapBytes = 0;            ///< what primitive maps may take, where there may be any
+    bool automatic = false;                ///< of the lights where they pay
+    bool seeThroughLooksUp = false;        ///< where volumes are counted
+    std::size_t mapBytes = 0;              ///< what primitive maps may take, where there may be any
     std::optional<std::size_t> shadowed{}; ///< lights that have shadows; nothing: all
     bool culledCasters = false;
     std::size_t planes = 0; ///< shadows are projected onto

@@ -134,12 +134,13 @@ void addMapOptions(CLI::App& verb, DrawSettings& settings) {
 }
 
 void addPrimitiveMapMemory(CLI::App& verb, DrawSettings& settings) {
-    noted(verb.add_option(
-              "--primitive-map-memory", settings.render.primitiveMap.mostBytes,
-              "What primitive maps may take on the GPU, those of all lights together; a light's may "
-              "take half of what those of lights that matter more leave, a coarser one is tried, "
-              "then volumes are counted (134217728)"),
-          settings.primitiveMapOptions)
+    noted(
+        verb.add_option(
+            "--primitive-map-memory", settings.render.primitiveMap.mostBytes,
+            "What primitive maps may take on the GPU, those of all lights together; a light's may "
+            "take half of what those of lights that matter more leave, a coarser one is tried, "
+            "then volumes are counted (134217728)"),
+        settings.primitiveMapOptions)
         ->check(CLI::Range(std::size_t{1} << 16, std::size_t{1} << 32))
         ->type_name("BYTES");
 }
