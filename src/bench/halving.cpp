@@ -16,9 +16,8 @@ constexpr std::size_t leastAlike = 8;          // wrong pixels
 // Spreads of logarithms that are taken at least, see logRatioBounds().
 constexpr double spreadOfTimes = 0.03, spreadOfErrors = 0.5;
 constexpr double leastLonger = 0.05; // logarithm: what takes less than 5 % longer is not dropped
-// Shares of the time by when rounds must be over: of the first frames, of small views, of views.
-constexpr double firstFramesEnd = 0.35, smallViewsEnd = 0.6, viewsEnd = 0.75;
-constexpr double leastOfSmall = 2.0; // times as much wrong in small pictures
+// Shares of the time by when rounds must be over: of the first frames and of views.
+constexpr double firstFramesEnd = 0.35, viewsEnd = 0.75;
 
 std::size_t wrongIn(std::span<const ViewErrors> views) {
     std::size_t sum = 0;
@@ -35,17 +34,11 @@ std::vector<double> positiveCounts(std::span<const ViewErrors> views) {
     return counts;
 }
 
-bool certainlyMoreWrong(std::span<const ViewErrors> own, std::span<const ViewErrors> other,
-                        double leastRatio = 1.0) {
+bool certainlyMoreWrong(std::span<const ViewErrors> own, std::span<const ViewErrors> other) {
     if (logRatioBounds(positiveCounts(own), positiveCounts(other), spreadOfErrors).low <= 0.0)
         return false;
-    const double margin = std::max(leastRatio, 1.0 + 4.0 / static_cast<double>(own.size()));
+    const double margin = 1.0 + 4.0 / static_cast<double>(own.size());
     return static_cast<double>(wrongIn(own)) > margin * static_cast<double>(wrongIn(other));
-}
-
-bool farMoreWrongInSmall(const Evidence& own, const Evidence& other) {
-    return !own.smallViews.empty() && !other.smallViews.empty() &&
-           certainlyMoreWrong(own.smallViews, other.smallViews, leastOfSmall);
 }
 
 /// Whether the two draw the same pictures for all that is known: as much is wrong in every view,
@@ -88,14 +81,10 @@ class Halving {
           steps_(effort.frames + effort.views) {
         who_.resize(count);
         std::iota(who_.begin(), who_.end(), std::size_t{0});
-        // Fewer views than a round's would drop nothing.
-        screens_ = effort.views >= firstViews && judgedSmall().size() > 1;
-        if (screens_) steps_ += effort.views;
     }
 
     std::vector<Standing> run() {
         Steps timing{"frame", effort_.keepsFrames, [this](int i) { addFrame(i); }};
-        Steps screening{"small view", false, [this](int i) { addSmallView(i); }};
         Steps judging{"view", effort_.keepsViews, [this](int i) { addView(i); }};
         std::deque<std::vector<int>> frames = frameRounds(effort_.frames);
         prepare(timing, [this] { measurer_.prepareFrames(who_); });
@@ -103,13 +92,6 @@ class Halving {
         if (frames.front().empty()) frames.pop_front();
 
         prepare(judging, [this] { measurer_.prepareViews(who_); });
-        if (screens_) {
-            for (std::vector<int>& round : viewRounds(effort_.views)) {
-                const bool whole = addRound(screening, round, smallViewsEnd);
-                drop();
-                if (!whole) break;
-            }
-        }
         for (std::vector<int>& round : viewRounds(effort_.views)) {
             const bool whole = addRound(judging, round, viewsEnd);
             if (!frames.empty() || judging.done < effort_.views) drop();
@@ -137,12 +119,6 @@ class Halving {
         double preparing = 0.0; ///< of a setting
         int done = 0;
     };
-
-    std::vector<std::size_t> judgedSmall() const {
-        std::vector<std::size_t> judged = who_;
-        std::erase_if(judged, [&](std::size_t i) { return !measurer_.tellsInSmall(i); });
-        return judged;
-    }
 
     /// Whether what takes so many seconds a setting is over by then.
     bool fits(double secondsOfSetting, double shareOfTime) {
@@ -188,13 +164,6 @@ class Halving {
             standings_[who_[k]].evidence.views.push_back(errors[k]);
     }
 
-    void addSmallView(int index) {
-        const std::vector<std::size_t> judged = judgedSmall();
-        const std::vector<ViewErrors> errors = measurer_.smallView(index, judged);
-        for (std::size_t k = 0; k < judged.size(); ++k)
-            standings_[judged[k]].evidence.smallViews.push_back(errors[k]);
-    }
-
     void drop() {
         std::vector<std::size_t> left;
         for (const std::size_t i : who_) {
@@ -222,7 +191,6 @@ class Halving {
     int rounds_ = 0;
     int stepsDone_ = 0;
     double steps_;
-    bool screens_ = false; ///< small views first
 };
 
 double percentOf(std::span<const ViewErrors> views, std::size_t ViewErrors::*part) {
@@ -260,15 +228,11 @@ Estimate estimateOf(const Evidence& own, const Evidence& dominator, const Estima
     Estimate estimate = estimateOf(own);
     const double ratio =
         ratiosOf(own.frameMs, std::span(dominator.frameMs).first(own.frameMs.size())).median;
-    const auto kind = own.views.empty() ? &Evidence::smallViews : &Evidence::views;
-    const auto seen = std::span(dominator.*kind).first((own.*kind).size());
-    const auto beyondDominator = [&](std::size_t ViewErrors::*part) {
-        return percentOf(own.*kind, part) - percentOf(seen, part);
-    };
+    const auto seen = std::span(dominator.views).first(own.views.size());
     estimate.milliseconds = of.milliseconds * ratio;
-    estimate.wrongPercent = of.wrongPercent + beyondDominator(&ViewErrors::wrong);
-    estimate.beyond1pxPercent =
-        std::max(0.0, of.beyond1pxPercent + beyondDominator(&ViewErrors::beyond1px));
+    estimate.wrongPercent += of.wrongPercent - percentOf(seen, &ViewErrors::wrong);
+    estimate.beyond1pxPercent = std::max(0.0, estimate.beyond1pxPercent + of.beyond1pxPercent -
+                                                  percentOf(seen, &ViewErrors::beyond1px));
     return estimate;
 }
 
@@ -276,8 +240,7 @@ Estimate estimateOf(const Evidence& own, const Evidence& dominator, const Estima
 
 bool isCertainlyDominated(const Evidence& own, const Evidence& other) {
     return logRatioBounds(own.frameMs, other.frameMs, spreadOfTimes).low > leastLonger &&
-           (certainlyMoreWrong(own.views, other.views) || drawAlike(own.views, other.views) ||
-            farMoreWrongInSmall(own, other));
+           (certainlyMoreWrong(own.views, other.views) || drawAlike(own.views, other.views));
 }
 
 std::vector<Standing> halve(std::size_t count, const Effort& effort, Measurer& measurer) {

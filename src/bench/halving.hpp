@@ -20,15 +20,13 @@ struct ViewErrors {
 struct Evidence {
     std::vector<double> frameMs;
     std::vector<ViewErrors> views;
-    std::vector<ViewErrors> smallViews; ///< the first views, in small pictures, if those tell
 };
 
 /// Whether one setting takes longer than another and gets more wrong, beyond what more frames and
 /// more views could turn round: by certain bounds of the ratio of their times in the same frames,
 /// and likewise of their errors view by view, and by the sum of errors, which few views may decide.
 /// What gets as much wrong in every one of at least four views draws the same, and longer is
-/// enough. Of small pictures, which only stand for those that are asked for, it must be twice as
-/// much in all.
+/// enough.
 bool isCertainlyDominated(const Evidence& own, const Evidence& other);
 
 /// How much is measured of the settings that are not dropped.
@@ -52,10 +50,6 @@ class Measurer {
     /// Milliseconds of frame `index` of each of them.
     virtual std::vector<double> frame(int index, std::span<const std::size_t> who) = 0;
     virtual std::vector<ViewErrors> view(int index, std::span<const std::size_t> who) = 0;
-    /// Whether its share of wrong pixels is about the same in pictures so small that judging them
-    /// takes far less; and those pictures.
-    virtual bool tellsInSmall(std::size_t setting) const = 0;
-    virtual std::vector<ViewErrors> smallView(int index, std::span<const std::size_t> who) = 0;
     /// Told before every frame and view. `share`: of all of them that is done.
     virtual void progress(double share, const std::string& doing) = 0;
 };
@@ -70,9 +64,9 @@ struct Standing {
 
 /// Successive halving: measures all of `count` settings a little, drops those that are certainly
 /// dominated, and measures what is left further, in rounds of frames and of views, each twice as
-/// many as before. First some frames of all are timed, then views are judged, small of those that
-/// it tells something of and then in full, then further frames. Whatever doesn't fit into the time
-/// is left out, for all settings alike, but for one frame and one view.
+/// many as before. First some frames of all are timed, then views are judged, then further frames.
+/// Whatever doesn't fit into the time is left out, for all settings alike, but for one frame and
+/// one view.
 std::vector<Standing> halve(std::size_t count, const Effort& effort, Measurer& measurer);
 
 /// What is known of a setting at the end.

@@ -73,30 +73,16 @@ class RowMeasurer : public bench::Measurer {
     }
 
     std::vector<bench::ViewErrors> view(int index, std::span<const std::size_t> who) override {
-        return errorsOf(survey_->count(static_cast<std::size_t>(index), who));
-    }
-
-    /// What coarse masks get wrong grows with the pixel, beside all else.
-    bool tellsInSmall(std::size_t setting) const override {
-        const lab::PictureSize size{judged_.width, judged_.height};
-        return lab::smallSize(size) != size && rows_[setting].settings.render.maskScale == 1;
-    }
-
-    std::vector<bench::ViewErrors> smallView(int index, std::span<const std::size_t> who) override {
-        return errorsOf(survey_->countSmall(static_cast<std::size_t>(index), who));
-    }
-
-    void progress(double share, const std::string& doing) override { bar_.show(share, doing); }
-
-  private:
-    static std::vector<bench::ViewErrors> errorsOf(const std::vector<lab::WrongCounts>& views) {
         std::vector<bench::ViewErrors> errors;
-        for (const lab::WrongCounts& counts : views)
+        for (const lab::WrongCounts& counts : survey_->count(static_cast<std::size_t>(index), who))
             errors.push_back(
                 {counts.wrongImagePixels, counts.wrongImageBeyond1px, counts.visiblePixels});
         return errors;
     }
 
+    void progress(double share, const std::string& doing) override { bar_.show(share, doing); }
+
+  private:
     static void takeBias(TradeRow& row, float bias) {
         row.settings.render.map.biasTexels = bias;
         std::ostringstream text;

@@ -31,19 +31,13 @@ plot::TradePoint pointOf(const TradeRow& row, const std::vector<TradeRow>& rows,
                             : ""};
 }
 
-/// "8", or "8 small" where it was judged in small pictures alone.
-std::string viewsText(const bench::Evidence& evidence) {
-    if (!evidence.views.empty()) return std::to_string(evidence.views.size());
-    return std::to_string(evidence.smallViews.size()) + " small";
-}
-
 } // namespace
 
 std::string tableOf(const std::vector<TradeRow>& rows) {
     std::ostringstream text;
     text << std::left << std::setw(28) << "setting" << std::right << std::setw(11) << "median ms"
          << std::setw(11) << "MB on GPU" << std::setw(15) << "image wrong %" << std::setw(13)
-         << "beyond 1px" << std::setw(8) << "frames" << std::setw(9) << "views"
+         << "beyond 1px" << std::setw(8) << "frames" << std::setw(7) << "views"
          << "  front  options";
     for (const TradeRow& row : rows)
         text << "\n"
@@ -51,8 +45,8 @@ std::string tableOf(const std::vector<TradeRow>& rows) {
              << std::setprecision(2) << std::setw(11) << row.estimate.milliseconds << std::setw(11)
              << static_cast<double>(row.bytes) / (1 << 20) << std::setprecision(5) << std::setw(15)
              << row.estimate.wrongPercent << std::setw(13) << row.estimate.beyond1pxPercent
-             << std::setw(8) << row.standing.evidence.frameMs.size() << std::setw(9)
-             << viewsText(row.standing.evidence) << (row.pareto ? "    *    " : "         ")
+             << std::setw(8) << row.standing.evidence.frameMs.size() << std::setw(7)
+             << row.standing.evidence.views.size() << (row.pareto ? "    *    " : "         ")
              << row.options();
     return text.str();
 }
@@ -72,7 +66,6 @@ nlohmann::ordered_json rowJson(const TradeRow& row, const std::vector<TradeRow>&
         {"rounds", row.standing.rounds},
         {"frames", row.standing.evidence.frameMs.size()},
         {"views", row.standing.evidence.views.size()},
-        {"small_views", row.standing.evidence.smallViews.size()},
         {"dominated_early", row.isDropped()}};
     if (row.isDropped()) {
         json["dominated_by"] = rows[*row.standing.dominator].setting.name;

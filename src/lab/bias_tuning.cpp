@@ -1,6 +1,7 @@
 #include "src/lab/bias_tuning.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgeshade::lab {
 namespace {
@@ -12,6 +13,7 @@ std::vector<float> mapBiases(const ShadowMapSettings& map) {
     return biases;
 }
 constexpr std::size_t tuningViews = 3;
+constexpr double tuningPixels = 480.0 * 270.0; // of a small picture, at most
 
 /// A bias with what was wrong by it so far.
 struct Trial {
@@ -44,10 +46,13 @@ void tuneBiases(Jury& jury, const CompareTask& task, std::vector<Tuned>& contend
         for (const float bias : mapBiases(one.contender->settings.map))
             own.push_back({bias, 0});
     }
+    const double pixels = static_cast<double>(task.width) * task.height;
+    const double shrink = std::min(1.0, std::sqrt(tuningPixels / pixels));
+    const auto small = [&](int size) { return std::max(1, static_cast<int>(shrink * size)); };
     const std::size_t views = contenders.empty() ? 0 : std::min(tuningViews, task.views.size());
     for (std::size_t v = 0; v < views; ++v) {
         if (v > 0 && !goesOn()) break;
-        jury.seeSmall(task.views[v]);
+        jury.see(task.views[v], small(task.width), small(task.height));
         for (std::size_t c = 0; c < contenders.size(); ++c) {
             for (Trial& trial : trials[c]) {
                 contenders[c].renderer->setMapBias(trial.bias);

@@ -25,16 +25,6 @@ void ErrorSurvey::prepare(std::span<const std::size_t> who, const std::function<
 
 std::vector<WrongCounts> ErrorSurvey::count(std::size_t view, std::span<const std::size_t> who) {
     jury_.see(task_.views[view]);
-    return countOf(who);
-}
-
-std::vector<WrongCounts> ErrorSurvey::countSmall(std::size_t view,
-                                                 std::span<const std::size_t> who) {
-    jury_.seeSmall(task_.views[view]);
-    return countOf(who);
-}
-
-std::vector<WrongCounts> ErrorSurvey::countOf(std::span<const std::size_t> who) {
     std::vector<WrongCounts> counts;
     for (const std::size_t i : who)
         counts.push_back(jury_.countWrongImage(*entries_[i].renderer, task_.contenders[i]));

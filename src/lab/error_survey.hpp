@@ -17,8 +17,6 @@ class ErrorSurvey {
 
     /// What is wrong in a view of the task, of each of `who`.
     std::vector<WrongCounts> count(std::size_t view, std::span<const std::size_t> who);
-    /// In a picture of smallSize().
-    std::vector<WrongCounts> countSmall(std::size_t view, std::span<const std::size_t> who);
 
     /// The bias that was tuned, texels; nothing where none was.
     std::optional<float> tunedBias(std::size_t contender) const { return entries_[contender].bias; }
@@ -28,8 +26,6 @@ class ErrorSurvey {
         std::unique_ptr<Renderer> renderer;
         std::optional<float> bias;
     };
-
-    std::vector<WrongCounts> countOf(std::span<const std::size_t> who);
 
     const CompareTask& task_;
     Jury jury_;

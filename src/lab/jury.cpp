@@ -5,17 +5,12 @@
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/geometry/light_budget.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace edgeshade::lab {
 namespace {
 
 /// Lights from which the oracle's picture is drawn at once, and no more one for each set of lights
 /// that some pixels have.
 constexpr std::size_t manyLights = 9;
-
-constexpr double mostSmallPixels = 480.0 * 270.0;
 
 /// `mostShadowed`: see chooseLights().
 FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
@@ -29,31 +24,23 @@ FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
 
 } // namespace
 
-PictureSize smallSize(const PictureSize& size) {
-    const double pixels = static_cast<double>(size.width) * size.height;
-    const double shrink = std::min(1.0, std::sqrt(mostSmallPixels / pixels));
-    const auto shrunk = [&](int extent) { return std::max(1, static_cast<int>(shrink * extent)); };
-    return {shrunk(size.width), shrunk(size.height)};
-}
-
 Jury::Jury(const LoadedScene& loaded, const CompareTask& task)
     : loaded_(loaded), task_(task), studio_(task.width, task.height, task.limits),
       alpha_(textureAlpha(loaded)) {}
 
-void Jury::see(const LabView& view, const PictureSize& size) {
+void Jury::see(const LabView& view, int width, int height) {
     FrameRequest request;
     request.frustum = view.frustum;
-    request.width = size.width;
-    request.height = size.height;
+    request.width = width;
+    request.height = height;
     request.depth.near = task_.near;
     request.lights = task_.lights.empty() ? std::vector{view.light} : task_.lights;
     judged_.request = request;
     judged_.frame = frameOf(loaded_, request);
-    judged_.oracle = std::make_unique<Oracle>(Question{&loaded_.scene, loaded_.settings.castMasked,
-                                                       judged_.frame.frustum, judged_.frame.near(),
-                                                       request.lights, size.width, size.height,
-                                                       loaded_.cutoutsCast},
-                                              alpha_);
+    judged_.oracle = std::make_unique<Oracle>(
+        Question{&loaded_.scene, loaded_.settings.castMasked, judged_.frame.frustum,
+                 judged_.frame.near(), request.lights, width, height, loaded_.cutoutsCast},
+        alpha_);
     judged_.answers = SettledAnswers(traceAll(*judged_.oracle, {}));
     pictures_ = {};
     unshadowed_.clear();

@@ -9,15 +9,6 @@
 
 namespace edgeshade::lab {
 
-struct PictureSize {
-    int width = 0, height = 0; ///< pixels
-    bool operator==(const PictureSize&) const = default;
-};
-
-/// Of the same shape, with no more than 480x270 pixels: enough to choose by, in a small part of the
-/// time.
-PictureSize smallSize(const PictureSize& size);
-
 /// Draws and judges contenders' pictures, view by view.
 class Jury {
   public:
@@ -25,9 +16,9 @@ class Jury {
     Jury(const LoadedScene& loaded, const CompareTask& task);
 
     /// Moves on to another view: traces it once for all contenders.
-    void see(const LabView& view) { see(view, {task_.width, task_.height}); }
-    /// In a picture of smallSize().
-    void seeSmall(const LabView& view) { see(view, smallSize({task_.width, task_.height})); }
+    void see(const LabView& view) { see(view, task_.width, task_.height); }
+    /// In a smaller picture than the task's.
+    void see(const LabView& view, int width, int height);
 
     /// All that there is to say of a contender in this view, ties and its mask included.
     Comparison compare(Renderer& renderer, const Contender& contender);
@@ -60,7 +51,6 @@ class Jury {
         std::unique_ptr<OraclePicture> expected; ///< made when first asked for
     };
 
-    void see(const LabView& view, const PictureSize& size);
     FrameView frameWith(const LoadedScene& drawn, std::optional<int> depthSlices,
                         std::optional<std::size_t> mostShadowed);
     FrameView frameFor(const Contender& contender);

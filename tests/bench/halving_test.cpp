@@ -24,12 +24,8 @@ class MadeUp : public Measurer {
     MadeUp(std::vector<Setting> settings, double noise, unsigned seed)
         : settings_(std::move(settings)), noise_(noise), seed_(seed) {}
 
-    void leaveOutSmallViews() { smallest = 0; }
-
     double secondsOfPreparing = 0.0, secondsOfFrame = 0.0, secondsOfView = 0.0; ///< of a setting
-    double secondsOfSmallView = 0.0;
-    std::size_t smallest = 40; ///< settings from this one on tell nothing in small pictures
-    std::size_t framesDrawn = 0, viewsJudged = 0, smallViewsJudged = 0;
+    std::size_t framesDrawn = 0, viewsJudged = 0;
     std::vector<int> frameOrder;
 
     double clock() override { return clock_; }
@@ -50,18 +46,6 @@ class MadeUp : public Measurer {
             errors.push_back(errorsIn(index, i));
         clock_ += secondsOfView * static_cast<double>(who.size());
         viewsJudged += who.size();
-        return errors;
-    }
-    bool tellsInSmall(std::size_t setting) const override { return setting < smallest; }
-    std::vector<ViewErrors> smallView(int index, std::span<const std::size_t> who) override {
-        EXPECT_GT(who.size(), 0u);
-        std::vector<ViewErrors> errors;
-        for (const std::size_t i : who) {
-            EXPECT_LT(i, smallest);
-            errors.push_back(smallErrorsIn(index, i));
-        }
-        clock_ += secondsOfSmallView * static_cast<double>(who.size());
-        smallViewsJudged += who.size();
         return errors;
     }
     void progress(double share, const std::string&) override {
@@ -101,14 +85,6 @@ class MadeUp : public Measurer {
         const double wrong = settings_[i].wrong * std::exp(place + own);
         return {static_cast<std::size_t>(wrong), 0, 100000};
     }
-    /// Of a sixteenth of the pixels: what is wrong is about the same share of them.
-    ViewErrors smallErrorsIn(int index, std::size_t i) const {
-        const ViewErrors full = errorsIn(index, i);
-        if (settings_[i].alike >= 0) i = static_cast<std::size_t>(settings_[i].alike);
-        const double wrong =
-            static_cast<double>(full.wrong) / 16.0 * std::exp(0.2 * normal(4, index, i));
-        return {static_cast<std::size_t>(wrong), 0, full.visible / 16};
-    }
     void prepareAny(std::span<const std::size_t> who) {
         clock_ += secondsOfPreparing * static_cast<double>(who.size());
     }
@@ -142,7 +118,6 @@ TEST(Halving, DropsNothingThatFullMeasuringPutsOnTheFront) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         const double noise = seed % 3 == 0 ? 0.02 : seed % 3 == 1 ? 0.1 : 0.3;
         MadeUp measurer(drawnSettings(seed), noise, seed);
-        if (seed % 2 == 0) measurer.leaveOutSmallViews();
         const Effort effort;
         const auto standings = halve(40, effort, measurer);
         const auto front = measurer.frontInFull(effort);
@@ -159,7 +134,6 @@ TEST(Halving, DropsNothingThatFullMeasuringPutsOnTheFront) {
 TEST(Halving, WhatIsFarWorseIsDroppedEarlyAndMeasuredLess) {
     MadeUp measurer({{10.0, 10.0, -1}, {30.0, 1000.0, -1}, {5.0, 3000.0, -1}, {25.0, 10.0, 0}},
                     0.05, 1);
-    measurer.leaveOutSmallViews();
     const auto standings = halve(4, {}, measurer);
     EXPECT_FALSE(standings[0].dominator);
     EXPECT_EQ(standings[1].dominator, 0u);
@@ -170,49 +144,6 @@ TEST(Halving, WhatIsFarWorseIsDroppedEarlyAndMeasuredLess) {
     EXPECT_EQ(standings[1].evidence.frameMs.size(), 10u);
     EXPECT_LE(standings[1].evidence.views.size(), 8u);
     EXPECT_LT(standings[1].rounds, standings[0].rounds);
-}
-
-TEST(Halving, SmallPicturesAreEnoughForWhatIsFarWorse) {
-    // Of the last two nothing is told in small pictures.
-    MadeUp measurer({{10.0, 10.0, -1},
-                     {30.0, 1000.0, -1},
-                     {25.0, 13.0, -1},
-                     {40.0, 2000.0, -1},
-                     {5.0, 3000.0, -1}},
-                    0.05, 1);
-    measurer.smallest = 3;
-    const auto standings = halve(5, {}, measurer);
-    EXPECT_EQ(standings[1].dominator, 0u);
-    EXPECT_TRUE(standings[1].evidence.views.empty());
-    EXPECT_GE(standings[1].evidence.smallViews.size(), 4u);
-    EXPECT_FALSE(standings[2].evidence.views.empty()); // not twice as wrong
-    EXPECT_EQ(standings[3].dominator, 0u);
-    EXPECT_TRUE(standings[3].evidence.smallViews.empty());
-    EXPECT_FALSE(standings[3].evidence.views.empty());
-    EXPECT_FALSE(standings[4].dominator);
-}
-
-// In time for two full views of all, which drop nothing.
-TEST(Halving, SmallPicturesLeaveTimeForWhatIsLeft) {
-    const auto viewsOfThoseLeft = [](bool small) {
-        MadeUp measurer(drawnSettings(3), 0.05, 3);
-        if (!small) measurer.leaveOutSmallViews();
-        measurer.secondsOfFrame = 0.1;
-        measurer.secondsOfView = 1.6;
-        measurer.secondsOfSmallView = 0.1;
-        std::size_t most = 0;
-        for (const Standing& standing : halve(40, {40, 16, false, false, 240.0}, measurer))
-            most = std::max(most, standing.evidence.views.size());
-        EXPECT_LE(measurer.clock(), 240.0);
-        return most;
-    };
-    EXPECT_GT(viewsOfThoseLeft(true), viewsOfThoseLeft(false));
-}
-
-TEST(Halving, FewViewsAreNotScreened) {
-    MadeUp measurer(drawnSettings(3), 0.1, 3);
-    halve(40, {40, 3}, measurer);
-    EXPECT_EQ(measurer.smallViewsJudged, 0u);
 }
 
 TEST(Halving, FramesAreThoseOfTheFlightEachOnce) {
@@ -232,16 +163,15 @@ TEST(Halving, KeepsWithinTheTimeAndMeasuresAllAlike) {
         measurer.secondsOfPreparing = 0.1;
         measurer.secondsOfFrame = 0.05;
         measurer.secondsOfView = 0.2;
-        measurer.secondsOfSmallView = 0.02;
         const auto standings = halve(40, {40, 16, false, false, limit}, measurer);
-        const double least = 40 * (0.1 + 0.05 + 0.1 + 0.02 + 0.2);
+        const double least = 40 * (0.1 + 0.05 + 0.1 + 0.2);
         EXPECT_LE(measurer.clock(), std::max(limit, least) + 1e-9);
         std::size_t most = 0;
         for (const Standing& standing : standings)
             most = std::max(most, standing.evidence.views.size());
         for (const Standing& standing : standings) {
             EXPECT_GE(standing.evidence.frameMs.size(), 1u);
-            EXPECT_GE(standing.evidence.smallViews.size(), 1u);
+            EXPECT_GE(standing.evidence.views.size(), 1u);
             EXPECT_TRUE(standing.dominator || standing.evidence.views.size() == most);
         }
     }
@@ -265,12 +195,9 @@ TEST(Estimates, OfWhatWasDroppedAreByItsDominator) {
     // The machine was twice as slow while the first frames were drawn, and its view was an easy
     // one.
     const std::vector<Standing> standings = {
-        {{{20.0, 20.0, 10.0, 10.0, 10.0}, {{10, 0, 1000}, {90, 0, 1000}}, {{1, 0, 100}}},
-         4,
-         std::nullopt},
-        {{{30.0, 30.0}, {{30, 20, 1000}}, {}}, 1, 0},
-        {{{60.0}, {{40, 0, 1000}}, {}}, 1, 1},
-        {{{40.0}, {}, {{4, 2, 100}}}, 1, 0}}; // in small pictures alone
+        {{{20.0, 20.0, 10.0, 10.0, 10.0}, {{10, 0, 1000}, {90, 0, 1000}}}, 4, std::nullopt},
+        {{{30.0, 30.0}, {{30, 20, 1000}}}, 1, 0},
+        {{{60.0}, {{40, 0, 1000}}}, 1, 1}};
     const auto estimates = estimatesOf(standings);
     EXPECT_NEAR(estimates[0].milliseconds, 10.0, 1e-9);
     EXPECT_NEAR(estimates[1].milliseconds, 15.0, 1e-9);
@@ -279,14 +206,11 @@ TEST(Estimates, OfWhatWasDroppedAreByItsDominator) {
     EXPECT_NEAR(estimates[1].wrongPercent, 7.0, 1e-9);
     EXPECT_NEAR(estimates[1].beyond1pxPercent, 2.0, 1e-9);
     EXPECT_NEAR(estimates[2].wrongPercent, 8.0, 1e-9);
-    EXPECT_NEAR(estimates[3].milliseconds, 20.0, 1e-9);
-    EXPECT_NEAR(estimates[3].wrongPercent, 8.0, 1e-9);
-    EXPECT_NEAR(estimates[3].beyond1pxPercent, 2.0, 1e-9);
 }
 
 TEST(Estimates, BoundsAreAboveWhatWasMeasured) {
     const auto estimates = estimatesOf(std::vector<Standing>{
-        {{{9.0, 10.0, 11.0, 12.0, 13.0, 14.0}, {{10, 0, 1000}, {20, 0, 1000}}, {}}, 1, {}}});
+        {{{9.0, 10.0, 11.0, 12.0, 13.0, 14.0}, {{10, 0, 1000}, {20, 0, 1000}}}, 1, {}}});
     EXPECT_GE(estimates[0].millisecondsBelow, estimates[0].milliseconds);
     EXPECT_GT(estimates[0].wrongPercentBelow, estimates[0].wrongPercent);
 }
