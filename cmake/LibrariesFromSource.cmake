@@ -2,6 +2,8 @@
 # compute are then the same on every processor, and so are packed files (docs/platforms.md).
 include(FetchContent)
 add_compile_options(-ffp-contract=off)
+set(own_unity_build ${CMAKE_UNITY_BUILD})
+set(CMAKE_UNITY_BUILD OFF)
 
 # Debian's source packages where cmake/sources.sh has fetched them, else the same versions from
 # upstream.
@@ -67,3 +69,4 @@ if(NOT erfa_POPULATED)
   endif()
   add_library(erfa::erfa ALIAS erfa_part)
 endif()
+set(CMAKE_UNITY_BUILD ${own_unity_build})

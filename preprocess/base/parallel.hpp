@@ -14,6 +14,9 @@ struct Threads {
     static std::size_t available();
 };
 
+/// With fewer small items, triangles or edges, starting a thread takes longer than it saves.
+constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
+
 /// Items [first, end).
 struct ItemRange {
     std::size_t first = 0;

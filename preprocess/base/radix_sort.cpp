@@ -13,7 +13,6 @@ using Counts = std::array<std::uint32_t, digits>;
 /// Items up to which comparing is quicker.
 constexpr std::size_t fewItems = 256;
 /// Items that a thread is worth starting for.
-constexpr std::size_t itemsOfThread = std::size_t{1} << 15;
 
 std::uint32_t digitOf(std::uint32_t word, unsigned shift) {
     return word >> shift & (digits - 1);

@@ -7,8 +7,6 @@
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t itemsOfThread = std::size_t{1} << 15;
-
 /// Disjoint sets of the numbers 0 .. count - 1 that several threads may join at once. In the end
 /// the root of each is its least number, whatever the order.
 class SharedSets {

@@ -9,8 +9,6 @@
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
-
 /// What is known of a component before it is put into a cluster.
 struct Part {
     Box bounds;

@@ -11,8 +11,6 @@
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
-
 /// The box of caps [first, end).
 Box boxOf(const std::vector<CapRecord>& caps, std::size_t first, std::size_t end) {
     glm::vec3 low = caps[first].a, high = low;

@@ -15,8 +15,6 @@ namespace {
 /// coplanar says too little of a plane where three points are almost on a line.
 constexpr double thinnest = 1e-6;
 
-constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
-
 /// Triangles of an edge up to which each is compared with each. Edges of larger fans join no
 /// patches.
 constexpr std::uint32_t largestFan = 64;

@@ -123,8 +123,7 @@ TEST(BruteForce, NeighboursSidesCancelAtTheSurface) {
                 .quad({-half, -half, -6}, {half, -half, -6}, {half, half, -6}, {-half, half, -6})
                 .scene();
         for (const auto count : {BruteForceCount::zFail, BruteForceCount::zPass})
-            for (const Light& light :
-                 {sun({0, 1, 1}), sun({0.3, 1, 0.1}), pointLight({1, 2, 3})}) {
+            for (const Light& light : {sun({0, 1, 1}), sun({0.3, 1, 0.1}), pointLight({1, 2, 3})}) {
                 const Outcome outcome = test::run({wall, {{0, 0, 1}, {0, 0, -6}, 70.0}, light},
                                                   bruteForce(count, SidesLayout::notInstanced));
                 EXPECT_EQ(outcome.wrong, 0) << half;
@@ -253,10 +252,10 @@ TEST(TriangleDraws, BeforeSurfacesAreNearCapsAndSides) {
         EXPECT_FALSE(draw.zFail || draw.nearDiscard);
         shapes.push_back(draw.shape);
     }
-    EXPECT_EQ(shapes, (std::vector<Shape>{Shape::nearCaps, Shape::triangleVolumes,
-                                          Shape::negativeSides, Shape::nearCaps,
-                                          Shape::triangleVolumes, Shape::negativeSides,
-                                          Shape::caps}));
+    EXPECT_EQ(shapes,
+              (std::vector<Shape>{Shape::nearCaps, Shape::triangleVolumes, Shape::negativeSides,
+                                  Shape::nearCaps, Shape::triangleVolumes, Shape::negativeSides,
+                                  Shape::caps}));
     EXPECT_EQ(draws[1].verticesPerRecord, 12);
     EXPECT_TRUE(draws[6].cutoutsAlone);
     EXPECT_EQ(drawsOf({.zFail = false, .directional = true})[1].verticesPerRecord, 6);

@@ -52,10 +52,9 @@ void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
     const auto drawAll = [&](const std::vector<VolumeDraw>& draws) {
         forEachDraw(draws, plan, volumes, scene, casters,
                     [&](const VolumeDraw& draw, const DrawnBatch& batch) {
-                        bool turned = batch.mirrored;
-                        if constexpr (hasRivals)
-                            if (draw.shape == VolumeDraw::Shape::negativeSides) turned = !turned;
-                        countByOne(draw.zFail, turned);
+                        const bool negative =
+                            hasRivals && draw.shape == VolumeDraw::Shape::negativeSides;
+                        countByOne(draw.zFail, batch.mirrored != negative);
                         std::optional<CulledCapOffset> offset;
                         if (draw.culled) offset.emplace(offsetSlopes_, offsetUnits_);
                         std::optional<CountAll> all;
