@@ -7,8 +7,8 @@ namespace edgeshade::web {
 template <class Archive>
 void transfer(Archive& archive, Maybe<PrimitiveMapTask> auto& task) {
     auto& settings = task.settings;
-    archive(task.light, task.castersReceive, settings.size, settings.mostBytes, settings.splitAbove, settings.mostSplits,
-            settings.othersReceive, settings.receivers, settings.cutouts);
+    archive(task.light, task.castersReceive, settings.size, settings.mostBytes, settings.splitAbove,
+            settings.mostSplits, settings.othersReceive, settings.receivers, settings.cutouts);
 }
 
 template <class Archive>

@@ -16,7 +16,7 @@ namespace {
 /// Texels that a map begins with for each triangle, and along a tile's edge at least: where lists
 /// are long they are divided, so that few triangles need few.
 constexpr double texelsEach = 16.0;
-constexpr int leastSize = 64;
+constexpr int leastSize = 16;
 
 /// Triangles that cast within a light's range.
 std::size_t castersWithin(const Light& light, const PlacedCasters& placed) {
@@ -60,8 +60,7 @@ int sizeFor(const Light& light, const std::vector<PlacedCasters>& casters, int m
 PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTask& task,
                                  KeptEdges edges)
     : light_(task.light), castersReceive_(task.castersReceive), settings_(task.settings),
-      materials_(&loaded.scene.materials),
-      edges_(std::move(edges)) {
+      materials_(&loaded.scene.materials), edges_(std::move(edges)) {
     built_.light = light_;
     built_.mostBytes = settings_.mostBytes;
     for (std::size_t i = 0; i < loaded.scene.batches.size(); ++i) {

@@ -23,7 +23,8 @@ struct PrimitiveMapTask {
     Light light;
     /// What casts is looked up, too; false: only what is see-through, which casts nothing.
     bool castersReceive = true;
-    PrimitiveMapSettings settings; ///< `mostBytes`: of all that is built; `cutouts`: empty where MASK surfaces cast nothing
+    PrimitiveMapSettings settings; ///< `mostBytes`: of all that is built; `cutouts`: empty where
+                                   ///< MASK surfaces cast nothing
 };
 
 /// What came of it.

@@ -32,8 +32,7 @@ std::vector<int> sidesOf(const Batch& batch, const SurfacePart& part, const Ligh
                         : lightSideOf(corners, light.center) > 0 ? 1
                                                                  : -1);
     }
-    if (unasked < sides.size())
-        std::fill_n(sides.begin(), unasked, sides[unasked]);
+    if (unasked < sides.size()) std::fill_n(sides.begin(), unasked, sides[unasked]);
     return sides;
 }
 
@@ -94,8 +93,7 @@ SidedTriangles sided(const Batch& batch, const std::vector<Material>& materials,
 
 std::vector<SidedTriangles> sidedTriangles(const Batch& batch,
                                            const std::vector<Material>& materials,
-                                           const LightShape& light, bool extended,
-                                           double range) {
+                                           const LightShape& light, bool extended, double range) {
     std::vector<SidedTriangles> all;
     for (const SurfacePart& part : surfacePartsOf(batch))
         all.push_back(sided(batch, materials, part, light, extended, range));

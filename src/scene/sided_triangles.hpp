@@ -33,8 +33,9 @@ struct SidedTriangles {
 
 /// Of every part of a batch, for a light in the batch's space. `extended`: it has an extent.
 /// `range`: triangles farther from it, as rangeInObject() has it, say either side.
-std::vector<SidedTriangles>
-sidedTriangles(const Batch& batch, const std::vector<Material>& materials, const LightShape& light,
-               bool extended = false, double range = std::numeric_limits<double>::infinity());
+std::vector<SidedTriangles> sidedTriangles(const Batch& batch,
+                                           const std::vector<Material>& materials,
+                                           const LightShape& light, bool extended = false,
+                                           double range = std::numeric_limits<double>::infinity());
 
 } // namespace edgeshade

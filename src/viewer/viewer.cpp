@@ -417,8 +417,7 @@ void Viewer::Parts::advanceMaps(double now) {
     RenderSettings wanted = settings.render;
     wanted.shadows =
         choice == MapChoice::all ? ShadowMethod::primitiveMap : ShadowMethod::automatic;
-    if (prepareSceneMeanwhile(*gpu->scene, *loaded, view, wanted, gpu->capabilities,
-                              buildingMs)) {
+    if (prepareSceneMeanwhile(*gpu->scene, *loaded, view, wanted, gpu->capabilities, buildingMs)) {
         dirty = true;
         ++changes;
     }

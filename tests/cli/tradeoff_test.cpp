@@ -11,6 +11,17 @@
 namespace edgeshade::test {
 namespace {
 
+/// Boxes around the middle of a floor.
+GltfBuilder boxesOnAFloor() {
+    GltfBuilder gltf;
+    gltf.addShapeNode(box(glm::vec3(6.0f, 0.1f, 6.0f)));
+    const int mesh = gltf.addShape(box(glm::vec3(0.3f, 1.0f, 0.3f)));
+    for (const double x : {-1.5, 0.0, 1.5})
+        for (const double z : {-1.5, 0.0, 1.5})
+            gltf.addNode({{"mesh", mesh}, {"translation", {x, 1.1, z}}});
+    return gltf;
+}
+
 class Tradeoff : public testing::Test {
   protected:
     Tradeoff() : input_(folder_.write("in.glb", variedScene().glb())) {}
@@ -20,10 +31,12 @@ class Tradeoff : public testing::Test {
         return ChildProcess(EDGESHADE_PROGRAM, arguments).wait(120.0);
     }
 
-    ProcessResult run(const std::vector<std::string>& more) const {
-        std::vector<std::string> arguments = {"tradeoff",      input_, "--frames", "2",
-                                              "--views",       "1",    "--size",   "48x32",
-                                              "--largest-map", "512",  "--report", "-"};
+    ProcessResult run(const std::vector<std::string>& more) const { return runOf(input_, more); }
+
+    static ProcessResult runOf(const std::string& scene, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"tradeoff",      scene, "--frames", "2",
+                                              "--views",       "1",   "--size",   "48x32",
+                                              "--largest-map", "512", "--report", "-"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return ended(arguments);
     }
@@ -116,10 +129,12 @@ TEST_F(Tradeoff, OfEightLampsShadowsForSomeAreRowsJudgedByAnOracleOfAll) {
     for (int i = 0; i < 8; ++i) {
         const double turn = 0.25 * M_PI * i;
         std::ostringstream lamp;
-        lamp << 3.0 * std::cos(turn) << ",2.5," << 3.0 * std::sin(turn) << ":#ffffff:" << 40 - i;
+        lamp << 3.0 * std::cos(turn) << ",2.5," << 3.0 * std::sin(turn)
+             << ":#ffffff:" << 2.0 - 0.05 * i;
         arguments.insert(arguments.end(), {"--light", lamp.str()});
     }
-    const ProcessResult result = run(arguments);
+    const std::string scene = folder_.write("boxes.glb", boxesOnAFloor().glb());
+    const ProcessResult result = runOf(scene, arguments);
     if (!hasLab(result)) GTEST_SKIP();
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(result.out);

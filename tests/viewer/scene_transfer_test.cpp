@@ -138,7 +138,7 @@ TEST(MapTransfer, TasksGoThereAndMapsComeBack) {
         EXPECT_EQ(back.map->tiles.mapFromWorld, built.map->tiles.mapFromWorld);
         EXPECT_EQ(back.map->extended, light.w == 0.0);
         EXPECT_EQ(back.map->meanList, built.map->meanList);
-        EXPECT_EQ(back.map->size, 64);
+        EXPECT_EQ(back.map->size, built.map->size);
         EXPECT_EQ(back.map->longestList, built.map->longestList);
         EXPECT_EQ(back.map->header, built.map->header);
         EXPECT_EQ(back.map->entries, built.map->entries);

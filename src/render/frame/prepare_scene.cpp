@@ -34,11 +34,11 @@ bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
 
 /// Sorts lights by what they add to the picture, those with maps taken twice: a map is built in
 /// many frames' time, and would go with the next turn of the camera.
-void sortByImportance(const FrameView& view, const PrimitiveMaps& maps,
+void sortByImportance(const FrameView& view, const PrimitiveMaps& kept,
                       std::vector<Light>& lights) {
     std::vector<std::pair<double, Light>> weighed;
     for (const Light& light : lights) {
-        const PrimitiveMapState* state = maps.of(light);
+        const PrimitiveMapState* state = kept.of(light);
         weighed.emplace_back(importanceOf(view, light) * (state && state->map ? 2.0 : 1.0), light);
     }
     std::stable_sort(weighed.begin(), weighed.end(),
@@ -57,8 +57,8 @@ MapDemand demandOf(const GpuScene& scene, const FrameView& view, const RenderSet
     std::vector<Light> others;
     for (const FrameLight& of : view.lights) {
         if ((of.light.extent && !extents) || (restingAlone && !of.atRest)) continue;
-        const bool wanted = of.drawn && of.shadowed &&
-                            !(seeThroughAlone && !mayReachSeeThrough(scene, of.light));
+        const bool wanted =
+            of.drawn && of.shadowed && !(seeThroughAlone && !mayReachSeeThrough(scene, of.light));
         (wanted ? demand.lights : others).push_back(of.light);
     }
     if constexpr (weighsLights) sortByImportance(view, scene.primitiveMaps, demand.lights);
@@ -130,9 +130,9 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
         scene.culled.clear();
 }
 
-bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
-                           const FrameView& view, const RenderSettings& settings,
-                           const gl::Capabilities& capabilities, double milliseconds) {
+bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
+                           const RenderSettings& settings, const gl::Capabilities& capabilities,
+                           double milliseconds) {
     const MapDemand demand = demandOf(scene, view, settings, true, true);
     return scene.primitiveMaps.advance(loaded, demand, settings.primitiveMap, capabilities,
                                        milliseconds);
@@ -173,7 +173,7 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         if (!settings.looksUpPrimitives()) continue;
         const PrimitiveMapState* state = scene.primitiveMaps.of(of.light);
         if (state || method.why.empty())
-            method.why = state ? state->why
+            method.why = state             ? state->why
                          : of.light.extent ? "it has an extent"
                          : of.atRest       ? "its primitive map is not built"
                                            : "it moves";

@@ -16,9 +16,9 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
 /// Goes on with primitive maps of those of the view's lights that are at rest, in the background,
 /// or for so long where there are no threads, and forgets those of others. Returns whether one is
 /// new.
-bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded,
-                           const FrameView& view, const RenderSettings& settings,
-                           const gl::Capabilities& capabilities, double milliseconds);
+bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
+                           const RenderSettings& settings, const gl::Capabilities& capabilities,
+                           double milliseconds);
 
 /// The map of all of a light that has an extent; null: there is none, and its points are counted
 /// one by one.
