@@ -34,8 +34,8 @@ bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
 
 /// Sorts lights by what they add to the picture, those with maps taken twice: a map is built in
 /// many frames' time, and would go with the next turn of the camera.
-void sortByImportance(const FrameView& view, const PrimitiveMaps& kept,
-                      std::vector<Light>& lights) {
+[[maybe_unused]] void sortByImportance(const FrameView& view, const PrimitiveMaps& kept,
+                                       std::vector<Light>& lights) {
     std::vector<std::pair<double, Light>> weighed;
     for (const Light& light : lights) {
         const PrimitiveMapState* state = kept.of(light);
