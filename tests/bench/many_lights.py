@@ -9,6 +9,7 @@ EDGESHADE names the program. Takes some minutes.
 """
 
 import math
+import tempfile
 
 from edgeshade_runs import ROOT, SCENES, figure, replace_between, report, results_of
 
@@ -24,7 +25,7 @@ SEEN = 8    # beside so many that do
 
 def bench(path, *words):
     return report("bench", path, "--size", SIZE, "--frames", FRAMES, "--warm-up", 1, "--timing",
-                  "processor", "--shading", "full", *words)["results"]
+                  "processor", "--shading", "full", *words)
 
 
 def row(told):
@@ -37,17 +38,16 @@ def by_number(path):
     rows = {}
     for count in COUNTS:
         told = bench(path, "--lights", count,
-                     *(word for of in SETTINGS.values() for word in ("--against", of)))
+                     *(word for of in SETTINGS.values() for word in ("--against", of)))["results"]
         rows[str(count)] = {name: row(of) for name, of in zip([ALL, *SETTINGS], told)}
     return told[0]["device"]["renderer"], rows
 
 
 def away(path):
     """So many lights in a ring around the scene's middle, alone and with others far from it."""
-    box = report("info", path)["bounds"]
-    low, high = box["min"], box["max"]
-    size = math.dist(low, high)
-    middle = [(a + b) / 2 for a, b in zip(low, high)]
+    size = report("info", path)["diagonal"]
+    with tempfile.TemporaryDirectory() as folder:
+        middle = report("render", path, f"{folder}/x.png", "--size", "32x18")["camera"]["to"]
 
     def ring(count, radius):
         for i in range(count):
@@ -56,8 +56,8 @@ def away(path):
             yield from ("--light", ",".join(f"{x:.9g}" for x in place))
 
     lights = [*ring(SEEN, 0.15 * size), "--light-range", f"{0.2 * size:.9g}"]
-    return {"without": row(bench(path, *lights)[0]),
-            "with": row(bench(path, *lights, *ring(AWAY, 20 * size))[0])}
+    return {"without": row(bench(path, *lights)),
+            "with": row(bench(path, *lights, *ring(AWAY, 20 * size)))}
 
 
 def measured():
