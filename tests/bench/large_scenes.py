@@ -23,7 +23,7 @@ GENERATED_MESH = os.environ.get("GENERATED_MESH",
                                 str(ROOT / "build" / "release" / "tests" / "bench" / "write_generated_mesh"))
 KINDS = {"grid": "hills", "boxes": "boxes"}
 SIZES = (1_000_000, 5_000_000, 10_000_000)
-SIZE = "1920x1080"
+SIZE, SUN = "1920x1080", ("--sun", "0.4,1,0.3")
 
 
 def run(*words):
@@ -49,12 +49,11 @@ def measured():
                 source, packed = (pathlib.Path(folder) / name for name in ("source.glb", "packed.glb"))
                 run(GENERATED_MESH, kind, size, source)
                 row = {"kind": kind, "source_bytes": source.stat().st_size}
-                row["pack"], _ = run(PROGRAM, "pack", source, packed)
-                row["packed_bytes"] = packed.stat().st_size
-                row["draw"], told = run(PROGRAM, "render", packed, f"{folder}/x.png", "--size", SIZE,
-                                        "--sun", "0.4,1,0.3", "--report", "-")
+                row["pack"], told = run(PROGRAM, "pack", source, packed, "--report", "-")
                 row["triangles"] = json.loads(told)["triangles"]
-                row["bench"], told = run(PROGRAM, "bench", packed, "--size", SIZE, "--sun", "0.4,1,0.3", "--frames", 2,
+                row["packed_bytes"] = packed.stat().st_size
+                row["draw"], _ = run(PROGRAM, "render", packed, f"{folder}/x.png", "--size", SIZE, *SUN)
+                row["bench"], told = run(PROGRAM, "bench", packed, "--size", SIZE, *SUN, "--frames", 2,
                                          "--warm-up", 1, "--report", "-")
                 result = json.loads(told)
                 row |= {"frame_ms": result["frame_ms"]["median"], "bytes_gpu": result["bytes_gpu"],

@@ -69,7 +69,10 @@ Json GltfBuilder::primitiveOf(const Shape& shape, const Json& more) {
     if (!shape.normals.empty()) attributes["NORMAL"] = addVectors(shape.normals);
     if (!shape.texcoords.empty()) attributes["TEXCOORD_0"] = addVectors(shape.texcoords);
     Json primitive = {{"attributes", attributes}};
-    if (!shape.indices.empty()) primitive["indices"] = addIndices<std::uint16_t>(shape.indices);
+    if (!shape.indices.empty())
+        primitive["indices"] = shape.positions.size() < 65536
+                                   ? addIndices<std::uint16_t>(shape.indices)
+                                   : addIndices<std::uint32_t>(shape.indices);
     primitive.update(more);
     return primitive;
 }
