@@ -3,18 +3,21 @@
 of docs/measured/maps.md and the picture docs/pictures/maps.png.
 
     tests/bench/maps.py             measures, then tables and the picture
+    tests/bench/maps.py --rest      measures what results lack of it, scene by scene, then the same
     tests/bench/maps.py --table     tables from the results that are there
     tests/bench/maps.py --picture   the picture alone
 
 EDGESHADE names the program.
 """
 
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
 
-from edgeshade_runs import PROGRAM, ROOT, SCENES, figure, percent, replace_between, report, results_of
+from edgeshade_runs import (PROGRAM, RESULTS, ROOT, SCENES, figure, machine, percent, replace_between,
+                            report, results_of, write_results)
 from png_bytes import Picture, read_png, side_by_side, write_png
 from soft_shadows import lights_for
 
@@ -64,13 +67,18 @@ def case(path, light, contenders):
 
 
 def measured():
-    results = {}
+    """Written after each case: all of them take most of an hour."""
+    kept = RESULTS / "maps.json"
+    results = json.loads(kept.read_text())["scenes"] if sys.argv[1:2] == ["--rest"] and kept.exists() else {}
     with tempfile.TemporaryDirectory() as folder:
         for name, path in MODELS.items():
-            lights = lights_for(path, folder)
             for kind, contenders in (("sun", SUN), ("lamp", LAMP)):
+                if f"{name}, {kind}" in results:
+                    continue
                 print(name, kind, file=sys.stderr)
-                results[f"{name}, {kind}"] = case(path, lights[kind][:2], contenders)
+                light = lights_for(path, folder)[kind][:2]
+                results[f"{name}, {kind}"] = case(path, light, contenders)
+                write_results("maps", {"machine": machine(), "scenes": results})
     return results
 
 
