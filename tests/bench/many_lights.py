@@ -9,12 +9,11 @@ EDGESHADE names the program. Takes some minutes.
 """
 
 import math
-import tempfile
 
-from edgeshade_runs import ROOT, SCENES, figure, replace_between, report, results_of
+from edgeshade_runs import figure, replace_between, report, results_of
+from lit_models import MODELS, middle_and_diagonal
 
-MODELS = {"pavilion": ROOT / "assets" / "pavilion.glb", "garden": SCENES / "garden.draco.glb",
-          "city": SCENES / "city.draco.glb"}
+NAMES = ("pavilion", "garden", "city")
 SIZE, FRAMES, COUNTS = "480x270", 4, (1, 4, 16, 64, 256)
 ALL = "all with shadows"
 SETTINGS = {"4 of them": "shadowed-lights=4", "none of them": "shadowed-lights=0",
@@ -45,9 +44,7 @@ def by_number(path):
 
 def away(path):
     """So many lights in a ring around the scene's middle, alone and with others far from it."""
-    size = report("info", path)["diagonal"]
-    with tempfile.TemporaryDirectory() as folder:
-        middle = report("render", path, f"{folder}/x.png", "--size", "32x18")["camera"]["to"]
+    middle, size = middle_and_diagonal(path)
 
     def ring(count, radius):
         for i in range(count):
@@ -62,7 +59,8 @@ def away(path):
 
 def measured():
     scenes = {}
-    for name, path in MODELS.items():
+    for name in NAMES:
+        path = MODELS[name]
         renderer, rows = by_number(path)
         scenes[name] = {"renderer": renderer, "rows": rows, "away": away(path)}
     return scenes

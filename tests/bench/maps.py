@@ -16,16 +16,11 @@ import subprocess
 import sys
 import tempfile
 
-from edgeshade_runs import (PROGRAM, RESULTS, ROOT, SCENES, figure, machine, percent, replace_between,
+from edgeshade_runs import (PROGRAM, RESULTS, ROOT, figure, machine, percent, replace_between,
                             report, results_of, write_results)
+from lit_models import MODELS, lit_models
 from png_bytes import Picture, read_png, side_by_side, write_png
-from soft_shadows import lights_for
 
-MODELS = {"pavilion": ROOT / "assets" / "pavilion.glb"}
-MODELS |= {name: SCENES / file for name, file in {
-    "bunny": "bunny.draco.glb", "car": "car.draco.glb", "city": "city.draco.glb", "duck": "duck.glb",
-    "engine": "engine.glb", "garden": "garden.draco.glb", "hospital": "hospital-electrical.glb",
-    "oaktree": "oaktree.glb", "temple": "temple.glb", "truck": "truck.draco.glb"}.items()}
 SIZE, VIEWS, FRAMES = "240x135", 2, 2
 MAP = "shadows=map,map-size="
 
@@ -70,15 +65,9 @@ def measured():
     """Written after each case: all of them take most of an hour."""
     kept = RESULTS / "maps.json"
     results = json.loads(kept.read_text())["scenes"] if sys.argv[1:2] == ["--rest"] and kept.exists() else {}
-    with tempfile.TemporaryDirectory() as folder:
-        for name, path in MODELS.items():
-            for kind, contenders in (("sun", SUN), ("lamp", LAMP)):
-                if f"{name}, {kind}" in results:
-                    continue
-                print(name, kind, file=sys.stderr)
-                light = lights_for(path, folder)[kind][:2]
-                results[f"{name}, {kind}"] = case(path, light, contenders)
-                write_results("maps", {"machine": machine(), "scenes": results})
+    for name, path, kind, light in lit_models(kept=tuple(results)):
+        results[name] = case(path, light, {"sun": SUN, "lamp": LAMP}[kind])
+        write_results("maps", {"machine": machine(), "scenes": results})
     return results
 
 

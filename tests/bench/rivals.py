@@ -18,9 +18,9 @@ import tempfile
 
 from culling import glb
 from edgeshade_runs import PROGRAM, ROOT, figure, mean, percent, replace_between, report, results_of
-from maps import MODELS, below, bytes_text
+from lit_models import MODELS, lit_models
+from maps import below, bytes_text
 from png_bytes import read_png, side_by_side, write_png
-from soft_shadows import lights_for
 
 SIZE, VIEWS, FRAMES = "160x120", 2, 2
 FIRST = "volumes"
@@ -49,14 +49,7 @@ def case(path, light):
 
 
 def measured():
-    results = {}
-    with tempfile.TemporaryDirectory() as folder:
-        for name, path in MODELS.items():
-            lights = lights_for(path, folder)
-            for kind in ("sun", "lamp"):
-                print(name, kind, file=sys.stderr)
-                results[f"{name}, {kind}"] = case(path, lights[kind][:2])
-    return results
+    return {name: case(path, light) for name, path, _, light in lit_models()}
 
 
 # How much the light's rays, beside which is 1, go through the near plane. The last is below where ZP+

@@ -19,14 +19,13 @@ import tempfile
 
 from culling import box, floor, glb
 from edgeshade_runs import PROGRAM, ROOT, SCENES, figure, replace_between, report, results_of
+from lit_models import camera_of, lights_for
 from png_bytes import read_png, side_by_side, write_png
 from soft_shadows_plot import write_plot
 
 MODELS = {"duck": "duck.glb", "garden": "garden.draco.glb", "temple": "temple.glb"}
 FRAMES = {"duck": 3, "garden": 3, "temple": 1}
 SIZE, REFERENCE = "480x270", 4096
-LAMP_SHARE = 0.02  # of the scene's diagonal, the lamp's radius
-SUN = ("--sun", "1,2,0.5", "--sun-angle", "2")
 PICTURES = ROOT / "docs" / "pictures"
 
 CONTENDERS = {f"{count:,} point{'s' * (count > 1)}": {"light-samples": count} for count in (1, 4, 16, 64, 256, 1024)}
@@ -67,23 +66,13 @@ def difference(one, other):
     return {"rms": 100 * math.sqrt(squares / count), "mean": 100 * sizes / count}
 
 
-def lights_for(path, folder):
-    """A lamp above the scene and to the side of it, and a sun."""
-    seen = report("render", path, f"{folder}/x.png", "--size", "32x18")
-    middle = seen["camera"]["to"]
-    diagonal = report("info", path)["diagonal"]
-    at = [m + diagonal * share for m, share in zip(middle, (0.3, 0.6, 0.2))]
-    return {"lamp": ("--light", ",".join(f"{x:.6g}" for x in at), "--light-radius",
-                     f"{LAMP_SHARE * diagonal:.6g}"), "sun": SUN}
-
-
 def case(path, light, frame_count, folder):
     view = ("--size", SIZE, *light)
     wanted = mask(path, f"{folder}/wanted.png", {"light-samples": REFERENCE}, view)
     rows = {name: {"error": difference(mask(path, f"{folder}/mask.png", setting, view), wanted)}
             for name, setting in CONTENDERS.items()}
     own, *others = CONTENDERS.items()
-    camera = report("render", path, f"{folder}/x.png", "--size", "32x18")["camera"]
+    camera = camera_of(path)
     still = [word for end in ("from", "to")
              for word in (f"--camera-{end}", ",".join(map(str, camera[end])))]
     told = report("bench", path, *view, *still, *words_of(own[1]), "--frames", frame_count, "--warm-up", 1,
@@ -103,7 +92,7 @@ def measured():
     results = {}
     with tempfile.TemporaryDirectory() as folder:
         for name, file in MODELS.items():
-            for kind, light in lights_for(SCENES / file, folder).items():
+            for kind, light in lights_for(SCENES / file).items():
                 print(name, kind, file=sys.stderr)
                 results[f"{name}, {kind}"] = case(SCENES / file, light, FRAMES[name], folder)
     return results
