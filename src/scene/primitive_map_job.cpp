@@ -24,7 +24,7 @@ std::size_t castersWithin(const Light& light, const PlacedCasters& placed) {
     if (!placed.cast) return 0;
     if (!light.hasRange()) return mesh.triangles.size();
     const glm::dvec3 at(glm::inverse(placed.worldFromBatch) * light.position);
-    const double range = rangeInObject(light.range, placed.worldFromBatch);
+    const double range = rangeInObject(light, placed.worldFromBatch);
     return static_cast<std::size_t>(
         std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
             return !areBeyond({mesh.positions[triangle[0]], mesh.positions[triangle[1]],
@@ -126,8 +126,7 @@ bool PrimitiveMapJob::step() {
         if (of.animated || !castersReceive_) return true;
         built_.triangles.back() = sidedTriangles(
             *of.batch, *materials_, shapeOf(light_).in(glm::inverse(of.worldFromBatch)),
-            light_.extent.has_value(),
-            light_.hasRange() ? rangeInObject(light_.range, of.worldFromBatch) : INFINITY);
+            light_.extent.has_value(), rangeInObject(light_, of.worldFromBatch));
         for (const SidedTriangles& part : built_.triangles.back())
             settings_.mostBytes -= std::min(settings_.mostBytes, part.bytes());
     } else if (!fitting_) {

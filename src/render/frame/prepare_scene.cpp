@@ -21,13 +21,18 @@ bool isAutomatic(const RenderSettings& settings) {
 /// Whether a light may reach something that is see-through.
 bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
     if (!light.hasRange()) return true;
+    const auto isSeeThrough = [&](const SurfaceChunk& chunk) {
+        return scene.materials[chunk.material].alphaMode == AlphaMode::blend;
+    };
     for (const GpuBatch& batch : scene.batches) {
+        const auto& chunks = *batch.surfaces;
+        if (std::none_of(chunks.begin(), chunks.end(), isSeeThrough)) continue;
         const glm::dvec3 at(glm::inverse(batch.worldFromBatch) * light.position);
-        const double range = rangeInObject(light.range, batch.worldFromBatch);
-        for (const SurfaceChunk& chunk : *batch.surfaces)
-            if (scene.materials[chunk.material].alphaMode == AlphaMode::blend &&
-                !isBeyond(chunk.bounds, at, range))
-                return true;
+        const double range = rangeInObject(light, batch.worldFromBatch);
+        if (std::any_of(chunks.begin(), chunks.end(), [&](const SurfaceChunk& chunk) {
+                return isSeeThrough(chunk) && !isBeyond(chunk.bounds, at, range);
+            }))
+            return true;
     }
     return false;
 }

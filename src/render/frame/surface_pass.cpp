@@ -283,7 +283,7 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
         result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
     if (shading.light && shading.light->hasRange() && shading.addsLight()) {
         result.light = glm::dvec3(glm::inverse(batch.worldFromBatch) * shading.light->position);
-        result.range = rangeInObject(shading.light->range, batch.worldFromBatch);
+        result.range = rangeInObject(*shading.light, batch.worldFromBatch);
     }
     if (shading.map)
         result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);

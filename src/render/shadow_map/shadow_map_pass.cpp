@@ -161,8 +161,7 @@ void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
         const glm::dvec3 source(glm::inverse(batch.worldFromBatch) * light.position);
-        const double range =
-            light.hasRange() ? rangeInObject(light.range, batch.worldFromBatch) : light.range;
+        const double range = rangeInObject(light, batch.worldFromBatch);
         const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
         for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = scene.materials[chunk.material];

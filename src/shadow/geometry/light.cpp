@@ -41,4 +41,9 @@ double rangeInObject(double range, const glm::dmat4& worldFromObject) {
     return range * std::sqrt(largest);
 }
 
+double rangeInObject(const Light& light, const glm::dmat4& worldFromObject) {
+    return light.hasRange() ? rangeInObject(light.range, worldFromObject)
+                            : std::numeric_limits<double>::infinity();
+}
+
 } // namespace edgeshade

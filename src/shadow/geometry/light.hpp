@@ -79,4 +79,7 @@ glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject);
 /// A distance in an object's space that is nowhere less than `range` in the world.
 double rangeInObject(double range, const glm::dmat4& worldFromObject);
 
+/// That of a light; infinite where it has no range.
+double rangeInObject(const Light& light, const glm::dmat4& worldFromObject);
+
 } // namespace edgeshade

@@ -234,7 +234,7 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     result.rounding = dotRounding(mantissaBits);
     result.culls = view.culls;
     result.light = glm::inverse(worldFromBatch) * light.position;
-    if (light.hasRange()) result.range = rangeInObject(light.range, worldFromBatch);
+    result.range = rangeInObject(light, worldFromBatch);
     if (light.isSpot())
         for (const glm::dvec4& plane : planesAround(light))
             result.cone.push_back(glm::transpose(worldFromBatch) * plane);

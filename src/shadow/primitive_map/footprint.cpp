@@ -82,9 +82,7 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
     const glm::dmat4 mapFromBatch = tiles.mapFromWorld * placed.worldFromBatch;
     const bool mirrored = glm::determinant(glm::dmat3(mapFromBatch)) < 0.0;
     const LightShape shape = shapeOf(light).in(glm::inverse(placed.worldFromBatch));
-    const double range = light.extent || !light.hasRange()
-                             ? INFINITY
-                             : rangeInObject(light.range, placed.worldFromBatch);
+    const double range = light.extent ? INFINITY : rangeInObject(light, placed.worldFromBatch);
     std::vector<int> sides(mesh.triangles.size()), middles(mesh.triangles.size());
     for (std::size_t t = 0; t < sides.size(); ++t) {
         const Triangle& triangle = mesh.triangles[t];
