@@ -54,6 +54,8 @@ std::vector<Extreme> viewExtremes() {
                            {{5, 4, 6}, {0, 0.5, 0}, 50.0});
     dot.load = later(yardBehindADot);
     dot.mostWrongPercent = 0.05;
+    Extreme largest = picture("4096x4096 picture", "the largest pictures", 4096, 4096);
+    largest.takesLong = true;
     return {
         seenFrom("eye in shadow", "eye inside volumes", {{-1.5, 0.2, -0.5}, {1, 0.3, 1}, 70}),
         seenFrom("eye inside a caster", "near plane inside", {{-1.5, 1.2, -0.5}, {1, 1, 1}, 90}),
@@ -72,7 +74,8 @@ std::vector<Extreme> viewExtremes() {
         depth16("fan of 7", [] { return fan(7); }),
         depth16("a dot before the eye", yardBehindADot),
         picture("1x1 picture", "the smallest picture", 1, 1),
-        picture("4096x4096 picture", "large pictures", 4096, 4096),
+        picture("2048x2048 picture", "large pictures", 2048, 2048),
+        largest,
     };
 }
 

@@ -27,10 +27,12 @@ ExtremeOutcome check(const Extreme& extreme) {
     outcome.triangles = scene.scene.triangleCount();
     outcome.openEdges = openEdgesOf(scene, extreme.lights);
     double near = 0.0;
-    RenderSettings byPlanes, byEdges, byMap;
+    RenderSettings byPlanes, toInfinity, byEdges, byMap;
+    toInfinity.ends = VolumeEnds::atInfinity;
     byEdges.multiplicity = MultiplicityMethod::referenceEdge;
     byMap.shadows = ShadowMethod::primitiveMap;
     const lab::Pictures planePairs = drawPictures(extreme, scene, byPlanes, near);
+    const lab::Pictures infinite = drawPictures(extreme, scene, toInfinity, near);
     const lab::Pictures oppositeVertices = drawPictures(extreme, scene, byEdges, near);
     const lab::Pictures lookedUp = drawPictures(extreme, scene, byMap, near);
     const lab::Oracle oracle({&scene.scene, scene.settings.castMasked,
@@ -39,6 +41,7 @@ ExtremeOutcome check(const Extreme& extreme) {
                              lab::textureAlpha(scene));
     auto answers = lab::traceAll(oracle, {});
     outcome.planePairs = lab::compareWithOracle(oracle, answers, planePairs, 8).counts;
+    outcome.toInfinity = lab::compareWithOracle(oracle, answers, infinite, 8).counts;
     outcome.oppositeVertices = lab::compareWithOracle(oracle, answers, oppositeVertices, 8).counts;
     outcome.lookedUp = lab::compareWithOracle(oracle, answers, lookedUp, 8).counts;
     return outcome;
@@ -64,7 +67,8 @@ std::string rowOf(const std::string& name, const std::string& provokes, const st
 std::string tableRows(const Extreme& extreme, const ExtremeOutcome& outcome) {
     return rowOf(extreme.name, extreme.provokes, "adapted", outcome.planePairs,
                  std::to_string(outcome.openEdges)) +
-           "\n" + rowOf("", "", "published", outcome.oppositeVertices, "") + "\n" +
+           "\n" + rowOf("", "", "infinite", outcome.toInfinity, "") + "\n" +
+           rowOf("", "", "published", outcome.oppositeVertices, "") + "\n" +
            rowOf("", "", "looked up", outcome.lookedUp, "");
 }
 

@@ -10,6 +10,7 @@ namespace edgeshade::test {
 struct ExtremeOutcome {
     std::size_t triangles = 0;
     lab::WrongCounts planePairs;
+    lab::WrongCounts toInfinity;       ///< of plane pairs whose volumes end nowhere sooner
     lab::WrongCounts oppositeVertices; ///< by reference edges
     lab::WrongCounts lookedUp;         ///< in primitive maps
     std::size_t openEdges = 0; ///< over all lights, by planes, reference edges and three edges

@@ -50,7 +50,7 @@ TEST_P(Extremes, AreRight) {
     std::cout << tableRows(extreme, outcome) << std::endl;
     EXPECT_GE(outcome.triangles, extreme.leastTriangles);
     for (const lab::WrongCounts& counts :
-         {outcome.planePairs, outcome.oppositeVertices, outcome.lookedUp}) {
+         {outcome.planePairs, outcome.toInfinity, outcome.oppositeVertices, outcome.lookedUp}) {
         EXPECT_LE(counts.beyond1pxNotTied, mostWrongBeyond1px);
         EXPECT_LE(100.0 * static_cast<double>(counts.wrongImagePixels),
                   extreme.mostWrongPercent * static_cast<double>(counts.visiblePixels));
