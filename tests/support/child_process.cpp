@@ -46,6 +46,7 @@ ChildProcess::ChildProcess(const std::string& program, const std::vector<std::st
     if (process_ > 0) return;
     for (const auto& [name, value] : environment)
         ::setenv(name.c_str(), value.c_str(), 1);
+    ::signal(SIGINT, SIG_DFL); // what a shell starts in the background ignores it
     ::dup2(out_, STDOUT_FILENO);
     ::dup2(err_, STDERR_FILENO);
     ::execv(program.c_str(), argv.data());
