@@ -173,8 +173,9 @@ TEST(LightRange, PrimitiveMapsAreThoseOfRays) {
     RenderSettings settings;
     settings.shadows = ShadowMethod::primitiveMap;
     for (const Camera& camera : {outside, within})
-        for (const Light& light : {lamp({0.2, 2.5, 1.2}, 3.3), lamp({-3, 1.5, 2.5}, 4.5),
-                                   lamp({0.2, 1.3, 1.2}, 1.6), lamp({-6.5, 1.5, 1}, 3.5)}) {
+        for (const Light& light :
+             {lamp({0.2, 2.5, 1.2}, 3.3), lamp({-3, 1.5, 2.5}, 4.5), lamp({0.2, 1.3, 1.2}, 1.6),
+              lamp({-6.5, 1.5, 1}, 3.5), lamp({-6.5, 1.5, 1}, 7.5), lamp({0, 9, 0.5}, 9.5)}) {
             settings.primitiveMap.size = 512;
             expectRight(camera, light, settings);
             settings.primitiveMap.size = 8; // texels that reach far beyond the range
