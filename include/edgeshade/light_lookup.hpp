@@ -19,8 +19,9 @@ namespace edgeshade {
 
 /// What a map may take.
 struct LookupSettings {
-    int size =
-        512; ///< texels along its edge, of a point light's six sides each; a power of 2, >= 4
+    /// Texels along its edge, of a point light's six sides each: a power of 2, >= 4. At most: where
+    /// casters are few it has fewer.
+    int size = 512;
     std::size_t mostBytes = std::size_t{64} << 20; ///< smaller maps are tried first
 };
 

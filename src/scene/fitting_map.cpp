@@ -1,13 +1,54 @@
 #include "src/scene/fitting_map.hpp"
 
+#include "src/shadow/geometry/light_range.hpp"
+
 #include <algorithm>
 
 namespace edgeshade {
+namespace {
+
+/// Texels that a map begins with for each triangle, and along a tile's edge at least: where lists
+/// are long they are divided, so that few triangles need few.
+constexpr double texelsEach = 16.0;
+constexpr int leastSize = 16;
+
+/// Triangles that cast within a light's range.
+std::size_t castersWithin(const Light& light, const PlacedCasters& placed) {
+    const WeldedMesh& mesh = placed.casters->mesh;
+    if (!placed.cast) return 0;
+    if (!light.hasRange()) return mesh.triangles.size();
+    const glm::dvec3 at(glm::inverse(placed.worldFromBatch) * light.position);
+    const double range = rangeInObject(light, placed.worldFromBatch);
+    return static_cast<std::size_t>(
+        std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& triangle) {
+            return !areBeyond({mesh.positions[triangle[0]], mesh.positions[triangle[1]],
+                               mesh.positions[triangle[2]]},
+                              at, range);
+        }));
+}
+
+/// Texels along a tile's edge that suit a light's casters: a power of two, `most` at most.
+int sizeFor(const Light& light, const std::vector<PlacedCasters>& casters, int most) {
+    const auto tiles = tilesFor(light, casters);
+    if (!tiles || light.extent) return most;
+    double texels = 0.0; // of a tile
+    for (const PlacedCasters& placed : casters)
+        texels += texelsEach * static_cast<double>(castersWithin(light, placed)) /
+                  static_cast<double>(tiles->tiles.size());
+    int size = std::min(leastSize, most);
+    while (size < most && static_cast<double>(size) * size < texels)
+        size *= 2;
+    return size;
+}
+
+} // namespace
 
 FittingMap::FittingMap(const Light& light, std::vector<PlacedCasters> casters,
                        const PrimitiveMapSettings& settings)
-    : light_(light), casters_(std::move(casters)), settings_(settings),
-      smallest_(std::max(4, settings.size / 8)) {}
+    : light_(light), casters_(std::move(casters)), settings_(settings) {
+    settings_.size = sizeFor(light_, casters_, settings.size);
+    smallest_ = std::max(4, settings_.size / 8);
+}
 
 bool FittingMap::step() {
     if (joined_) return false;

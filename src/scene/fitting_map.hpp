@@ -10,8 +10,9 @@ namespace edgeshade {
 /// light would leak: Mesa's llvmpipe was seen to at 5,699 and not at 4,754, softpipe not at all.
 inline constexpr std::size_t longestAsked = 3072;
 
-/// A light's primitive map, as large as its settings allow: where it takes more than it may, half
-/// as many texels along an edge are tried, down to an eighth.
+/// A light's primitive map. It begins with as many texels as suit its casters, and no more than
+/// its settings say; where it takes more memory than it may, half as many along an edge are tried,
+/// down to an eighth.
 class FittingMap {
   public:
     FittingMap(const Light& light, std::vector<PlacedCasters> casters,
@@ -30,7 +31,7 @@ class FittingMap {
     Light light_;
     std::vector<PlacedCasters> casters_;
     PrimitiveMapSettings settings_;
-    int smallest_; ///< size that is tried
+    int smallest_ = 0; ///< size that is tried
     std::unique_ptr<PrimitiveMapBuilder> builder_;
     std::size_t nextPart_ = 0;
     bool joined_ = false, tooFar_ = false;

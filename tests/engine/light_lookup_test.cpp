@@ -93,6 +93,16 @@ TEST(LightLookup, IsWhatRenderDrawsForEveryKindOfLight) {
     }
 }
 
+TEST(LightLookup, OfFewCastersHasFewTexels) {
+    const gl::HeadlessContext context({hostWidth, hostHeight});
+    const Scene scene = yard().scene();
+    ShadowMasks masks(eglLookUp);
+    masks.add(meshOf(geometryOf(scene)));
+    const MaskLight light = hostLight(pointLight({0.3, 4, 0.7}));
+    EXPECT_EQ(masks.lookup(lookedUp(masks, light)).size, 16.0f);
+    EXPECT_EQ(masks.lookup(lookedUp(masks, light, {8})).size, 8.0f) << "and no more than asked";
+}
+
 TEST(LightLookup, IsTheSameFarFromTheOrigin) {
     const Light light = sun({0.5, 1, -0.3});
     const Mask expected = renderedMask(yard().scene(), corner, light);
