@@ -5,7 +5,7 @@ import { chromium } from 'playwright-core';
 const flags = ['--headless=new', '--no-sandbox', '--use-gl=angle', '--enable-unsafe-swiftshader',
   '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
-  '--disable-gpu-compositing', '--js-flags=--expose-gc'];
+  '--js-flags=--expose-gc'];
 
 /** `angle`: what Chromium draws with; gl-egl is the system's own GL, Mesa's software for one. */
 export const launchChromium = ({ angle = 'swiftshader' } = {}) => chromium.launch({
