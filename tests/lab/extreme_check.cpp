@@ -19,6 +19,18 @@ std::string row(const std::string& name, const std::string& provokes,
     return line.str();
 }
 
+/// Ways of drawing a case, and their names.
+std::vector<std::pair<const char*, RenderSettings>> waysToDraw() {
+    RenderSettings byPlanes, toInfinity, byEdges, byMap;
+    toInfinity.ends = VolumeEnds::atInfinity;
+    byEdges.multiplicity = MultiplicityMethod::referenceEdge;
+    byMap.shadows = ShadowMethod::primitiveMap;
+    return {{"adapted", byPlanes},
+            {"infinite", toInfinity},
+            {"published", byEdges},
+            {"looked up", byMap}};
+}
+
 } // namespace
 
 ExtremeOutcome check(const Extreme& extreme) {
@@ -27,23 +39,18 @@ ExtremeOutcome check(const Extreme& extreme) {
     outcome.triangles = scene.scene.triangleCount();
     outcome.openEdges = openEdgesOf(scene, extreme.lights);
     double near = 0.0;
-    RenderSettings byPlanes, toInfinity, byEdges, byMap;
-    toInfinity.ends = VolumeEnds::atInfinity;
-    byEdges.multiplicity = MultiplicityMethod::referenceEdge;
-    byMap.shadows = ShadowMethod::primitiveMap;
-    const lab::Pictures planePairs = drawPictures(extreme, scene, byPlanes, near);
-    const lab::Pictures infinite = drawPictures(extreme, scene, toInfinity, near);
-    const lab::Pictures oppositeVertices = drawPictures(extreme, scene, byEdges, near);
-    const lab::Pictures lookedUp = drawPictures(extreme, scene, byMap, near);
+    std::vector<lab::Pictures> pictures;
+    for (const auto& [name, settings] : waysToDraw()) {
+        outcome.ways.push_back({name, {}});
+        pictures.push_back(drawPictures(extreme, scene, settings, near));
+    }
     const lab::Oracle oracle({&scene.scene, scene.settings.castMasked,
                               standingBack(extreme.seen(), worldBounds(scene.scene)), near,
                               extreme.lights, extreme.width, extreme.height},
                              lab::textureAlpha(scene));
     auto answers = lab::traceAll(oracle, {});
-    outcome.planePairs = lab::compareWithOracle(oracle, answers, planePairs, 8).counts;
-    outcome.toInfinity = lab::compareWithOracle(oracle, answers, infinite, 8).counts;
-    outcome.oppositeVertices = lab::compareWithOracle(oracle, answers, oppositeVertices, 8).counts;
-    outcome.lookedUp = lab::compareWithOracle(oracle, answers, lookedUp, 8).counts;
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        outcome.ways[i].counts = lab::compareWithOracle(oracle, answers, pictures[i], 8).counts;
     return outcome;
 }
 
@@ -52,24 +59,18 @@ std::string tableHead() {
                {"layout", "visible", "wrong", "ties", "beyond 1 px, not tied", "open edges"});
 }
 
-namespace {
-
-std::string rowOf(const std::string& name, const std::string& provokes, const std::string& layout,
-                  const lab::WrongCounts& counts, const std::string& openEdges) {
-    return row(name, provokes,
-               {layout, std::to_string(counts.visiblePixels),
-                std::to_string(counts.wrongImagePixels), std::to_string(counts.tiePixels),
-                std::to_string(counts.beyond1pxNotTied), openEdges});
-}
-
-} // namespace
-
 std::string tableRows(const Extreme& extreme, const ExtremeOutcome& outcome) {
-    return rowOf(extreme.name, extreme.provokes, "adapted", outcome.planePairs,
-                 std::to_string(outcome.openEdges)) +
-           "\n" + rowOf("", "", "infinite", outcome.toInfinity, "") + "\n" +
-           rowOf("", "", "published", outcome.oppositeVertices, "") + "\n" +
-           rowOf("", "", "looked up", outcome.lookedUp, "");
+    std::string rows;
+    for (const auto& [name, counts] : outcome.ways) {
+        const bool first = rows.empty();
+        if (!first) rows += "\n";
+        rows += row(first ? extreme.name : "", first ? extreme.provokes : "",
+                    {name, std::to_string(counts.visiblePixels),
+                     std::to_string(counts.wrongImagePixels), std::to_string(counts.tiePixels),
+                     std::to_string(counts.beyond1pxNotTied),
+                     first ? std::to_string(outcome.openEdges) : ""});
+    }
+    return rows;
 }
 
 } // namespace edgeshade::test

@@ -9,10 +9,11 @@ namespace edgeshade::test {
 /// What the checks of one case find.
 struct ExtremeOutcome {
     std::size_t triangles = 0;
-    lab::WrongCounts planePairs;
-    lab::WrongCounts toInfinity;       ///< of plane pairs whose volumes end nowhere sooner
-    lab::WrongCounts oppositeVertices; ///< by reference edges
-    lab::WrongCounts lookedUp;         ///< in primitive maps
+    struct Way {
+        std::string name;
+        lab::WrongCounts counts;
+    };
+    std::vector<Way> ways;     ///< of drawing the case
     std::size_t openEdges = 0; ///< over all lights, by planes, reference edges and three edges
 };
 

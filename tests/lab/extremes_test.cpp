@@ -49,8 +49,8 @@ TEST_P(Extremes, AreRight) {
     const ExtremeOutcome outcome = check(extreme);
     std::cout << tableRows(extreme, outcome) << std::endl;
     EXPECT_GE(outcome.triangles, extreme.leastTriangles);
-    for (const lab::WrongCounts& counts :
-         {outcome.planePairs, outcome.toInfinity, outcome.oppositeVertices, outcome.lookedUp}) {
+    for (const auto& [name, counts] : outcome.ways) {
+        SCOPED_TRACE(name);
         EXPECT_LE(counts.beyond1pxNotTied, mostWrongBeyond1px);
         EXPECT_LE(100.0 * static_cast<double>(counts.wrongImagePixels),
                   extreme.mostWrongPercent * static_cast<double>(counts.visiblePixels));
