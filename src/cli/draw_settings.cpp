@@ -33,7 +33,8 @@ const Choices<BruteForceCount> countNames = {{"z-fail", BruteForceCount::zFail},
 const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
                                                    {"all", SilhouetteChoice::all}};
 const Choices<bool> onOffNames = {{"on", true}, {"off", false}};
-const Choices<VolumeEnds> endNames = {{"cost", VolumeEnds::byCost},
+const Choices<VolumeEnds> endNames = {{"auto", VolumeEnds::automatic},
+                                      {"cost", VolumeEnds::byCost},
                                       {"planes", VolumeEnds::atPlanes},
                                       {"infinity", VolumeEnds::atInfinity}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
@@ -182,7 +183,8 @@ void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
               "where a light rests and all is seen from both sides (off)");
     addChoice(verb, "--volume-ends", settings.render.ends, endNames,
               "Where volumes end whose end is not seen: beyond all that is visible or at "
-              "infinity, by what filling is estimated to cost, or always one of these (planes)");
+              "infinity, by what filling is estimated to cost, or always one of these (auto: cost "
+              "on a GPU, planes where the processor draws)");
     addChoice(
         verb, "--mask-scale", settings.render.maskScale, maskScaleNames,
         "Resolution at which volumes are counted, as a share of the picture's; less is faster "

@@ -66,6 +66,8 @@ TEST(CoincidingSurfaces, TheFirstOfTheFileIsSeen) {
                                          {{-1, -1}, {1, 1}, !firstIsUp, blue}});
             expectThePictureWithoutShadows(scene,
                                            {ShadowMethod::primitiveMap, ShadowMethod::volumes});
+            // Hardware's depths of other triangles in a plane may differ; no method changes them.
+            if (!test::drawsOnProcessor()) continue;
             const auto picture = draw(scene, {sun({0.3, 1, 0.2})}, ShadowMethod::primitiveMap);
             const std::size_t middle = 4 * (height / 2 * width + width / 2);
             EXPECT_GT(picture[middle + 1], 0) << "green";

@@ -26,9 +26,10 @@ Scene culling(const SceneBuilder& builder) {
 }
 
 /// How many pixels away from boundaries may be wrong: at contacts that a depth buffer of 16 bits
-/// doesn't resolve.
+/// doesn't resolve, or where hardware rounds depths in its own way.
 int allowance() {
-    return test::testLimits() == gl::Limits::device ? 0 : 2;
+    if (test::testLimits() != gl::Limits::device) return 2;
+    return test::drawsOnProcessor() ? 0 : 1;
 }
 
 /// By volumes of every layout, and by a primitive map where the GL has one.
@@ -37,7 +38,7 @@ void expectCulledRight(const Case& test) {
         RenderSettings settings;
         settings.layout = layout;
         const Outcome outcome = test::run(test, settings);
-        EXPECT_LE(outcome.wrongBeyondOnePixel, allowance());
+        EXPECT_LE(outcome.wrongBeyondOnePixel, allowance()) << outcome.where;
         EXPECT_LE(outcome.wrong, test::maskWidth * test::maskHeight / 500);
         EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
     }

@@ -2,6 +2,7 @@
 
 #include "tests/support/hard_lights.hpp"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 namespace edgeshade {
@@ -170,6 +171,25 @@ TEST(VolumePlan, AShadowsOutlineOverTheNearRectangleTakesCaps) {
     EXPECT_EQ(draw.counted, Counted::lightFacing);
     // A directional light within the plane of a face says nothing of that.
     EXPECT_EQ(onlyDraw(clusterAt({1, 5, 0}, 1), {0, 1, 0, 0}).caps, CapsNeeded::uncertain);
+}
+
+// Shaders divide by the light's height above an end: a GPU clips vertices whose w is a tiny share
+// of others' a pixel off.
+TEST(VolumePlan, EndsAreScaledToTheLightThatIsDrawn) {
+    const FrameView view = viewAlongZ();
+    FrameView placed = view;
+    placed.visible = boxAround({0, 0, -10}, 5);
+    for (const double length : {1e-30, 1.0, 1e30})
+        for (const double scale : {1e-3, 1.0, 1e3}) {
+            const glm::dmat4 worldFromBatch = glm::scale(glm::dmat4(1.0), glm::dvec3(scale));
+            const Light light{length * glm::dvec4(0.3, 1, 0.2, 0)};
+            const PlanView planned = planView(placed, view.slices[0], light, worldFromBatch);
+            ASSERT_FALSE(planned.ends.empty());
+            const glm::dvec4 drawn(lightInObject(light, worldFromBatch));
+            for (const glm::dvec4& end : planned.ends)
+                EXPECT_NEAR(glm::dot(glm::dvec4(glm::vec4(end)), drawn), 1.0, 1e-4)
+                    << length << " " << scale;
+        }
 }
 
 TEST(VolumePlan, AddsUpStartsOfAllClusters) {

@@ -16,6 +16,11 @@ gl::Limits testLimits() {
                                                            : gl::Limits::device;
 }
 
+bool drawsOnProcessor() {
+    static const bool software = gl::HeadlessContext(testPicture(1, 1)).capabilities().isSoftware();
+    return software;
+}
+
 bool hasDerivatives() {
     return testLimits() == gl::Limits::device;
 }

@@ -11,6 +11,9 @@ inline constexpr const char* limitsVariable = "EDGESHADE_TEST_GL_LIMITS";
 /// The limits that the environment asks for.
 gl::Limits testLimits();
 
+/// Whether it is no hardware that draws: depths of triangles in one plane are equal then.
+bool drawsOnProcessor();
+
 /// Whether shaders have derivatives there, as masks of lower resolution need; not with the least
 /// that ES 2.0 guarantees.
 bool hasDerivatives();

@@ -17,7 +17,12 @@ Outcome compare(const std::vector<std::uint8_t>& mask, const std::vector<Answer>
             outcome.shadow += answers[i] == Answer::shadow;
             if (drawn == answers[i]) continue;
             ++outcome.wrong;
-            outcome.wrongBeyondOnePixel += isFlat(answers, maskWidth, maskHeight, x, y);
+            if (!isFlat(answers, maskWidth, maskHeight, x, y)) continue;
+            if (++outcome.wrongBeyondOnePixel <= 8)
+                outcome.where += " (" + std::to_string(x) + ", " + std::to_string(y) + ") " +
+                                 (drawn == Answer::nothing  ? "not drawn"
+                                  : drawn == Answer::shadow ? "dark"
+                                                            : "lit");
         }
     return outcome;
 }
@@ -48,7 +53,7 @@ void expectLookedUpRight(const Case& test) {
     settings.shadows = ShadowMethod::primitiveMap;
     const Outcome outcome = run(test, settings);
     // Points at contacts, nearer than floats place them, may be seen on either side.
-    EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << "by a primitive map";
+    EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << "by a primitive map:" << outcome.where;
     EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << "by a primitive map";
 }
 
@@ -59,7 +64,7 @@ void expectRight(const Case& test, MultiplicityMethod method) {
         settings.multiplicity = method;
         settings.layout = layout;
         const Outcome outcome = run(test, settings);
-        EXPECT_EQ(outcome.wrongBeyondOnePixel, 0);
+        EXPECT_EQ(outcome.wrongBeyondOnePixel, 0) << outcome.where;
         EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500);
         EXPECT_GT(outcome.shadow, 50) << "the case should have shadows";
     }

@@ -28,6 +28,7 @@ struct Outcome {
     int wrong = 0;
     int lit = 0;
     int shadow = 0;
+    std::string where; ///< the first of those beyond one pixel
 };
 
 /// Draws the mask. `nearDiscard`, `culledCaps`: see TestView.

@@ -123,8 +123,11 @@ PlanePairVolumes::PlanePairVolumes(const RenderSettings& settings,
     : instancing_(capabilities.instancing), tints_(tints), defines_(std::move(defines)),
       gathered_(settings.layout) {
     planning_.mantissaBits = capabilities.vertexHighpMantissaBits;
-    planning_.ends = settings.ends;
-    if (!capabilities.isSoftware()) planning_.weights = FillWeights::ofHardware();
+    const bool hardware = !capabilities.isSoftware();
+    if (hardware) planning_.weights = FillWeights::ofHardware();
+    planning_.ends = settings.ends != VolumeEnds::automatic ? settings.ends
+                     : hardware                             ? VolumeEnds::byCost
+                                                            : VolumeEnds::atPlanes;
     if (tints_) defines_.insert(defines_.end(), {"UNIFORM_TINT", "TINT u_tint"});
     if (settings.silhouette == SilhouetteChoice::proposed)
         silhouettes_.emplace(planning_.mantissaBits);

@@ -39,7 +39,7 @@ struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
-    VolumeEnds ends = VolumeEnds::atPlanes;                   ///< likewise
+    VolumeEnds ends = VolumeEnds::automatic;                  ///< likewise
     SidesLayout layout = SidesLayout::instanced;
     BruteForceCount count = BruteForceCount::zFail; ///< of brute-force volumes
     std::size_t planes = 4;     ///< where shadows are planar: onto how many, 1..mostShadowPlanes

@@ -22,20 +22,16 @@ std::array<glm::dmat3, 6> directionFaces() {
     return faces;
 }
 
-int faceAround(const std::array<glm::dvec3, 3>& rays) {
-    const glm::dvec3 lengths = glm::abs(rays[0]);
-    glm::length_t axis = lengths.x >= lengths.y ? 0 : 1;
+int faceAround(const glm::dvec3& ray) {
+    const glm::dvec3 lengths = glm::abs(ray);
+    int axis = lengths.x >= lengths.y ? 0 : 1;
     if (lengths.z > lengths[axis]) axis = 2;
-    const double sign = rays[0][axis] < 0.0 ? -1.0 : 1.0;
-    for (const glm::dvec3& ray : rays) {
-        const double reach = roomToSpare * sign * ray[axis];
-        if (!(std::abs(ray[(axis + 1) % 3]) < reach && std::abs(ray[(axis + 2) % 3]) < reach))
-            return -1;
-    }
-    return 2 * axis + (sign < 0.0 ? 1 : 0);
+    const double reach = roomToSpare * lengths[axis];
+    if (!(lengths[(axis + 1) % 3] < reach && lengths[(axis + 2) % 3] < reach)) return -1;
+    return 2 * axis + (ray[axis] < 0.0 ? 1 : 0);
 }
 
-Outline outlineOn(const glm::dmat3& face, const std::array<glm::dvec3, 3>& rays) {
+FacePolygon polygonOn(const glm::dmat3& face, const std::array<glm::dvec3, 3>& rays) {
     Polygon polygon;
     std::size_t behind = 0, near = 0;
     for (const glm::dvec3& ray : rays) {
@@ -45,8 +41,8 @@ Outline outlineOn(const glm::dmat3& face, const std::array<glm::dvec3, 3>& rays)
         behind += on.z < -1e-9 * across;
         near += on.z <= 1e-3 * across;
     }
-    Outline outline;
-    if (behind == 3) return outline;
+    FacePolygon result;
+    if (behind == 3) return result;
     if (near > 0) {
         // A little wider than the face, so that rounding loses nothing.
         for (const glm::dvec3& plane : {glm::dvec3(1.0, 0.0, 1.001), glm::dvec3(-1.0, 0.0, 1.001),
@@ -55,10 +51,16 @@ Outline outlineOn(const glm::dmat3& face, const std::array<glm::dvec3, 3>& rays)
     }
     for (std::size_t c = 0; c < polygon.count; ++c) {
         const glm::dvec3& corner = polygon.corners[c];
-        if (!(corner.z > 0.0)) return {-INFINITY, INFINITY, -INFINITY, INFINITY}; // at the light
-        outline.add(corner);
+        if (corner.z > 0.0) {
+            result.add(glm::dvec2(corner) / corner.z);
+            continue;
+        }
+        result = {};
+        for (const glm::dvec2& at : {glm::dvec2(-2, -2), {2, -2}, {2, 2}, {-2, 2}})
+            result.add(at);
+        return result;
     }
-    return outline;
+    return result;
 }
 
 } // namespace edgeshade

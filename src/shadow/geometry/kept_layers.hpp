@@ -5,7 +5,7 @@
 namespace edgeshade {
 
 /// Bounds the layers around lights, and keeps that for those that rest: it takes 8 ms for 150,000
-/// triangles where few lie behind each other, up to 0.1 s where many do. Lights that aren't drawn,
+/// triangles where few lie behind each other, up to 50 ms where many do. Lights that aren't drawn,
 /// or get no shadow, are not asked about.
 class KeptLayers {
   public:

@@ -30,11 +30,8 @@ struct LayerBound {
     bool mayOverflow = false;
 };
 
-/// Bounds the layers around each light by dividing the directions from it into ever smaller cells
-/// until no cell is touched by more than `limit` triangles, more than `limit` cover it wholly, or
-/// it is 1/4096 of a cube's face (of the scene's outline for a directional light). Free for scenes
-/// of at most `limit` triangles. A light takes, where bounding rectangles in a grid already show
-/// that there are few, 8 ms for 150,000 triangles; else about 0.1 s for them and 3 s for 5 million.
+/// Bounds the layers around each light by crowdedDirections(). Free for scenes of at most `limit`
+/// triangles.
 /// Of several lights: no line from any of them meets more, and the groups are the same for all.
 LayerBound boundLayers(const Scene& scene, bool castMasked, std::span<const Light> lights,
                        std::size_t limit);

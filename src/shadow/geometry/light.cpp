@@ -18,14 +18,18 @@ Light defaultLight() {
     return {glm::dvec4(0.6, 1.0, 0.35, 0.0)};
 }
 
-glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject) {
+glm::dvec4 placeInObject(const Light& light, const glm::dmat4& worldFromObject) {
     glm::dvec4 inObject = glm::inverse(worldFromObject) * light.position;
     if (light.position.w == 0.0) {
-        // Only the direction counts: scaled so that no square of it leaves the range of floats.
+        // No square of it leaves the range of floats.
         inObject /= std::max({std::abs(inObject.x), std::abs(inObject.y), std::abs(inObject.z)});
         inObject.w = 0.0;
     }
-    return glm::vec4(inObject);
+    return inObject;
+}
+
+glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject) {
+    return glm::vec4(placeInObject(light, worldFromObject));
 }
 
 double rangeInObject(double range, const glm::dmat4& worldFromObject) {

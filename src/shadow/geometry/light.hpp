@@ -72,8 +72,12 @@ struct Light {
 /// A directional light that suits any scene, high and from the side.
 Light defaultLight();
 
-/// The light in an object's space, computed in double and rounded once. `worldFromObject` must be
+/// Where the light is in an object's space; a directional light's direction scaled so that its
+/// largest component is 1 or -1, as only the direction counts. `worldFromObject` must be
 /// invertible.
+glm::dvec4 placeInObject(const Light& light, const glm::dmat4& worldFromObject);
+
+/// The same, rounded once.
 glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject);
 
 /// A distance in an object's space that is nowhere less than `range` in the world.

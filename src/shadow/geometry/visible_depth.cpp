@@ -13,6 +13,10 @@ namespace {
 
 constexpr double widening = 1.001; // of the window, against rounding
 
+/// Corners of as many triangles as are looked at together first: those that follow each other in a
+/// file mostly lie close together.
+constexpr std::size_t runCorners = 3 * 64;
+
 /// How far a GL may place points off, in the view. `farthest`: their largest coordinates, without
 /// sign.
 double placingErrorOf(const glm::dvec3& farthest, const glm::dmat4& viewFromBatch) {
@@ -108,6 +112,16 @@ bool showsBack(const Polygon& triangle, bool orthographic, bool mirrored, double
     return side < -4.0 * error * sides * (sides + glm::length(towardsEye));
 }
 
+/// Whether all of a box of the picture's camera space is outside of the frustum.
+bool isOutsideOf(const std::array<Side, 5>& sides, const Box& box) {
+    return std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
+        glm::dvec3 innermost;
+        for (glm::length_t axis = 0; axis < 3; ++axis)
+            innermost[axis] = side.normal[axis] < 0.0 ? box.low[axis] : box.high[axis];
+        return glm::dot(side.normal, innermost) + side.offset < 0.0;
+    });
+}
+
 /// By corner of the batch's indices: whether its triangle is seen from its front alone.
 std::vector<std::uint8_t> culledWhereTurnedAway(const Scene& scene, const Batch& batch) {
     if (!scene.culls) return {};
@@ -138,19 +152,38 @@ VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& g
     SlopeBounds slopes(frustum, error);
     const std::vector<std::uint8_t> culled = culledWhereTurnedAway(scene, batch);
     const bool mirrored = glm::determinant(glm::dmat3(viewFromBatch)) < 0.0;
-    for (std::size_t i = 0; i + 2 < batch.geometry->indices.size(); i += 3) {
+    const auto& indices = batch.geometry->indices;
+    const auto isKnown = [&](const glm::dvec3& point) {
+        return slopes.hold(point) && part.box.holds(inWorld(point));
+    };
+    // What holds all corners of a box holds all of it: slopes are planes through the eye.
+    const auto addsNothing = [&](const Box& box) {
+        if (isOutsideOf(sides, box)) return true;
+        if (!part.depth.contains(-box.high.z, -box.low.z)) return false;
+        for (int i = 0; i < 8; ++i)
+            if (!isKnown(box.corner(i))) return false;
+        return true;
+    };
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        if (i % runCorners == 0) {
+            const std::size_t end = std::min(i + runCorners, indices.size());
+            Box around;
+            for (std::size_t c = i; c < end; ++c)
+                around.add(points[indices[c]]);
+            if (addsNothing(around)) {
+                i = end - 3;
+                continue;
+            }
+        }
         Polygon polygon;
         DepthRange whole;
         for (std::size_t c = 0; c < 3; ++c) {
-            polygon.add(points[batch.geometry->indices[i + c]]);
+            polygon.add(points[indices[i + c]]);
             whole.add(-polygon.corners[c].z);
         }
         const bool known =
             part.depth.contains(whole.nearest, whole.farthest) &&
-            std::all_of(polygon.corners.begin(), polygon.corners.begin() + 3,
-                        [&](const glm::dvec3& corner) {
-                            return slopes.hold(corner) && part.box.holds(inWorld(corner));
-                        });
+            std::all_of(polygon.corners.begin(), polygon.corners.begin() + 3, isKnown);
         if (known) continue;
         if (!culled.empty() && culled[i] &&
             showsBack(polygon, frustum.orthographic, mirrored, error))

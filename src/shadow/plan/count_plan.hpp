@@ -33,7 +33,7 @@ struct PlanSettings {
     int mantissaBits = 23;                       ///< of the vertex shader's floats
     PotentialSilhouettes* silhouettes = nullptr; ///< null: all records are drawn
     KeptSolids* solids = nullptr; ///< of scenes that cull; null: no cluster is known to be solid
-    VolumeEnds ends = VolumeEnds::atPlanes; ///< others where silhouettes are known
+    VolumeEnds ends = VolumeEnds::atPlanes; ///< not automatic; others where silhouettes are known
     FillWeights weights{};                  ///< of what draws
 };
 

@@ -7,6 +7,7 @@ namespace edgeshade {
 
 /// Where volumes that are counted before surfaces end.
 enum class VolumeEnds {
+    automatic,  ///< by cost where hardware draws, at planes where the processor does
     byCost,     ///< at a plane beyond everything visible or at infinity, by estimate
     atPlanes,   ///< at the plane that is reached soonest, wherever one suits
     atInfinity, ///< at none

@@ -233,7 +233,7 @@ PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& l
     PlanView result;
     result.rounding = dotRounding(mantissaBits);
     result.culls = view.culls;
-    result.light = glm::inverse(worldFromBatch) * light.position;
+    result.light = placeInObject(light, worldFromBatch);
     result.range = rangeInObject(light, worldFromBatch);
     if (light.isSpot())
         for (const glm::dvec4& plane : planesAround(light))

@@ -1,0 +1,84 @@
+// What the processor does for a frame before anything is drawn: finding what the picture shows, and
+// for a light that moves bounding the layers around it, over the flight of bench. No GL is needed.
+// `plan_times SCENE...` prints JSON.
+#include "src/bench/flythrough.hpp"
+#include "src/scene/load.hpp"
+#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/geometry/layer_bound.hpp"
+
+#include <ctime>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+namespace edgeshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int frames = 24, turns = 8;
+constexpr double aspect = 16.0 / 9.0;
+
+double processorMs() {
+    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Milliseconds of processor time that finding what a frame shows takes, the mean of a flight's.
+double viewMs(const Scene& scene, const Box& bounds, const Light& light) {
+    const bench::Flythrough flight(bounds, 50.0, aspect);
+    const double start = processorMs();
+    for (int frame = 0; frame < frames; ++frame) {
+        FrameRequest request;
+        request.frustum = frustumOf(flight.cameraAt(static_cast<double>(frame) / frames), aspect);
+        request.width = 1920;
+        request.height = 1080;
+        request.lights = {light};
+        makeFrameView(scene, request, bounds);
+    }
+    return (processorMs() - start) / frames;
+}
+
+/// Likewise of bounding the layers around a light a little elsewhere each time, and the most that
+/// were told.
+Json layersOf(const Scene& scene, const Box& bounds, const Light& light) {
+    LayerBound bound;
+    std::size_t most = 0, groups = 0;
+    const double start = processorMs();
+    for (int turn = 0; turn < turns; ++turn) {
+        const double step = 0.003 * turn * (light.position.w != 0.0 ? bounds.diagonal() : 1.0);
+        bound =
+            boundLayers(scene, false, light.at(light.position + glm::dvec4(step, 0.0, -step, 0.0)),
+                        stencilLimit);
+        most = std::max(most, bound.most);
+        groups = std::max(groups, bound.groupCount);
+    }
+    return {{"ms", (processorMs() - start) / turns}, {"most", most}, {"groups", groups}};
+}
+
+Json measured(const std::string& path) {
+    LoadedScene loaded = loadScene(path, std::nullopt);
+    loaded.scene.culls = false;
+    const Box bounds = worldBounds(loaded.scene);
+    // Over the scene and to the side, as bench has its light; and among what casts.
+    const glm::dvec3 at = bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
+    const std::pair<const char*, Light> lights[] = {
+        {"sun", {{0.4, 1, 0.3, 0}}},
+        {"low sun", {{-0.9, 0.25, 0.35, 0}}},
+        {"lamp", {glm::dvec4(at, 1.0)}},
+        {"lamp inside", {glm::dvec4(bounds.center() + 0.05 * bounds.diagonal(), 1.0)}}};
+    Json told = {{"scene", std::filesystem::path(path).stem().string()},
+                 {"triangles", loaded.scene.triangleCount()},
+                 {"view_ms", viewMs(loaded.scene, bounds, lights[0].second)}};
+    for (const auto& [name, light] : lights)
+        told["layers"][name] = layersOf(loaded.scene, bounds, light);
+    return told;
+}
+
+} // namespace
+} // namespace edgeshade
+
+int main(int count, char** words) {
+    auto scenes = nlohmann::ordered_json::array();
+    for (int i = 1; i < count; ++i)
+        scenes.push_back(edgeshade::measured(words[i]));
+    std::cout << scenes.dump(1) << "\n";
+}

@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""What the processor does for a frame before anything is drawn, on every model in ../shared/scenes: a
+table of docs/measured/gpu.md.
+
+    tests/bench/plan_times.py           measures, then the table
+    tests/bench/plan_times.py --table   the table from the results that are there
+
+PLAN_TIMES names the program, build/release/tests/bench/plan_times.
+"""
+
+from accuracy import NAMES
+from edgeshade_runs import mean, replace_between, results_of, told_of_models
+
+
+def table(scenes):
+    lights = list(scenes[0]["layers"])
+    lines = ["| scene | triangles | what is seen | " + " | ".join(
+        f"layers: {light}" for light in lights) + " |", "|" + " --- |" * (3 + len(lights))]
+    rows = []
+    for of in scenes:
+        rows.append([of["view_ms"]] + [of["layers"][light]["ms"] for light in lights])
+        lines.append(f"| {NAMES[of['scene']]} | {of['triangles']:,} | "
+                     + " | ".join(f"{value:.1f}" for value in rows[-1]) + " |")
+    return "\n".join(lines + ["| geometric mean | | " + " | ".join(
+        f"**{mean(column):.1f}**" for column in zip(*rows)) + " |"])
+
+
+def main():
+    results = results_of("plan_times", lambda: told_of_models("release/tests/bench/plan_times",
+                                                              "PLAN_TIMES", NAMES))
+    of = results["machine"]
+    replace_between("docs/measured/gpu.md", "planning",
+                    f"{of['processor']}, {of['date']}; milliseconds of processor time.\n\n"
+                    + table(results["scenes"]))
+
+
+if __name__ == "__main__":
+    main()
