@@ -1,6 +1,7 @@
 // What the processor does for a frame before anything is drawn: finding what the picture shows, and
 // for a light that moves bounding the layers around it, over the flight of bench. No GL is needed.
 // `plan_times SCENE...` prints JSON.
+#include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/scene/load.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
@@ -18,14 +19,23 @@ using Json = nlohmann::ordered_json;
 constexpr int frames = 24, turns = 8;
 constexpr double aspect = 16.0 / 9.0;
 
-double processorMs() {
-    return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
+/// Milliseconds since it began, by the wall clock and of all cores' time, each of `times`.
+class Times {
+  public:
+    Json per(int times) {
+        const double processor = static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC;
+        return {{"ms", 1e3 * watch_.lap() / times}, {"processor_ms", 1e3 * processor / times}};
+    }
 
-/// Milliseconds of processor time that finding what a frame shows takes, the mean of a flight's.
-double viewMs(const Scene& scene, const Box& bounds, const Light& light) {
+  private:
+    Stopwatch watch_;
+    std::clock_t start_ = std::clock();
+};
+
+/// What finding what a frame shows takes, the mean of a flight's.
+Json viewTimes(const Scene& scene, const Box& bounds, const Light& light) {
     const bench::Flythrough flight(bounds, 50.0, aspect);
-    const double start = processorMs();
+    Times times;
     for (int frame = 0; frame < frames; ++frame) {
         FrameRequest request;
         request.frustum = frustumOf(flight.cameraAt(static_cast<double>(frame) / frames), aspect);
@@ -34,7 +44,7 @@ double viewMs(const Scene& scene, const Box& bounds, const Light& light) {
         request.lights = {light};
         makeFrameView(scene, request, bounds);
     }
-    return (processorMs() - start) / frames;
+    return times.per(frames);
 }
 
 /// Likewise of bounding the layers around a light a little elsewhere each time, and the most that
@@ -42,7 +52,7 @@ double viewMs(const Scene& scene, const Box& bounds, const Light& light) {
 Json layersOf(const Scene& scene, const Box& bounds, const Light& light) {
     LayerBound bound;
     std::size_t most = 0, groups = 0;
-    const double start = processorMs();
+    Times times;
     for (int turn = 0; turn < turns; ++turn) {
         const double step = 0.003 * turn * (light.position.w != 0.0 ? bounds.diagonal() : 1.0);
         bound =
@@ -51,7 +61,10 @@ Json layersOf(const Scene& scene, const Box& bounds, const Light& light) {
         most = std::max(most, bound.most);
         groups = std::max(groups, bound.groupCount);
     }
-    return {{"ms", (processorMs() - start) / turns}, {"most", most}, {"groups", groups}};
+    Json told = times.per(turns);
+    told["most"] = most;
+    told["groups"] = groups;
+    return told;
 }
 
 Json measured(const std::string& path) {
@@ -67,7 +80,7 @@ Json measured(const std::string& path) {
         {"lamp inside", {glm::dvec4(bounds.center() + 0.05 * bounds.diagonal(), 1.0)}}};
     Json told = {{"scene", std::filesystem::path(path).stem().string()},
                  {"triangles", loaded.scene.triangleCount()},
-                 {"view_ms", viewMs(loaded.scene, bounds, lights[0].second)}};
+                 {"view", viewTimes(loaded.scene, bounds, lights[0].second)}};
     for (const auto& [name, light] : lights)
         told["layers"][name] = layersOf(loaded.scene, bounds, light);
     return told;

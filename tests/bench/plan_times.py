@@ -18,11 +18,16 @@ def table(scenes):
         f"layers: {light}" for light in lights) + " |", "|" + " --- |" * (3 + len(lights))]
     rows = []
     for of in scenes:
-        rows.append([of["view_ms"]] + [of["layers"][light]["ms"] for light in lights])
-        lines.append(f"| {NAMES[of['scene']]} | {of['triangles']:,} | "
-                     + " | ".join(f"{value:.1f}" for value in rows[-1]) + " |")
-    return "\n".join(lines + ["| geometric mean | | " + " | ".join(
-        f"**{mean(column):.1f}**" for column in zip(*rows)) + " |"])
+        parts = [of["view"]] + [of["layers"][light] for light in lights]
+        rows.append([part[key] for part in parts for key in ("ms", "processor_ms")])
+        lines.append(f"| {NAMES[of['scene']]} | {of['triangles']:,} | " + pairs(rows[-1]) + " |")
+    means = [mean(column) for column in zip(*rows)]
+    return "\n".join(lines + ["| geometric mean | | " + pairs(means) + " |"])
+
+
+def pairs(values):
+    """By the wall clock, and of all cores' time."""
+    return " | ".join(f"{wall:.1f}, {work:.1f}" for wall, work in zip(values[::2], values[1::2]))
 
 
 def main():
@@ -30,7 +35,8 @@ def main():
                                                               "PLAN_TIMES", NAMES))
     of = results["machine"]
     replace_between("docs/measured/gpu.md", "planning",
-                    f"{of['processor']}, {of['date']}; milliseconds of processor time.\n\n"
+                    f"{of['cores']} cores of {of['processor']}, {of['date']}; milliseconds by the wall "
+                    "clock, and of both cores' time.\n\n"
                     + table(results["scenes"]))
 
 

@@ -30,20 +30,4 @@ struct LightView {
     std::vector<glm::dmat3> faces;
 };
 
-/// Calls visit(rays to the corners) for every casting triangle, in the order of batches and their
-/// casters.
-template <class Visit>
-void forEachCaster(const Scene& scene, bool castMasked, const LightView& from, Visit visit) {
-    std::vector<glm::dvec3> rays;
-    for (const Batch& batch : scene.batches) {
-        rays.clear();
-        for (const glm::vec3& position : batch.geometry->positions)
-            rays.push_back(from.rayTo(batch.worldFromBatch * glm::dvec4(position, 1.0)));
-        const Casters casters = castersOf(batch, scene.materials, castMasked);
-        for (std::size_t i = 0; i + 2 < casters.indices.size(); i += 3)
-            visit(std::array{rays[casters.indices[i]], rays[casters.indices[i + 1]],
-                             rays[casters.indices[i + 2]]});
-    }
-}
-
 } // namespace edgeshade

@@ -45,6 +45,11 @@ std::optional<TouchGrid::Range> TouchGrid::rangeOf(const Outline& outline) const
                  place(most.y + rounding_)};
 }
 
+void TouchGrid::add(const TouchGrid& other) {
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+        counts_[i] += other.counts_[i];
+}
+
 void TouchGrid::sum() {
     for (int row = 0; row < side_; ++row)
         for (int column = 1; column < side_; ++column)

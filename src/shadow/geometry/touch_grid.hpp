@@ -34,6 +34,8 @@ class TouchGrid {
             for (int row = range->bottom; row <= range->top; ++row)
                 addSpan(row, range->left, range->right);
     }
+    /// What another grid of the same cells holds; neither must be summed.
+    void add(const TouchGrid& other);
     void sum();
 
     int side() const { return side_; }
