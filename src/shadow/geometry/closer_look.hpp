@@ -1,7 +1,6 @@
 #pragma once
 
 #include "src/shadow/geometry/crowded_cells.hpp"
-#include "src/shadow/geometry/crowded_directions.hpp"
 
 #include <set>
 

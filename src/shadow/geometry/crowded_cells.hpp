@@ -10,6 +10,9 @@
 
 namespace edgeshade {
 
+/// Casting triangles, in the order of batches and their casters.
+using TriangleIndices = std::vector<std::uint32_t>;
+
 /// A triangle that may touch a cell of a light's face.
 struct CellMember {
     static constexpr std::uint32_t isWhole = ~std::uint32_t{0};

@@ -1,16 +1,13 @@
 #pragma once
 
 #include "preprocess/scene/scene.hpp"
+#include "src/shadow/geometry/crowded_cells.hpp"
 #include "src/shadow/geometry/light.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace edgeshade {
-
-/// Casting triangles, in the order of batches and their casters.
-using TriangleIndices = std::vector<std::uint32_t>;
 
 /// Where many casters lie behind each other, as a light sees them.
 struct CrowdedDirections {
