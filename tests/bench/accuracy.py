@@ -11,7 +11,7 @@ import json
 import pathlib
 import sys
 
-from edgeshade_runs import (RESULTS, SCENES, figure, machine, percent, replace_between, report,
+from edgeshade_runs import (RESULTS, SCENES, against, figure, machine, percent, replace_between, report,
                             write_results)
 
 MAP_SIZES = (1024, 2048, 4096, 8192)
@@ -26,8 +26,7 @@ MAPS = [f"shadows=map,map-size={size}" for size in MAP_SIZES]
 
 
 def compare(scene, settings):
-    against = [word for setting in settings for word in ("--against", setting)]
-    return report("compare", SCENES / f"{scene}.glb", "--views", 16, *against)
+    return report("compare", SCENES / f"{scene}.glb", "--views", 16, *against(settings))
 
 
 def condensed(full):

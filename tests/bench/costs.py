@@ -12,7 +12,7 @@ import json
 import os
 import sys
 
-from edgeshade_runs import (RESULTS, ROOT, SCENES, figure, machine, replace_between, report,
+from edgeshade_runs import (RESULTS, ROOT, SCENES, against, figure, machine, replace_between, report,
                             write_results)
 from near_ratio import framing
 
@@ -61,10 +61,6 @@ def with_device(data, full):
     device = first.get("device") or full["device"]
     return {"machine": machine() | {"renderer": device["renderer"], "driver": device["version"],
                                     "timing": first.get("timing") or full["timing"]}} | data
-
-
-def against(settings):
-    return [word for setting in settings for word in ("--against", setting)]
 
 
 def measure_flight():

@@ -27,6 +27,11 @@ def report(*words):
     return json.loads(done.stdout)
 
 
+def against(settings):
+    """The words of bench or compare that have other settings too."""
+    return [word for setting in settings for word in ("--against", setting)]
+
+
 def machine():
     """What the figures were taken on."""
     model = next((line.split(":", 1)[1].strip()

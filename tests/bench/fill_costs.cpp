@@ -5,10 +5,9 @@
 #include "src/scene/load.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/plan/volume_fill.hpp"
+#include "tests/bench/told_scenes.hpp"
 
 #include <ctime>
-#include <iostream>
-#include <nlohmann/json.hpp>
 
 namespace edgeshade {
 namespace {
@@ -70,8 +69,7 @@ Json measured(const std::string& path) {
     for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
         casters.push_back({i, loaded.planePairs[i], loaded.scene.batches[i].worldFromBatch});
     const Box bounds = worldBounds(loaded.scene);
-    // Over the scene and to the side, as bench has its light.
-    const glm::dvec3 at = bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
+    const glm::dvec3 at = besideAndAbove(bounds);
     const std::pair<const char*, Light> lights[] = {{"sun", {{0.4, 1, 0.3, 0}}},
                                                     {"low sun", {{-0.9, 0.25, 0.35, 0}}},
                                                     {"lamp", {glm::dvec4(at, 1.0)}}};
@@ -86,8 +84,5 @@ Json measured(const std::string& path) {
 } // namespace edgeshade
 
 int main(int count, char** words) {
-    auto scenes = nlohmann::ordered_json::array();
-    for (int i = 1; i < count; ++i)
-        scenes.push_back(edgeshade::measured(words[i]));
-    std::cout << scenes.dump(1) << "\n";
+    return edgeshade::tellOfScenes(count, words, edgeshade::measured);
 }

@@ -16,8 +16,8 @@ import json
 import sys
 
 from accuracy import MAP_SIZES, NAMES, condensed
-from edgeshade_runs import (RESULTS, SCENES, figure, machine, mean, percent, replace_between, report,
-                            write_results)
+from edgeshade_runs import (RESULTS, SCENES, against, figure, machine, mean, percent, replace_between,
+                            report, write_results)
 
 SIZE, LARGE = "1920x1080", "3840x2160"
 FRAMES, VIEWS = 24, 16
@@ -49,10 +49,9 @@ def condensed_run(run):
 
 
 def flown(path, others, words, size=SIZE, timing=None):
-    against = [word for setting in others.values() for word in ("--against", setting)]
     asked = ("--timing", timing) if timing else ()
     told = report("bench", path, "--size", size, "--frames", FRAMES, "--shadows", "volumes",
-                  *asked, *words, *against)
+                  *asked, *words, *against(others.values()))
     runs = told.get("results", [told])
     ways = ("ours", *others)
     return {"device": {key: runs[0]["device"][key] for key in ("vendor", "renderer", "version")},
@@ -72,10 +71,8 @@ def flights(scene):
 
 
 def compared(scene):
-    against = [word for setting in (RECORDS | MAPS | LOOKED_UP).values()
-               for word in ("--against", setting)]
     return condensed(report("compare", SCENES / f"{scene}.glb", "--size", "960x540", "--views",
-                            VIEWS, *against))
+                            VIEWS, *against((RECORDS | MAPS | LOOKED_UP).values())))
 
 
 def ratio_table(results, light, ways):

@@ -6,10 +6,9 @@
 #include "src/scene/load.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/layer_bound.hpp"
+#include "tests/bench/told_scenes.hpp"
 
 #include <ctime>
-#include <iostream>
-#include <nlohmann/json.hpp>
 
 namespace edgeshade {
 namespace {
@@ -71,8 +70,7 @@ Json measured(const std::string& path) {
     LoadedScene loaded = loadScene(path, std::nullopt);
     loaded.scene.culls = false;
     const Box bounds = worldBounds(loaded.scene);
-    // Over the scene and to the side, as bench has its light; and among what casts.
-    const glm::dvec3 at = bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
+    const glm::dvec3 at = besideAndAbove(bounds);
     const std::pair<const char*, Light> lights[] = {
         {"sun", {{0.4, 1, 0.3, 0}}},
         {"low sun", {{-0.9, 0.25, 0.35, 0}}},
@@ -90,8 +88,5 @@ Json measured(const std::string& path) {
 } // namespace edgeshade
 
 int main(int count, char** words) {
-    auto scenes = nlohmann::ordered_json::array();
-    for (int i = 1; i < count; ++i)
-        scenes.push_back(edgeshade::measured(words[i]));
-    std::cout << scenes.dump(1) << "\n";
+    return edgeshade::tellOfScenes(count, words, edgeshade::measured);
 }

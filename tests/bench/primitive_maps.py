@@ -7,7 +7,7 @@
 """
 
 from accuracy import NAMES
-from edgeshade_runs import SCENES, figure, mean, percent, replace_between, report, results_of
+from edgeshade_runs import SCENES, against, figure, mean, percent, replace_between, report, results_of
 
 SIZE = "960x540"
 AGAINST = {"map 1024": "shadows=map,map-size=1024", "volumes": "shadows=volumes"}
@@ -15,9 +15,9 @@ AGAINST = {"map 1024": "shadows=map,map-size=1024", "volumes": "shadows=volumes"
 
 def measure(scene):
     path = SCENES / f"{scene}.glb"
-    against = [word for setting in AGAINST.values() for word in ("--against", setting)]
+    others = against(AGAINST.values())
     frames = report("bench", path, "--size", SIZE, "--frames", 24, "--shadows", "primitive-map",
-                    *against)
+                    *others)
     wrong = report("compare", path, "--size", SIZE, "--views", 16, "--against",
                    "shadows=primitive-map")
     for result in wrong["results"]:

@@ -3,12 +3,11 @@
 #include "src/scene/load.hpp"
 #include "src/shadow/geometry/light.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
+#include "tests/bench/told_scenes.hpp"
 
 #include <algorithm>
 #include <ctime>
-#include <iostream>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace edgeshade {
 namespace {
@@ -53,8 +52,7 @@ Found find(const LoadedScene& loaded, const Light& light, double radius) {
 Json measured(const std::string& path) {
     const LoadedScene loaded = loadScene(path, std::nullopt);
     const Box bounds = worldBounds(loaded.scene);
-    // Over the scene and to the side, as bench has its light.
-    const glm::dvec3 at = bounds.center() + glm::dvec3(0.3, 0.6, 0.2) * bounds.diagonal();
+    const glm::dvec3 at = besideAndAbove(bounds);
     std::size_t pairs = 0, triangles = 0;
     for (const auto& shadow : loaded.planePairs) {
         pairs += shadow->pairs.size();
@@ -75,8 +73,5 @@ Json measured(const std::string& path) {
 } // namespace edgeshade
 
 int main(int count, char** words) {
-    auto scenes = nlohmann::ordered_json::array();
-    for (int i = 1; i < count; ++i)
-        scenes.push_back(edgeshade::measured(words[i]));
-    std::cout << scenes.dump(1) << "\n";
+    return edgeshade::tellOfScenes(count, words, edgeshade::measured);
 }

@@ -9,7 +9,7 @@ EDGESHADE names the program.
 """
 
 from accuracy import NAMES
-from edgeshade_runs import SCENES, mean, replace_between, report, results_of
+from edgeshade_runs import SCENES, against, mean, replace_between, report, results_of
 
 KEPT = ("triangles", "edges", "flat_edges_dropped", "records", "closed_oriented_triangles",
         "largest_opposite_count", "bytes", "vertex_runs", "seconds")
@@ -25,9 +25,8 @@ WAYS = ("proposed", *AGAINST)
 
 def frames_of(path, *more):
     """Frames by each of WAYS, in one run."""
-    others = [word for words in AGAINST.values() for word in ("--against", words)]
     told = report("bench", path, "--size", FRAME_SIZE, "--frames", FRAMES, "--timing", "processor",
-                  *others, *more)
+                  *against(AGAINST.values()), *more)
     frames = {way: {key: result[key] for key in FRAME_KEPT}
               for way, result in zip(WAYS, told["results"])}
     return frames | {"device": told["results"][0]["device"]["renderer"],

@@ -17,7 +17,8 @@ import sys
 import tempfile
 
 from culling import glb
-from edgeshade_runs import PROGRAM, ROOT, figure, mean, percent, replace_between, report, results_of
+from edgeshade_runs import (PROGRAM, ROOT, against, figure, mean, percent, replace_between, report,
+                            results_of)
 from lit_models import MODELS, lit_models
 from maps import below, bytes_text
 from png_bytes import read_png, side_by_side, write_png
@@ -33,9 +34,9 @@ AGAINST = {"published": "shadows=volumes,layout=published",
 
 
 def case(path, light):
-    against = [word for setting in AGAINST.values() for word in ("--against", setting)]
-    judged = report("compare", path, *light, "--size", SIZE, "--views", VIEWS, *against)["results"]
-    told = report("bench", path, *light, "--size", SIZE, "--frames", FRAMES, "--warm-up", 1, *against)
+    others = against(AGAINST.values())
+    judged = report("compare", path, *light, "--size", SIZE, "--views", VIEWS, *others)["results"]
+    told = report("bench", path, *light, "--size", SIZE, "--frames", FRAMES, "--warm-up", 1, *others)
     rows = {}
     for name, errors, times in zip([FIRST, *AGAINST], judged, told["results"]):
         visible = errors["visible_pixels"]

@@ -7,6 +7,7 @@
 namespace edgeshade {
 namespace {
 
+constexpr int deepest = 12;  // halvings of a face's side at most
 constexpr int stepDepth = 2; // of a finer grid
 constexpr double rounding = 1e-12;
 

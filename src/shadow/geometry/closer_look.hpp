@@ -10,8 +10,6 @@ namespace edgeshade {
 /// and asks in the end which triangles touch them.
 class CloserLook {
   public:
-    static constexpr int deepest = 12; ///< halvings of a face's side at most
-
     CloserLook(const FlatCasters& casters, std::size_t limit) : casters_(casters), limit_(limit) {}
 
     /// At a cell of a face (a matrix as LightView::faces has them) after so many halvings of its

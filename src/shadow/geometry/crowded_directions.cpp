@@ -23,16 +23,12 @@ struct ReachedPart {
     std::size_t triangles = 0;
 
     void add(const Outline& outline) {
-        part.u0 = std::min(part.u0, outline.u0);
-        part.u1 = std::max(part.u1, outline.u1);
-        part.v0 = std::min(part.v0, outline.v0);
-        part.v1 = std::max(part.v1, outline.v1);
+        part.add(outline);
         ++triangles;
     }
     void add(const ReachedPart& other) {
-        const std::size_t sum = triangles + other.triangles;
-        add(other.part);
-        triangles = sum;
+        part.add(other.part);
+        triangles += other.triangles;
     }
     /// With some room around, but no more than the whole face; empty() where nothing is.
     Outline within(const Outline& whole) const {
@@ -51,6 +47,9 @@ class FaceCounts {
         findParts(from);
         while (count()) {
         }
+        if (std::all_of(faces_.begin(), faces_.end(),
+                        [](const Face& face) { return face.crowded.empty(); }))
+            return;
         forEach({0, casters.count()}, [&](std::size_t face, const CellMember& member,
                                           std::span<const glm::dvec2> polygon) {
             Face& of = faces_[face];

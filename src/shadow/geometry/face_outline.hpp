@@ -20,6 +20,12 @@ int faceAround(const glm::dvec3& ray);
 struct Outline {
     double u0 = INFINITY, u1 = -INFINITY, v0 = INFINITY, v1 = -INFINITY;
 
+    void add(const Outline& other) {
+        u0 = std::min(u0, other.u0);
+        u1 = std::max(u1, other.u1);
+        v0 = std::min(v0, other.v0);
+        v1 = std::max(v1, other.v1);
+    }
     bool misses(const Outline& other) const {
         return u1 < other.u0 || u0 > other.u1 || v1 < other.v0 || v0 > other.v1;
     }
@@ -39,12 +45,8 @@ struct FacePolygon {
 /// Of points on a face, as they are.
 inline Outline outlineOf(std::span<const glm::dvec2> points) {
     Outline outline;
-    for (const glm::dvec2& point : points) {
-        outline.u0 = std::min(outline.u0, point.x);
-        outline.u1 = std::max(outline.u1, point.x);
-        outline.v0 = std::min(outline.v0, point.y);
-        outline.v1 = std::max(outline.v1, point.y);
-    }
+    for (const glm::dvec2& point : points)
+        outline.add({point.x, point.x, point.y, point.y});
     return outline;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/mesh/topology.hpp"
 #include "src/shadow/geometry/light_view.hpp"
 
 #include <array>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "preprocess/mesh/topology.hpp"
 #include "src/shadow/geometry/face_outline.hpp"
 #include "src/shadow/geometry/light.hpp"
 

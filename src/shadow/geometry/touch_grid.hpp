@@ -83,7 +83,6 @@ class TouchGrid {
         return static_cast<int>(std::clamp(cells, 0.0, static_cast<double>(side_ - 1)));
     }
 
-    Outline part_;
     int side_;
     glm::dvec2 low_, perUnit_; ///< its first corner, and cells per unit
     double rounding_;          ///< of places, in cells

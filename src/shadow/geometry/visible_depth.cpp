@@ -115,10 +115,7 @@ bool showsBack(const Polygon& triangle, bool orthographic, bool mirrored, double
 /// Whether all of a box of the picture's camera space is outside of the frustum.
 bool isOutsideOf(const std::array<Side, 5>& sides, const Box& box) {
     return std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
-        glm::dvec3 innermost;
-        for (glm::length_t axis = 0; axis < 3; ++axis)
-            innermost[axis] = side.normal[axis] < 0.0 ? box.low[axis] : box.high[axis];
-        return glm::dot(side.normal, innermost) + side.offset < 0.0;
+        return largestOver(box, glm::dvec4(side.normal, side.offset)) < 0.0;
     });
 }
 

@@ -39,7 +39,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         if (view.culls && settings.solids) solids = settings.solids->of(caster.shadow);
         plan.batches.push_back({.batch = caster.batch,
                                 .worldFromBatch = caster.worldFromBatch,
-                                .light = lightInObject(source, caster.worldFromBatch),
+                                .light = glm::vec4(places.back().light),
                                 .eye = glm::vec4(places.back().eye),
                                 .shadow = caster.shadow,
                                 .volumes = planClusters(*caster.shadow, places.back(), solids)});
