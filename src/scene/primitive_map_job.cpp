@@ -1,25 +1,11 @@
 #include "src/scene/primitive_map_job.hpp"
 
+#include "preprocess/base/spare_time.hpp"
 #include "preprocess/base/stopwatch.hpp"
 
 #include <algorithm>
 
-#ifdef __linux__
-#include <pthread.h>
-#endif
-
 namespace edgeshade {
-namespace {
-
-/// Lets everything else go first: drawing must not wait for what it will be spared.
-[[maybe_unused]] void takeSpareTimeAlone() {
-#ifdef __linux__
-    const sched_param parameters{};
-    pthread_setschedparam(pthread_self(), SCHED_IDLE, &parameters);
-#endif
-}
-
-} // namespace
 
 PrimitiveMapJob::PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTask& task,
                                  KeptEdges edges)

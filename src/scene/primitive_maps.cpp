@@ -1,5 +1,6 @@
 #include "src/scene/primitive_maps.hpp"
 
+#include "src/scene/receivers.hpp"
 #include "src/shadow/silhouette/count_silhouettes.hpp"
 
 #include <algorithm>
@@ -214,11 +215,7 @@ PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& l
         // What lies between a texel and all of the light shrinks little with the texel.
         settings.size = std::max(4, settings.size / 2);
         settings.mostSplits = 0;
-        for (const Batch& batch : loaded.scene.batches)
-            if (!batch.ground || loaded.showsGround)
-                for (const glm::vec3& position : batch.geometry->positions)
-                    settings.receivers.add(
-                        glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+        settings.receivers = receiversOf(loaded);
     }
     if (!loaded.cutoutsCast) return {light, castersReceive_, std::move(settings)};
     if (!cutouts_) {

@@ -129,8 +129,8 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
     const auto records = settings.records();
     if (records) scene.groups.upload(loaded, view.lights, *records);
     if (mayCullCasters(loaded, view, settings))
-        scene.culled.make(loaded, view.lights, records->layout,
-                          capabilities.vertexHighpMantissaBits);
+        scene.culled.make(loaded, view.lights,
+                          {records->layout, capabilities.vertexHighpMantissaBits});
     else
         scene.culled.clear();
 }

@@ -3,6 +3,7 @@
 #include "src/shadow/primitive_map/texel_occluders.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace edgeshade {
@@ -51,13 +52,16 @@ Collected collected(const Light& light, const LightTiles& tiles,
     return all;
 }
 
+/// 1 of what must stay; several threads write.
+using Stays = std::vector<std::atomic<std::uint8_t>>;
+
 /// Finds the occluders of one tile that must stay: those that in some texel begin no later than
 /// all of its rays are blocked.
 class Sieve {
   public:
     Sieve(const LightTiles& tiles, std::size_t tile, const std::vector<Occluder>& occluders,
-          const CullingGrid& grid, std::vector<std::uint8_t>& stays)
-        : grid_(grid), stays_(stays) {
+          const CullingSettings& settings, Stays& stays)
+        : settings_(settings), stays_(stays) {
         for (std::uint32_t i = 0; i < occluders.size(); ++i)
             if (const auto print = footprintOf(occluders[i], i, tiles, tile))
                 prints_.push_back(*print);
@@ -65,39 +69,47 @@ class Sieve {
     }
 
     void run() {
-        const int side = std::min(partSide, grid_.size), perRow = grid_.size / side;
+        const int side = std::min(partSide, settings_.size), perRow = settings_.size / side;
         std::vector<std::vector<std::uint32_t>> parts(static_cast<std::size_t>(perRow * perRow));
-        const double reach = marginOfTile() + mapRounding;
-        const auto partAt = [&](double at) {
-            return static_cast<int>(
-                std::clamp(std::floor((at + 1.0) * 0.5 * perRow), 0.0, perRow - 1.0));
-        };
-        for (std::uint32_t i = 0; i < prints_.size(); ++i)
-            for (int y = partAt(prints_[i].low.y - reach); y <= partAt(prints_[i].high.y + reach);
-                 ++y)
-                for (int x = partAt(prints_[i].low.x - reach);
-                     x <= partAt(prints_[i].high.x + reach); ++x)
+        for (std::uint32_t i = 0; i < prints_.size(); ++i) {
+            const auto [low, high] = reachOf(prints_[i]);
+            const auto partAt = [&](double at) {
+                return static_cast<int>(
+                    std::clamp(std::floor((at + 1.0) * 0.5 * perRow), 0.0, perRow - 1.0));
+            };
+            for (int y = partAt(low.y); y <= partAt(high.y); ++y)
+                for (int x = partAt(low.x); x <= partAt(high.x); ++x)
                     parts[static_cast<std::size_t>(y * perRow + x)].push_back(i);
-        for (int y = 0; y < perRow; ++y)
-            for (int x = 0; x < perRow; ++x)
-                sift(x * side, y * side, side, parts[static_cast<std::size_t>(y * perRow + x)]);
+        }
+        inParallel(parts.size(), settings_.threads, [&](std::size_t part) {
+            const int at = static_cast<int>(part);
+            sift(at % perRow * side, at / perRow * side, side, parts[part]);
+        });
     }
 
     std::span<const Footprint> prints() const { return prints_; }
 
   private:
-    double marginOfTile() const { return 2.0 * grid_.margin / grid_.size; }
+    double margin() const { return 2.0 * settings_.margin / settings_.size + mapRounding; }
 
-    RaySquare squareOf(int x, int y, int side) const {
-        const double scale = 2.0 / grid_.size;
-        const glm::dvec2 low(x * scale - 1.0, y * scale - 1.0);
-        return RaySquare{low, low + side * scale}.grownBy(marginOfTile() + mapRounding);
+    /// The rays of all texels that it may touch.
+    RaySquare reachOf(const Footprint& print) const {
+        if (print.nearLight) return {glm::dvec2(-1.0), glm::dvec2(1.0)};
+        return tile_.spread.reaching({print.low, print.high}, print.depths.low).grownBy(margin());
     }
 
-    std::uint8_t& stays(std::uint32_t print) { return stays_[prints_[print].occluder]; }
+    RaySquare squareOf(int x, int y, int side) const {
+        const double scale = 2.0 / settings_.size;
+        const glm::dvec2 low(x * scale - 1.0, y * scale - 1.0);
+        return RaySquare{low, low + side * scale}.grownBy(margin());
+    }
+
+    std::atomic<std::uint8_t>& stays(std::uint32_t print) {
+        return stays_[prints_[print].occluder];
+    }
 
     void sift(int x, int y, int side, const std::vector<std::uint32_t>& candidates) {
-        if (candidates.empty()) return;
+        if (candidates.empty() || (settings_.givenUp && settings_.givenUp())) return;
         TexelOccluders found;
         findOccluders(tile_, candidates, squareOf(x, y, side), false, found);
         const bool settled = std::all_of(found.touching.begin(), found.touching.end(),
@@ -114,29 +126,30 @@ class Sieve {
                 sift(x + i, y + j, step, found.touching);
     }
 
-    CullingGrid grid_;
+    const CullingSettings& settings_;
     std::vector<Footprint> prints_;
     TileFootprints tile_;
-    std::vector<std::uint8_t>& stays_; ///< by occluder
+    Stays& stays_; ///< by occluder
 };
 
 } // namespace
 
 std::vector<std::vector<std::uint8_t>> shadowedCasters(const Light& light,
                                                        const std::vector<CullingCasters>& casters,
-                                                       const CullingGrid& grid) {
+                                                       const CullingSettings& settings) {
     std::vector<std::vector<std::uint8_t>> gone;
     std::vector<PlacedCasters> placed;
     for (const CullingCasters& of : casters) {
         gone.emplace_back(of.shadow->caps.size(), 0);
         placed.push_back(of.placed);
     }
-    const auto tiles = tilesFor(light, placed);
+    const auto tiles = tilesFor(light, placed, settings.receivers);
     if (!tiles || tiles->depthSpan < leastDepthSpan) return gone;
     const Collected all = collected(light, *tiles, casters);
-    std::vector<std::uint8_t> stays(all.occluders.size(), 0), seen(all.occluders.size(), 0);
+    Stays stays(all.occluders.size());
+    std::vector<std::uint8_t> seen(all.occluders.size(), 0);
     for (std::size_t tile = 0; tile < tiles->tiles.size(); ++tile) {
-        Sieve sieve(*tiles, tile, all.occluders, grid, stays);
+        Sieve sieve(*tiles, tile, all.occluders, settings, stays);
         sieve.run();
         for (const Footprint& print : sieve.prints())
             seen[print.occluder] = 1;
