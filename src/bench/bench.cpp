@@ -2,13 +2,13 @@
 
 #include "preprocess/base/error.hpp"
 #include "preprocess/base/stopwatch.hpp"
-#include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/geometry/light_budget.hpp"
+#include "src/shadow/geometry/light_region.hpp"
 #include "src/shadow/plan/volume_fill.hpp"
 
 #include <algorithm>
@@ -63,13 +63,18 @@ class Stage {
     /// Works out what the frame shows. RayCrossings are kept while the lights rest;
     /// `volumes`: somebody draws them; `mostShadowed`: the most lights that anybody has with
     /// shadows.
-    void look(const FrameRequest& request, bool lightMoves, bool volumes,
+    /// `circle`: that lights draw; nothing: they rest.
+    void look(const FrameRequest& request, std::optional<double> circle, bool volumes,
               std::optional<std::size_t> mostShadowed) {
         Stopwatch watch;
         view_ = makeFrameView(loaded_.scene, request, bounds_);
         chooseLights(view_, mostShadowed);
-        for (FrameLight& light : view_.lights)
-            light.atRest = !lightMoves;
+        for (FrameLight& of : view_.lights) {
+            of.atRest = !circle;
+            if (!circle) continue;
+            const double width = widthOf(of.light, bounds_, *circle);
+            if (width <= mostWander(of.light, bounds_.diagonal())) of.wander = width;
+        }
         planMs_ = 1e3 * watch.lap();
         layersMs_ = 0.0;
         if (!volumes) return;
@@ -207,12 +212,13 @@ class Course {
         request.height = task_.height;
         request.depth.near = task_.near;
         request.lights =
-            task_.lightMoves ? movedLights(task_.lights, bounds_, share) : task_.lights;
+            task_.lightMoves ? movedLights(task_.lights, bounds_, task_.circle, share) : task_.lights;
         for (const auto& contender : contenders_)
             request.lightSamples =
                 std::max(request.lightSamples, contender->renderer.settings().countedPoints());
+        const auto circle = task_.lightMoves ? std::optional(task_.circle) : std::nullopt;
         for (const auto& stage : stages_)
-            stage->look(request, task_.lightMoves, anyVolumes(*stage), mostShadowed());
+            stage->look(request, circle, anyVolumes(*stage), mostShadowed());
     }
 
     /// Nothing: somebody has shadows of all lights.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/bench/flythrough.hpp"
 #include "src/bench/statistics.hpp"
 #include "src/gl/span_timer.hpp"
 #include "src/render/frame/frame.hpp"
@@ -37,6 +38,7 @@ struct Task {
     std::vector<Light> lights;
     bool scattered = false;           ///< they are scatterLights()'
     bool lightMoves = false;          ///< by movedLights(); else shadow maps are drawn once
+    double circle = usualCircle;      ///< likewise
     std::optional<double> near;       ///< nothing: fitted to each view
     std::optional<gl::Timing> timing; ///< nothing: bestTiming()
     std::vector<Setting> settings;

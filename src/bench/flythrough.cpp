@@ -26,14 +26,15 @@ Camera Flythrough::cameraAt(double share) const {
     return {center_ + distance * direction, center_, fovDegrees_};
 }
 
-std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& bounds, double share) {
+std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& bounds, double size,
+                               double share) {
     const double angle = 2.0 * pi * share;
     const glm::dvec2 circle(std::sin(angle), 1.0 - std::cos(angle));
     std::vector<Light> moved = lights;
     for (Light& light : moved) {
         glm::dvec4& position = light.position;
         if (position.w == 1.0) {
-            position += 0.02 * bounds.diagonal() * glm::dvec4(circle.x, 0.0, circle.y, 0.0);
+            position += size / 150.0 * bounds.diagonal() * glm::dvec4(circle.x, 0.0, circle.y, 0.0);
             continue;
         }
         const glm::dvec3 towards = glm::normalize(glm::dvec3(position));
@@ -41,10 +42,15 @@ std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& boun
             std::abs(towards.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
         const glm::dvec3 right = glm::normalize(glm::cross(axis, towards));
         const glm::dvec3 up = glm::cross(towards, right);
-        const double radius = std::tan(glm::radians(3.0));
+        const double radius = std::tan(glm::radians(size));
         position = glm::dvec4(towards + radius * (circle.x * right + circle.y * up), 0.0);
     }
     return moved;
+}
+
+double widthOf(const Light& light, const Box& bounds, double circle) {
+    return 2.0 * (light.position.w == 0.0 ? glm::radians(circle)
+                                          : circle / 150.0 * bounds.diagonal());
 }
 
 } // namespace edgeshade::bench

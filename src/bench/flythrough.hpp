@@ -24,8 +24,16 @@ class Flythrough {
     double fovDegrees_;
 };
 
-/// The lights after `share` of a flight during which each draws a small circle that starts where
-/// it stands: a point light of 2 % of the scene's diagonal, a directional light of 3 degrees.
-std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& bounds, double share);
+/// How far from its circle's middle a light is that moves during a flight: a directional light
+/// so many degrees, a point light 150ths of the scene's diagonal.
+inline constexpr double usualCircle = 3.0;
+
+/// The lights after `share` of a flight during which each draws a circle that starts where it
+/// stands.
+std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& bounds, double circle,
+                               double share);
+
+/// As far as it gets from any of its places: radians or scene units.
+double widthOf(const Light& light, const Box& bounds, double circle);
 
 } // namespace edgeshade::bench

@@ -23,6 +23,7 @@ struct BenchOptions : SceneOptions {
     std::vector<std::pair<int, int>> sizes; ///< of --sizes; else view's
     std::vector<std::size_t> lightCounts;   ///< of --lights; none: the scene's or the call's
     bool lightMoves = false;
+    double circle = bench::usualCircle;
     std::optional<gl::Timing> timing;
     DrawSettings settings;
     int samples = 0;
@@ -132,6 +133,7 @@ void benchScene(const BenchOptions& options) {
             requireMapKind(setting.settings, task.lights);
         }
         task.lightMoves = options.lightMoves;
+        task.circle = options.circle;
         task.near = view.depth.near;
         task.timing = options.timing;
         for (const BenchSetting& setting : settings)
@@ -205,6 +207,13 @@ void addBenchCommand(CLI::App& program) {
     verb->add_flag("--light-moves", options->lightMoves,
                    "Lights draw small circles, so shadow maps are drawn anew for every frame; "
                    "without, they are kept, as they are where nothing moves");
+    verb->add_option("--light-circle", options->circle,
+                     "How far from their circles' middles lights are with --light-moves: suns so "
+                     "many degrees, lamps 150ths of the scene's diagonal, above 0 and at most 10 "
+                     "(3)")
+        ->check(CLI::Range(1e-6, 10.0))
+        ->needs("--light-moves")
+        ->type_name("DEG");
     CLI::Option* sizes =
         verb->add_option_function<std::string>(
                 "--sizes", [options](const std::string& text) { options->sizes = sizesFrom(text); },

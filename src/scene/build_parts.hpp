@@ -22,6 +22,9 @@ inline constexpr bool listsLights = !isForPages;
 /// Whether it weighs lights against each other, or takes the first to matter most.
 inline constexpr bool weighsLights = !isForPages;
 
+/// Whether it finds casters that are wholly in the shadow of others beside drawing.
+inline constexpr bool cullsMeanwhile = !isForPages;
+
 /// Whether it can leave out backs of solids.
 inline constexpr bool mayCullSolids = !isForPages;
 

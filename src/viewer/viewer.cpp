@@ -11,6 +11,7 @@
 #include "src/viewer/handle_drawing.hpp"
 #include "src/viewer/interaction.hpp"
 #include "src/viewer/light_following.hpp"
+#include "src/viewer/light_pace.hpp"
 #include "src/viewer/light_rest.hpp"
 #include "src/viewer/overlay_pass.hpp"
 #include "src/viewer/pick.hpp"
@@ -105,7 +106,9 @@ struct Viewer::Parts {
     std::optional<Animation> animation;     ///< the chosen one
     KeptLayers layers;
     LightRest rest;
-    bool mapsPending = false; ///< a light may get a primitive map soon
+    LightPace pace;
+    bool mapsPending = false;    ///< a light may get a primitive map soon
+    bool castersPending = false; ///< a light may have some of its casters left out soon
     std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
     std::size_t changes = 0; ///< counts those of the picture, while it is smoothed
@@ -129,6 +132,7 @@ struct Viewer::Parts {
     void applyCulling();
     void sceneMoved();
     void advanceMaps(double now);
+    void cullCasters(double now);
     void draw();
     void drawSide(std::size_t side, const FrameView& view, Convergence& convergence,
                   StageClock* stageClock);
@@ -253,7 +257,9 @@ void Viewer::Parts::applyGround() {
     }
     if (shown == loaded->showsGround) return;
     loaded->showsGround = shown;
-    if (gpu && gpu->scene) gpu->scene->primitiveMaps.clear(); // who looks itself up is another
+    if (!gpu || !gpu->scene) return;
+    gpu->scene->primitiveMaps.clear(); // who looks itself up is another
+    gpu->scene->culled.clear();        // so is what lights shine on
 }
 
 /// Has MASK surfaces cast, or not, where shadow is looked up.
@@ -423,6 +429,39 @@ void Viewer::Parts::advanceMaps(double now) {
     }
     for (const FrameLight& of : view.lights)
         if (of.drawn && of.shadowed && !gpu->scene->primitiveMaps.of(of.light)) mapsPending = true;
+}
+
+/// Goes on leaving out casters of lights whose volumes are counted, if that was asked for.
+void Viewer::Parts::cullCasters(double now) {
+    if (!settings.render.casterCulling) return;
+    pace.see(state.lights, now);
+    const bool mayChange = dirty || castersPending;
+    castersPending = false;
+    if (!mayChange || !loaded || !gpu || !gpu->scene || state.lights.empty()) return;
+    const SideSettings* side = mayCount(state.left)                   ? &state.left
+                               : state.split && mayCount(state.right) ? &state.right
+                                                                      : nullptr;
+    if (!side) return;
+    const bool mapsAlone = looksUp(state.left) && (!state.split || looksUp(state.right));
+    FrameView view = viewAt(glm::dvec2(0.0));
+    for (std::size_t i = 0; i < view.lights.size(); ++i) {
+        FrameLight& of = view.lights[i];
+        of.atRest = rest.rests(of.light, now);
+        if (!of.atRest) of.wander = pace.wanderOf(i, stage.bounds.diagonal());
+        const PrimitiveMapState* map = gpu->scene->primitiveMaps.of(of.light);
+        if (mapsAlone && (map ? map->map != nullptr : mapsPending)) of.drawn = false;
+    }
+    const RenderSettings& drawn = gpu->renderers.of(*side, state).settings();
+    if (cullCastersMeanwhile(*gpu->scene, *loaded, view, drawn, gpu->capabilities)) {
+        dirty = true;
+        ++changes;
+    }
+    if (!mayCullCasters(*loaded, view, drawn)) return;
+    for (const FrameLight& of : view.lights) {
+        const CulledCasters::Kept* kept = gpu->scene->culled.of(of);
+        // What is kept for a light that wanders isn't all that may go where it rests.
+        if (CulledCasters::suits(of) && (!kept || kept->light.extent)) castersPending = true;
+    }
 }
 
 void Viewer::Parts::drawSides(const FrameView& view, Convergence& convergence,
@@ -646,6 +685,7 @@ bool Viewer::frame(double now) {
         parts.adopt(next);
     }
     parts.advanceMaps(now);
+    if constexpr (cullsMeanwhile) parts.cullCasters(now);
     parts.converge(now);
     parts.countHours(now);
     parts.smooth(now);
@@ -669,6 +709,7 @@ bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
     return parts_->gpu &&
            (parts_->dirty || plays || parts_->state.dayPlays || parts_->mapsPending ||
+            parts_->castersPending ||
             parts_->gpu->convergence.wantsMore() || parts_->gpu->smoothing.wantsMore() ||
             (parts_->gpu->hours && parts_->gpu->hours->wantsMore()));
 }

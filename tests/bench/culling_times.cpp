@@ -2,6 +2,7 @@
 // that may be anywhere around it: how many they are, and how long it takes to find them. No GL is
 // needed. `culling_times SCENE...` prints JSON.
 #include "src/scene/culling_job.hpp"
+#include "src/shadow/geometry/light_region.hpp"
 #include "tests/bench/told_scenes.hpp"
 
 #include <filesystem>
@@ -11,16 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Degrees around a sun; of a lamp, 5,000ths of the scene's diagonal.
-constexpr double reaches[] = {0.0, 0.1, 0.3, 1.0, 3.0};
+/// Degrees around a sun; of a lamp, 150ths of the scene's diagonal, as bench --light-circle.
+constexpr double reaches[] = {0.0, 0.03, 0.1, 0.3};
 
-Light reaching(Light light, double reach, const Box& bounds) {
+Light reaching(const Light& light, double reach, const Box& bounds) {
     if (reach == 0.0) return light;
-    const bool sun = light.position.w == 0.0;
-    light.extent.emplace();
-    light.extent->shape = sun ? LightExtent::Shape::disc : LightExtent::Shape::sphere;
-    light.extent->radius = sun ? glm::radians(reach) : 2e-3 * reach * bounds.diagonal();
-    return light;
+    return anywhereWithin(light, light.position.w == 0.0 ? glm::radians(reach)
+                                                         : reach / 150.0 * bounds.diagonal());
 }
 
 Json measured(const std::string& path) {

@@ -51,12 +51,12 @@ TEST(Flythrough, AScenesWithoutSizeHasOneToo) {
 
 TEST(MovedLights, StartWhereTheyStandAndGoElsewhere) {
     const std::vector<Light> lights = {{{1.0, 5.0, 2.0, 1.0}}, {{0.0, 3.0, 0.0, 0.0}}};
-    const auto start = movedLights(lights, box, 0.0);
+    const auto start = movedLights(lights, box, usualCircle, 0.0);
     EXPECT_EQ(start[0].position, lights[0].position);
     EXPECT_EQ(start[1].position, glm::dvec4(0.0, 1.0, 0.0, 0.0)); // the same direction
     glm::dvec4 before[2] = {start[0].position, start[1].position};
     for (int i = 1; i < 120; ++i) {
-        const auto moved = movedLights(lights, box, i / 120.0);
+        const auto moved = movedLights(lights, box, usualCircle, i / 120.0);
         for (std::size_t l = 0; l < 2; ++l) {
             EXPECT_NE(moved[l].position, before[l]) << "a kept shadow map would do";
             EXPECT_EQ(moved[l].position.w, lights[l].position.w);

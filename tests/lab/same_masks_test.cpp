@@ -5,6 +5,8 @@
 #include "src/gl/headless_context.hpp"
 #include "src/lab/views.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/shadow/geometry/light_region.hpp"
+#include "src/shadow/geometry/vectors.hpp"
 #include "tests/lab/extreme.hpp"
 
 #include <filesystem>
@@ -35,11 +37,15 @@ class Masks {
         : loaded_(loaded), context_({width, height}),
           scene_(uploadScene(loaded, RenderSettings().records(), context_.capabilities())) {}
 
-    std::vector<std::uint8_t> of(const View& view, const RenderSettings& settings) {
+    /// `wander`: FrameLight's; 0: the light rests.
+    std::vector<std::uint8_t> of(const View& view, const RenderSettings& settings,
+                                 double wander = 0.0) {
         FrameRequest request{view.frustum, width, height, {view.light}, {}};
         FrameView frame = makeFrameView(loaded_.scene, loaded_.settings.castMasked, request);
         frame.culls = false;
         frame.mask = true;
+        frame.lights.front().atRest = wander == 0.0;
+        frame.lights.front().wander = wander;
         prepareScene(scene_, loaded_, frame, settings, context_.capabilities());
         Renderer(settings, context_.capabilities()).draw(scene_, frame);
         gl::requireNoError("drawing a mask");
@@ -89,14 +95,30 @@ std::vector<std::pair<const char*, RenderSettings>> ways() {
         {"ends by cost", byCost}, {"casters culled", culled}, {"backs of solids", withoutBacks}};
 }
 
+/// A light beside one, two thirds of the way to the rim of where that one may wander.
+Light beside(const Light& light, double wander) {
+    const glm::dvec3 place(light.position);
+    const glm::dvec3 across =
+        light.position.w == 0.0 ? glm::length(place) * axesAlong(unitOf(place))[0] : glm::dvec3(1, 0, 0);
+    return light.at(light.position + glm::dvec4(0.66 * wander * across, 0.0));
+}
+
 void expectSame(const LoadedScene& loaded, const std::vector<View>& views) {
     Masks masks(loaded);
+    const double diagonal = worldBounds(loaded.scene).diagonal();
+    RenderSettings culling;
+    culling.casterCulling = true;
     for (std::size_t i = 0; i < views.size(); ++i) {
         const auto mask = masks.of(views[i], RenderSettings());
         for (const auto& [name, settings] : ways()) {
             SCOPED_TRACE("view " + std::to_string(i) + ", " + name);
             expectAlike(mask, masks.of(views[i], settings));
         }
+        SCOPED_TRACE("view " + std::to_string(i) + ", a light that wanders");
+        const Light& light = views[i].light;
+        const double wander = mostWander(light, diagonal) / 3.0;
+        masks.of({views[i].frustum, beside(light, wander)}, culling, wander);
+        expectAlike(mask, masks.of(views[i], culling, wander));
     }
 }
 

@@ -67,7 +67,7 @@ TEST(Soak, TwentyThousandFrames) {
                              height,
                              {},
                              {}};
-        request.lights = bench::movedLights(lights, bounds, share);
+        request.lights = bench::movedLights(lights, bounds, bench::usualCircle, share);
         const FrameView view = makeFrameView(loaded.scene, request, bounds);
         const auto way = static_cast<std::size_t>(frame % 8 < 6 ? 0 : frame % 8 - 5);
         renderers[way]->draw(gpu, view);

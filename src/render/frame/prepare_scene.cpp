@@ -80,15 +80,6 @@ bool receivesSeeThrough(const GpuScene& scene, const FrameView& view,
            scene.seeThrough && view.drawBlended && !view.mask;
 }
 
-/// Not where some triangles aren't seen that cast, or may have holes: they are counted by other
-/// rules.
-bool mayCullCasters(const LoadedScene& loaded, const FrameView& view,
-                    const RenderSettings& settings) {
-    const auto records = settings.records();
-    return settings.casterCulling && records && records->volumes == VolumeLayout::planePairs &&
-           !view.culls && !loaded.settings.castMasked;
-}
-
 const char* nameOf(ShadowMethod method) {
     switch (method) {
     case ShadowMethod::map:
@@ -113,6 +104,14 @@ const char* nameOf(ShadowMethod method) {
 }
 
 } // namespace
+
+// What isn't seen and casts, or may have holes, is counted by other rules.
+bool mayCullCasters(const LoadedScene& loaded, const FrameView& view,
+                    const RenderSettings& settings) {
+    const auto records = settings.records();
+    return settings.casterCulling && records && records->volumes == VolumeLayout::planePairs &&
+           !view.culls && !loaded.settings.castMasked;
+}
 
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities) {
@@ -143,6 +142,16 @@ bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded, const Fra
                                        milliseconds);
 }
 
+bool cullCastersMeanwhile(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
+                          const RenderSettings& settings, const gl::Capabilities& capabilities) {
+    if (mayCullCasters(loaded, view, settings))
+        return scene.culled.advance(
+            loaded, view.lights,
+            {settings.records()->layout, capabilities.vertexHighpMantissaBits});
+    scene.culled.clear();
+    return false;
+}
+
 const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light) {
     const PrimitiveMapState* state = scene.primitiveMaps.of(light);
     return state && state->map && state->map->extended ? state->map.get() : nullptr;
@@ -171,8 +180,10 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         } else if (settings.casterCulling) {
             method.why = view.culls         ? "the scene culls, so no casters are left out"
                          : scene.castMasked ? "casters have holes, so none are left out"
-                         : of.atRest ? "the light has an extent or is counted in groups, so no "
-                                       "casters are left out"
+                         : !CulledCasters::suits(of)
+                             ? "the light has an extent or is counted in groups, so no casters are "
+                               "left out"
+                         : of.atRest ? "casters that may be left out are not found yet"
                                      : "it moves, so no casters are left out";
         }
         if (!settings.looksUpPrimitives()) continue;

@@ -20,6 +20,17 @@ bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded, const Fra
                            const RenderSettings& settings, const gl::Capabilities& capabilities,
                            double milliseconds);
 
+/// Whether casters are left out that are wholly in the shadow of others: the settings ask for it,
+/// and what casts has no holes and is seen from both sides.
+bool mayCullCasters(const LoadedScene& loaded, const FrameView& view,
+                    const RenderSettings& settings);
+
+/// Goes on finding casters that are wholly in the shadow of others, if they may be left out, in the
+/// background: for those of the view's lights that rest or wander, and forgets those of others.
+/// Returns whether some are new.
+bool cullCastersMeanwhile(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
+                          const RenderSettings& settings, const gl::Capabilities& capabilities);
+
 /// The map of all of a light that has an extent; null: there is none, and its points are counted
 /// one by one.
 const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light);

@@ -154,6 +154,7 @@ std::vector<std::vector<std::uint8_t>> shadowedCasters(const Light& light,
         for (const Footprint& print : sieve.prints())
             seen[print.occluder] = 1;
     }
+    if (settings.givenUp && settings.givenUp()) return gone;
     for (std::size_t i = 0; i < all.occluders.size(); ++i)
         if (seen[i] != 0 && stays[i] == 0) gone[all.sources[i].batch][all.sources[i].cap] = 1;
     return gone;

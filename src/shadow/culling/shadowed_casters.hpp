@@ -27,7 +27,7 @@ struct CullingSettings {
     double margin = 0.25;
     Box receivers{}; ///< all that the light shines on, in the world; of a light with an extent
     Threads threads{};
-    std::function<bool()> givenUp{}; ///< asked now and then: nobody wants what comes of it
+    std::function<bool()> givenUp{}; ///< asked now and then: true ends it, and all are 0
 };
 
 /// By batch, by cap: 1 where all that is in its shadow is in the shadow of caps that are 0
