@@ -211,8 +211,8 @@ class Course {
         request.width = task_.width;
         request.height = task_.height;
         request.depth.near = task_.near;
-        request.lights =
-            task_.lightMoves ? movedLights(task_.lights, bounds_, task_.circle, share) : task_.lights;
+        request.lights = task_.lightMoves ? movedLights(task_.lights, bounds_, task_.circle, share)
+                                          : task_.lights;
         for (const auto& contender : contenders_)
             request.lightSamples =
                 std::max(request.lightSamples, contender->renderer.settings().countedPoints());

@@ -49,8 +49,8 @@ std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& boun
 }
 
 double widthOf(const Light& light, const Box& bounds, double circle) {
-    return 2.0 * (light.position.w == 0.0 ? glm::radians(circle)
-                                          : circle / 150.0 * bounds.diagonal());
+    return 2.0 *
+           (light.position.w == 0.0 ? glm::radians(circle) : circle / 150.0 * bounds.diagonal());
 }
 
 } // namespace edgeshade::bench

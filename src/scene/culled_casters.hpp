@@ -16,7 +16,7 @@ class CulledCasters {
   public:
     /// What came of a light's casters.
     struct Kept {
-        Light light; ///< with an extent: anywhere within it, isWithin()
+        Light light;                       ///< with an extent: anywhere within it, isWithin()
         std::vector<BatchVolumes> volumes; ///< by batch; null where they are the scene's
         std::size_t casters = 0, gone = 0; ///< triangles
         double buildMs = 0.0;

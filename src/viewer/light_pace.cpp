@@ -15,8 +15,7 @@ void LightPace::see(const std::vector<Light>& lights, double now) {
     const double passed = now - since_;
     if (passed < span) return;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        known_[i] = {lights[i],
-                     placesApart(lights[i].position, known_[i].light.position) / passed};
+        known_[i] = {lights[i], placesApart(lights[i].position, known_[i].light.position) / passed};
     since_ = now;
 }
 

@@ -109,7 +109,7 @@ struct Viewer::Parts {
     LightPace pace;
     bool mapsPending = false;    ///< a light may get a primitive map soon
     bool castersPending = false; ///< a light may have some of its casters left out soon
-    std::unique_ptr<Gpu> gpu; ///< null: the context is lost
+    std::unique_ptr<Gpu> gpu;    ///< null: the context is lost
     bool dirty = true;
     std::size_t changes = 0; ///< counts those of the picture, while it is smoothed
     std::size_t poses = 0;   ///< counts whatever of the scene has moved or changed
@@ -709,8 +709,8 @@ bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
     return parts_->gpu &&
            (parts_->dirty || plays || parts_->state.dayPlays || parts_->mapsPending ||
-            parts_->castersPending ||
-            parts_->gpu->convergence.wantsMore() || parts_->gpu->smoothing.wantsMore() ||
+            parts_->castersPending || parts_->gpu->convergence.wantsMore() ||
+            parts_->gpu->smoothing.wantsMore() ||
             (parts_->gpu->hours && parts_->gpu->hours->wantsMore()));
 }
 

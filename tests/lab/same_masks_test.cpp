@@ -98,8 +98,9 @@ std::vector<std::pair<const char*, RenderSettings>> ways() {
 /// A light beside one, two thirds of the way to the rim of where that one may wander.
 Light beside(const Light& light, double wander) {
     const glm::dvec3 place(light.position);
-    const glm::dvec3 across =
-        light.position.w == 0.0 ? glm::length(place) * axesAlong(unitOf(place))[0] : glm::dvec3(1, 0, 0);
+    const glm::dvec3 across = light.position.w == 0.0
+                                  ? glm::length(place) * axesAlong(unitOf(place))[0]
+                                  : glm::dvec3(1, 0, 0);
     return light.at(light.position + glm::dvec4(0.66 * wander * across, 0.0));
 }
 

@@ -31,9 +31,9 @@ struct CullingSettings {
 };
 
 /// By batch, by cap: 1 where all that is in its shadow is in the shadow of caps that are 0
-/// (docs/method.md, C43). A light with an extent stands for one that may be at any place of it: that
-/// is so at each of them. All are 0 where the light is too far from the casters to tell. Takes some
-/// hundred milliseconds for 100,000 triangles.
+/// (docs/method.md, C43). A light with an extent stands for one that may be at any place of it:
+/// that is so at each of them. All are 0 where the light is too far from the casters to tell. Takes
+/// some hundred milliseconds for 100,000 triangles.
 std::vector<std::vector<std::uint8_t>> shadowedCasters(const Light& light,
                                                        const std::vector<CullingCasters>& casters,
                                                        const CullingSettings& settings = {});
