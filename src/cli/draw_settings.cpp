@@ -180,7 +180,7 @@ void addEnvironment(CLI::App& verb, DrawSettings& settings) {
 void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--caster-culling", settings.render.casterCulling, onOffNames,
               "Casters that are wholly in the shadow of others are left out of volumes, exactly, "
-              "where a light rests and all is seen from both sides (off)");
+              "where a light rests or moves slowly and all is seen from both sides (off)");
     addChoice(verb, "--volume-ends", settings.render.ends, endNames,
               "Where volumes end whose end is not seen: beyond all that is visible or at "
               "infinity, by what filling is estimated to cost, or always one of these (auto: cost "
