@@ -209,8 +209,9 @@ void addBenchCommand(CLI::App& program) {
                    "without, they are kept, as they are where nothing moves");
     verb->add_option("--light-circle", options->circle,
                      "How far from their circles' middles lights are with --light-moves: suns so "
-                     "many degrees, lamps 150ths of the scene's diagonal, above 0 and at most 10 "
+                     "many degrees, lamps 150ths of the scene's diagonal, 0.000001 to 10 "
                      "(3)")
+        ->check(finite())
         ->check(CLI::Range(1e-6, 10.0))
         ->needs("--light-moves")
         ->type_name("DEG");

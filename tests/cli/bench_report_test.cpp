@@ -81,6 +81,29 @@ TEST_F(BenchReport, AMovingLightDrawsMapsAnew) {
     EXPECT_GT(both["results"][1]["stage_ms"]["map"], 0.0);
 }
 
+TEST_F(BenchReport, CastersAreLeftOutOfLightsThatMoveSlowly) {
+    const auto whyOf = [&](const std::string& circle) -> std::string {
+        return report({"--light-moves", "--light-circle", circle, "--cull", "off",
+                       "--caster-culling", "on"})["lights"][0]["why"];
+    };
+    EXPECT_NE(whyOf("0.05").find("wholly in the shadow of others"), std::string::npos);
+    EXPECT_EQ(whyOf("3"), "it moves, so no casters are left out");
+}
+
+TEST_F(BenchReport, CirclesAreOfLightsThatMove) {
+    const auto said = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"bench", input_, "--frames", "1"});
+        const ProcessResult result = runEdgeshade(words);
+        EXPECT_EQ(result.status, 1);
+        return result.err;
+    };
+    EXPECT_NE(said({"--light-circle", "1"}).find("--light-moves"), std::string::npos);
+    for (const char* size : {"0", "-1", "11", "nan", "inf", "wide"})
+        EXPECT_NE(said({"--light-moves", "--light-circle", size}).find("--light-circle"),
+                  std::string::npos)
+            << size;
+}
+
 TEST_F(BenchReport, SeveralSizesAreSeveralResults) {
     const ProcessResult result =
         runEdgeshade({"bench", input_, "--frames", "1", "--sizes", "16x16,32x24", "--report", "-"});

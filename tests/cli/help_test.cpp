@@ -41,8 +41,9 @@ TEST(Help, EveryVerbNamesItsOptions) {
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);
-    for (const char* word : {"FILE", "--frames", "--warm-up", "--sizes", "--against",
-                             "--light-moves", "--timing", "--synthetic", "--shadows", "--report"})
+    for (const char* word :
+         {"FILE", "--frames", "--warm-up", "--sizes", "--against", "--light-moves",
+          "--light-circle", "--timing", "--synthetic", "--shadows", "--report"})
         expectHelp({"bench", "--help"}, word);
     for (const char* word : {"FILE", "--plot", "--budget-ms", "--max-wrong-percent", "--frames",
                              "--views", "--largest-map", "--against", "--light-moves", "--timing"})
