@@ -82,9 +82,10 @@ TEST_F(BenchReport, AMovingLightDrawsMapsAnew) {
 }
 
 TEST_F(BenchReport, CastersAreLeftOutOfLightsThatMoveSlowly) {
+    input_ = std::string(EDGESHADE_ASSETS) + "/pavilion.glb";
     const auto whyOf = [&](const std::string& circle) -> std::string {
-        return report({"--light-moves", "--light-circle", circle, "--cull", "off",
-                       "--caster-culling", "on"})["lights"][0]["why"];
+        return report({"--light-moves", "--light-circle", circle, "--sun", "0.4,1,0.3", "--cull",
+                       "off", "--caster-culling", "on"})["lights"][0]["why"];
     };
     EXPECT_NE(whyOf("0.05").find("wholly in the shadow of others"), std::string::npos);
     EXPECT_EQ(whyOf("3"), "it moves, so no casters are left out");
