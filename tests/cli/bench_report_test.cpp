@@ -82,7 +82,12 @@ TEST_F(BenchReport, AMovingLightDrawsMapsAnew) {
 }
 
 TEST_F(BenchReport, CastersAreLeftOutOfLightsThatMoveSlowly) {
-    input_ = std::string(EDGESHADE_ASSETS) + "/pavilion.glb";
+    GltfBuilder gltf;
+    const int small = gltf.addShape(box(glm::vec3(0.1f)));
+    gltf.addShapeNode(box(glm::vec3(4.0f, 0.2f, 4.0f)));
+    for (int i = 0; i < 4; ++i)
+        gltf.addNode({{"mesh", small}, {"translation", {0.3 * i, -1, 0.3 * i}}});
+    input_ = folder_.write("roof.glb", gltf.glb());
     const auto whyOf = [&](const std::string& circle) -> std::string {
         return report({"--light-moves", "--light-circle", circle, "--sun", "0.4,1,0.3", "--cull",
                        "off", "--caster-culling", "on"})["lights"][0]["why"];
