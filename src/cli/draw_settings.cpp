@@ -37,6 +37,8 @@ const Choices<VolumeEnds> endNames = {{"auto", VolumeEnds::automatic},
                                       {"cost", VolumeEnds::byCost},
                                       {"planes", VolumeEnds::atPlanes},
                                       {"infinity", VolumeEnds::atInfinity}};
+const Choices<VolumeScissors> scissorNames = {
+    {"auto", VolumeScissors::automatic}, {"on", VolumeScissors::on}, {"off", VolumeScissors::off}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
@@ -185,11 +187,16 @@ void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
               "Where volumes end whose end is not seen: beyond all that is visible or at "
               "infinity, by what filling is estimated to cost, or always one of these (auto: cost "
               "on a GPU, planes where the processor draws)");
+    addChoice(verb, "--volume-scissors", settings.render.scissors, scissorNames,
+              "Whether volumes are counted nowhere but around what is visible of their shadows, as "
+              "the depth buffer tells it (auto: where the processor draws and volumes take long to "
+              "fill)");
     addChoice(
         verb, "--mask-scale", settings.render.maskScale, maskScaleNames,
         "Resolution at which volumes are counted, as a share of the picture's; less is faster "
         "and less exact (1)");
-    for (const char* option : {"--caster-culling", "--volume-ends", "--mask-scale"})
+    for (const char* option :
+         {"--caster-culling", "--volume-ends", "--volume-scissors", "--mask-scale"})
         noted(verb.get_option(option), settings.volumeOptions);
 }
 
@@ -370,6 +377,11 @@ void resolve(DrawSettings& settings) {
             throw Error(ExitStatus::usage, option + " needs --layout adapted.");
     settings.render.silhouette =
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
+    if (settings.render.scissors == VolumeScissors::on &&
+        settings.render.silhouette == SilhouetteChoice::all)
+        throw Error(ExitStatus::usage, "--volume-scissors on needs --silhouette proposed.");
+    if (settings.render.scissors == VolumeScissors::on && settings.render.maskScale != 1)
+        throw Error(ExitStatus::usage, "--volume-scissors on needs --mask-scale 1.");
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
     if (settings.render.shadows == ShadowMethod::none && settings.typedShadowedLights)
@@ -502,6 +514,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"cull-solids", nameIn(onOffNames, render.cullSolids)},
         {"caster-culling", nameIn(onOffNames, render.casterCulling)},
         {"volume-ends", nameIn(endNames, render.ends)},
+        {"volume-scissors", nameIn(scissorNames, render.scissors)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},

@@ -25,6 +25,9 @@ inline constexpr bool weighsLights = !isForPages;
 /// Whether it finds casters that are wholly in the shadow of others beside drawing.
 inline constexpr bool cullsMeanwhile = !isForPages;
 
+/// Whether it counts volumes around what is visible of their shadows alone: pages can't read depth.
+inline constexpr bool readsDepth = !isForPages;
+
 /// Whether it can leave out backs of solids.
 inline constexpr bool mayCullSolids = !isForPages;
 

@@ -116,6 +116,9 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         linear_.emplace(capabilities);
     if constexpr (listsLights)
         if (LightTable::isPossible(capabilities)) table_.emplace(capabilities);
+    if constexpr (readsDepth)
+        if (ScissorPass::isWanted(settings, capabilities))
+            scissors_.emplace(settings, capabilities);
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
 }
@@ -170,6 +173,9 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
         drawDepthAndAmbient(pass);
         if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
+        if constexpr (readsDepth)
+            if (scissors_)
+                scissors_->scissor(plan_.slices[s], scene.materials, view, pass.slice, clock);
         if (pass.plan.withAmbient && pass.plan.lights[*pass.plan.first].isCounted())
             drawShadow(pass);
         for (std::size_t i = 0; i < pass.plan.lights.size(); ++i) {

@@ -4,6 +4,7 @@
 #include "src/gl/scissor.hpp"
 #include "src/render/frame/coarse_mask.hpp"
 #include "src/render/frame/linear_target.hpp"
+#include "src/render/frame/scissor_pass.hpp"
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
 #include "src/render/frame/visible_places.hpp"
@@ -208,6 +209,7 @@ class Renderer {
     std::optional<VisiblePlaces> places_;    ///< where they are warped
     std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
+    std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
     std::optional<LinearTarget> linear_;
     std::optional<LightTable> table_;           ///< where lights may be listed
     LightTableLookup listed_;                   ///< of the slice that is drawn

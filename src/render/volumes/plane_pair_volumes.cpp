@@ -124,7 +124,7 @@ PlanePairVolumes::PlanePairVolumes(const RenderSettings& settings,
       gathered_(settings.layout) {
     planning_.mantissaBits = capabilities.vertexHighpMantissaBits;
     const bool hardware = !capabilities.isSoftware();
-    if (hardware) planning_.weights = FillWeights::ofHardware();
+    planning_.weights = FillWeights::ofDevice(!hardware);
     planning_.ends = settings.ends != VolumeEnds::automatic ? settings.ends
                      : hardware                             ? VolumeEnds::byCost
                                                             : VolumeEnds::atPlanes;

@@ -27,6 +27,14 @@ enum class BruteForceCount {
     zPass, ///< what is before them, and what of casters is before the near plane (ZP+)
 };
 
+/// Whether plane-pair volumes are counted around what is visible of their shadows alone, which the
+/// depth buffer tells.
+enum class VolumeScissors {
+    automatic, ///< where the processor draws, and volumes take long to fill
+    on,
+    off,
+};
+
 /// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
 enum class SilhouetteChoice {
     all,
@@ -40,6 +48,7 @@ struct RenderSettings {
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
     VolumeEnds ends = VolumeEnds::automatic;                  ///< likewise
+    VolumeScissors scissors = VolumeScissors::automatic;      ///< likewise
     SidesLayout layout = SidesLayout::instanced;
     BruteForceCount count = BruteForceCount::zFail; ///< of brute-force volumes
     std::size_t planes = 4;     ///< where shadows are planar: onto how many, 1..mostShadowPlanes

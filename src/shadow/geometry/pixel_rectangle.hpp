@@ -9,6 +9,7 @@ struct PixelRectangle {
     int x = 0, y = 0;
     int width = 0, height = 0;
 
+    bool operator==(const PixelRectangle&) const = default;
     bool empty() const { return width <= 0 || height <= 0; }
 };
 

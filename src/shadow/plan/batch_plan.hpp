@@ -15,6 +15,7 @@ struct BatchPlan {
     glm::vec4 eye{0.0f};   ///< likewise, homogeneous
     std::shared_ptr<const PlanePairShadow> shadow = nullptr;
     VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
+    std::vector<glm::dvec4> ends = {}; ///< where volumes may end: PlanView's
     /// Where draws take their pairs from; null: from all, or nothing is drawn. Holds until the next
     /// frame is planned.
     const SilhouetteList* silhouettes = nullptr;

@@ -42,7 +42,8 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
                                 .light = glm::vec4(places.back().light),
                                 .eye = glm::vec4(places.back().eye),
                                 .shadow = caster.shadow,
-                                .volumes = planClusters(*caster.shadow, places.back(), solids)});
+                                .volumes = planClusters(*caster.shadow, places.back(), solids),
+                                .ends = places.back().ends});
         plan.start.add(plan.batches.back().volumes);
         plan.fullyShadowed =
             plan.fullyShadowed || plan.batches.back().volumes.fullyShadowedBy.has_value();
@@ -74,7 +75,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
             chooseEnds(of, places[i], settings.ends, meter, settings.weights);
         }
         mergeAlike(of.volumes);
-        appendDraws(of, i, places[i], materials, plan.draws);
+        appendDraws(of, i, materials, plan.draws);
     }
     if (!plan.draws.twice.empty()) plan.start.setDoubled();
     return plan;

@@ -29,15 +29,15 @@ RecordRange listedOver(const PairList& list, const RecordRange& clusters) {
 /// The draws of one batch's clusters that are drawn alike.
 class ClusterDraws {
   public:
-    ClusterDraws(const BatchPlan& batch, std::size_t index, std::size_t choice,
-                 const PlanView& view)
+    ClusterDraws(const BatchPlan& batch, std::size_t index, std::size_t choice)
         : shadow_(*batch.shadow), silhouettes_(batch.silhouettes),
           how_(batch.volumes.drawn[choice]) {
         like_.batch = index;
         like_.choice = choice;
         like_.counted = how_.counted;
         like_.zFail = how_.zFail();
-        end_ = endOf(how_, view);
+        like_.scissor = how_.scissor;
+        end_ = endOf(how_, batch.ends);
         // At infinity all points that a directional light pushes there coincide.
         verticesPerSide_ = batch.light.w == 0.0f && how_.end < 0 ? 3 : verticesPerQuad;
         like_.faces = !how_.backCaps   ? CapFaces::front
@@ -209,10 +209,10 @@ class ClusterDraws {
 
 } // namespace
 
-void appendDraws(const BatchPlan& batch, std::size_t index, const PlanView& view,
-                 const std::vector<Material>& materials, DrawList& list) {
+void appendDraws(const BatchPlan& batch, std::size_t index, const std::vector<Material>& materials,
+                 DrawList& list) {
     for (std::size_t i = 0; i < batch.volumes.drawn.size(); ++i) {
-        const ClusterDraws draws(batch, index, i, view);
+        const ClusterDraws draws(batch, index, i);
         draws.appendSides(Times::twice, list.twice);
         draws.appendFans(Times::twice, list.twice);
         draws.appendSides(Times::once, list.once);

@@ -11,7 +11,7 @@ struct DrawList {
 };
 
 /// Turns what was decided for a batch's clusters into draws, in their order, and appends these.
-/// `index`: of the batch in the plan; `view`: what was decided for.
+/// `index`: of the batch in the plan.
 ///
 /// Sides: a single record counts once. So does a pair where one triangle of a silhouette edge
 /// casts. Where both cast it counts twice, but once where the light is in the plane of either.
@@ -19,7 +19,7 @@ struct DrawList {
 /// Caps: where ClusterPlan::fannedCaps allows it and fewer vertices are needed for them, fans of
 /// the potential silhouettes; else those triangles that cast, only those that may face the light
 /// where that is known. Those of ClusterPlan::culledCaps come besides, of single-sided casters.
-void appendDraws(const BatchPlan& batch, std::size_t index, const PlanView& view,
-                 const std::vector<Material>& materials, DrawList& draws);
+void appendDraws(const BatchPlan& batch, std::size_t index, const std::vector<Material>& materials,
+                 DrawList& draws);
 
 } // namespace edgeshade

@@ -1,7 +1,7 @@
 #include "src/shadow/plan/end_choice.hpp"
 
-#include "src/shadow/plan/record_multiplicity.hpp"
 #include "src/shadow/plan/side_fill.hpp"
+#include "src/shadow/plan/side_sample.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -19,66 +19,19 @@ constexpr double impossible = std::numeric_limits<double>::infinity();
 /// What the sides of a cluster take by each choice: at infinity first, then by plane.
 using EndCosts = std::vector<double>;
 
-/// An edge that may be a silhouette, of a pair or of a single.
-struct CandidateEdge {
-    glm::vec3 a, b;
-    int multiplicity;
-};
-
-/// Those of a cluster, one after the other.
-class CandidateEdges {
-  public:
-    CandidateEdges(const BatchPlan& batch, const ClusterPlan& draw)
-        : batch_(batch), counted_(draw.counted),
-          singles_(batch.shadow->clusters[draw.clusters.first].singles),
-          certain_(batch.silhouettes->certain.ofCluster[draw.clusters.first]),
-          uncertain_(batch.silhouettes->uncertain.ofCluster[draw.clusters.first]) {}
-
-    std::uint32_t count() const { return singles_.count + certain_.count + uncertain_.count; }
-
-    CandidateEdge at(std::uint32_t i) const {
-        const PlanePairShadow& shadow = *batch_.shadow;
-        if (i < singles_.count) return edgeOf(shadow.singles[singles_.first + i]);
-        i -= singles_.count;
-        if (i < certain_.count)
-            return edgeOf(shadow.pairs[batch_.silhouettes->certain.pairs[certain_.first + i]]);
-        i -= certain_.count;
-        return edgeOf(shadow.pairs[batch_.silhouettes->uncertain.pairs[uncertain_.first + i]]);
-    }
-
-  private:
-    template <class Record>
-    CandidateEdge edgeOf(const Record& record) const {
-        return {record.a, record.b, multiplicityOf(record, batch_.light, counted_)};
-    }
-
-    const BatchPlan& batch_;
-    Counted counted_;
-    RecordRange singles_, certain_, uncertain_;
-};
-
 EndCosts costsOf(const BatchPlan& batch, const ClusterPlan& draw, const PlanView& view,
                  const FillMeter& meter, const FillWeights& weights) {
     const Box& bounds = batch.shadow->clusters[draw.clusters.first].bounds;
     EndCosts costs(view.ends.size() + 1, 0.0);
     for (std::size_t end = 0; end < view.ends.size(); ++end)
         if (!mayEndAt(bounds, view, end)) costs[end + 1] = impossible;
-    const CandidateEdges edges(batch, draw);
-    const std::uint32_t samples = std::min(mostSamples, edges.count());
-    const double share = samples > 0 ? static_cast<double>(edges.count()) / samples : 0.0;
-    for (std::uint32_t s = 0; s < samples; ++s) {
-        const CandidateEdge edge =
-            edges.at(static_cast<std::uint32_t>(std::uint64_t{s} * edges.count() / samples));
-        if (edge.multiplicity == 0) continue;
+    for (const SampledEdge& edge : sampledEdges(batch, draw, mostSamples))
         for (std::size_t choice = 0; choice < costs.size(); ++choice) {
             if (costs[choice] == impossible) continue;
-            const glm::vec4 end =
-                choice == 0 ? glm::vec4(0, 0, 0, 1) : glm::vec4(view.ends[choice - 1]);
-            costs[choice] +=
-                share * weights.of(sideFill(meter, glm::dvec3(edge.a), glm::dvec3(edge.b),
-                                            glm::dvec4(batch.light), glm::dvec4(end)));
+            const glm::dvec4 end = choice == 0 ? glm::dvec4(0, 0, 0, 1) : view.ends[choice - 1];
+            costs[choice] += edge.weight * weights.of(sideFill(meter, edge.a, edge.b,
+                                                               glm::dvec4(batch.light), end));
         }
-    }
     return costs;
 }
 

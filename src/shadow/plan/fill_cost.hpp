@@ -30,6 +30,10 @@ struct FillWeights {
     /// Of hardware, which keeps no lists of tiles: as measured with an NVIDIA H200
     /// (docs/measured/gpu.md), but for draws, which are guessed.
     static constexpr FillWeights ofHardware() { return {0.0, 0.24, 1200.0, 8.5}; }
+    /// Of what draws: the processor or a GPU.
+    static constexpr FillWeights ofDevice(bool software) {
+        return software ? FillWeights() : ofHardware();
+    }
     double of(const FillCost& cost) const {
         return tilePair * cost.tilePairs + block * cost.blocks + triangle * cost.triangles;
     }

@@ -273,9 +273,9 @@ bool mayEndAt(const Box& bounds, const PlanView& view, std::size_t end) {
     return leastBelowLight(largestOver(bounds, view.ends[end]), view) > leastBelow;
 }
 
-glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view) {
+glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends) {
     return draw.end < 0 ? glm::vec4(0, 0, 0, 1)
-                        : glm::vec4(view.ends[static_cast<std::size_t>(draw.end)]);
+                        : glm::vec4(ends[static_cast<std::size_t>(draw.end)]);
 }
 
 VolumePlan planVolumes(const PlanePairShadow& shadow, const PlanView& view,

@@ -2,6 +2,7 @@
 
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/geometry/view_planes.hpp"
 #include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/silhouette/light_facings.hpp"
@@ -43,12 +44,16 @@ struct ClusterPlan {
     /// surfaces: what the eye doesn't see of casters may be before what it sees (docs/method.md,
     /// C39).
     bool culledCaps = false;
+    /// Pixels around all visible points that may be in these volumes, which are drawn nowhere else
+    /// (docs/method.md, C45); nothing: they are drawn everywhere.
+    std::optional<PixelRectangle> scissor{};
 
     bool drawnLike(const ClusterPlan& other) const {
         return counted == other.counted && caps == other.caps && end == other.end &&
                frontCaps == other.frontCaps && backCaps == other.backCaps &&
                nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps &&
-               culledCaps == other.culledCaps;
+               culledCaps == other.culledCaps && scissor == other.scissor &&
+               (start == 0) == (other.start == 0);
     }
     bool zFail() const { return caps != CapsNeeded::no && caps != CapsNeeded::cutoutsAlone; }
 };
@@ -60,6 +65,7 @@ struct LeftOut {
         tooDeep,     ///< they begin behind everything that is visible
         tooFar,      ///< out of the light's range
         outsideCone, ///< beside the light's cone
+        noReceiver,  ///< no visible point is in their volumes
     };
     RecordRange clusters;
     Why why = Why::outsideView;
@@ -105,8 +111,8 @@ std::optional<LeftOut> leftOutWhole(const PlanePairShadow& shadow, const glm::dm
 /// (docs/method.md, C14).
 bool mayEndAt(const Box& bounds, const PlanView& view, std::size_t end);
 
-/// The plane at which such volumes end, for the shaders.
-glm::vec4 endOf(const ClusterPlan& draw, const PlanView& view);
+/// The plane at which such volumes end, for the shaders. `ends`: PlanView's.
+glm::vec4 endOf(const ClusterPlan& draw, std::span<const glm::dvec4> ends);
 
 /// Decides how each cluster is drawn, if at all. A pure function:
 /// - not at all where it is out of the light's range or cone, or its volume, the cluster's box away

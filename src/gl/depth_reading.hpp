@@ -1,0 +1,18 @@
+#pragma once
+
+#include "src/gl/capabilities.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace edgeshade::gl {
+
+/// Whether depth buffers of one sample a pixel can be read (GL_NV_read_depth).
+bool canReadDepth(const Capabilities& capabilities);
+
+/// Reads the current framebuffer's: `depths` has width x height then, rows from below, 0 to
+/// 2^32 - 1 for depths from 0 to 1. Returns the buffer's bits; 0 where it can't be read, as it has
+/// several samples a pixel or no depth.
+int readDepth(int width, int height, std::vector<std::uint32_t>& depths);
+
+} // namespace edgeshade::gl
