@@ -26,18 +26,27 @@ TEST(Help, EveryVerbNamesItsOptions) {
         expectHelp({"pack", "--help"}, word);
     for (const char* word : {"FILE", "--weld-tolerance", "--report"})
         expectHelp({"info", "--help"}, word);
-    for (const char* word :
-         {"OUT",           "--mask",         "--size",        "--camera",
-          "--camera-from", "--camera-to",    "--fov",         "--camera-matrix",
-          "--ortho",       "--near",         "--light",       "--sun",
-          "--lights",      "--light-range",  "--shadows",     "--map-size",
-          "--map-bias",    "--map-kind",     "--warp",        "--cascades",
-          "--filter",      "--pcf",          "--mask-scale",  "--multiplicity",
-          "--instancing",  "--depth-slices", "--samples",     "--report",
-          "--silhouette",  "--explain",      "--debug",       "--primitive-map-memory",
-          "--ground",      "--cast-cutouts", "--cull",        "--place",
-          "--time-of-day", "--north",        "--volume-ends", "--caster-culling",
-          "--cull-solids"})
+    for (const char* word : {"OUT",           "--mask",
+                             "--size",        "--camera",
+                             "--camera-from", "--camera-to",
+                             "--fov",         "--camera-matrix",
+                             "--ortho",       "--near",
+                             "--light",       "--sun",
+                             "--lights",      "--light-range",
+                             "--shadows",     "--map-size",
+                             "--map-bias",    "--map-kind",
+                             "--warp",        "--cascades",
+                             "--filter",      "--pcf",
+                             "--mask-scale",  "--multiplicity",
+                             "--instancing",  "--depth-slices",
+                             "--samples",     "--report",
+                             "--silhouette",  "--explain",
+                             "--debug",       "--primitive-map-memory",
+                             "--ground",      "--cast-cutouts",
+                             "--cull",        "--place",
+                             "--time-of-day", "--north",
+                             "--volume-ends", "--caster-culling",
+                             "--cull-solids", "--volume-scissors"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

@@ -87,12 +87,16 @@ void expectAlike(const Pixels& a, const Pixels& b) {
 std::vector<std::pair<const char*, RenderSettings>> ways() {
     RenderSettings byCost;
     byCost.ends = VolumeEnds::byCost;
+    RenderSettings scissored;
+    scissored.scissors = VolumeScissors::on;
     RenderSettings culled;
     culled.casterCulling = true;
     RenderSettings withoutBacks;
     withoutBacks.cullSolids = true;
-    return {
-        {"ends by cost", byCost}, {"casters culled", culled}, {"backs of solids", withoutBacks}};
+    return {{"ends by cost", byCost},
+            {"volume scissors", scissored},
+            {"casters culled", culled},
+            {"backs of solids", withoutBacks}};
 }
 
 /// A light beside one, two thirds of the way to the rim of where that one may wander.
@@ -110,7 +114,9 @@ void expectSame(const LoadedScene& loaded, const std::vector<View>& views) {
     RenderSettings culling;
     culling.casterCulling = true;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const auto mask = masks.of(views[i], RenderSettings());
+        RenderSettings plain;
+        plain.scissors = VolumeScissors::off;
+        const auto mask = masks.of(views[i], plain);
         for (const auto& [name, settings] : ways()) {
             SCOPED_TRACE("view " + std::to_string(i) + ", " + name);
             expectAlike(mask, masks.of(views[i], settings));
