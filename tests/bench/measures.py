@@ -12,12 +12,15 @@ from edgeshade_runs import replace_between, report, results_of
 from lit_models import lit_models
 
 SIZE, VIEWS = "480x270", 16
-MEASURES = ("volume-ends=cost", "volume-ends=infinity", "caster-culling=on", "cull-solids=on")
+MEASURES = ("volume-scissors=on", "volume-ends=cost", "volume-ends=infinity", "caster-culling=on",
+            "cull-solids=on")
+# Where the processor draws, scissors are on by themselves.
+OFF = ("--volume-scissors", "off")
 WITHOUT = "none"
 
 
 def case(path, light):
-    told = report("compare", path, *light, "--size", SIZE, "--views", VIEWS,
+    told = report("compare", path, *light, *OFF, "--size", SIZE, "--views", VIEWS,
                   *(word for measure in MEASURES for word in ("--against", measure)))["results"]
     rows = {}
     for name, of in zip((WITHOUT, *MEASURES), told):
