@@ -13,7 +13,7 @@ namespace {
 constexpr double ofPixel = 4.0, ofCluster = 15000.0;
 
 /// How many times as long filling must take.
-constexpr double leastRatio = 6.0;
+constexpr double leastRatio = 8.0;
 
 std::size_t drawnClusters(const LightPlan& light) {
     std::size_t count = 0;
