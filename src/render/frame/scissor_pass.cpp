@@ -4,7 +4,7 @@
 #include "src/gl/depth_reading.hpp"
 #include "src/shadow/scissors/scissored_plan.hpp"
 
-#include <algorithm>
+#include <optional>
 
 namespace edgeshade {
 namespace {
@@ -57,11 +57,12 @@ bool ScissorPass::pays(const LightPlan& light, const FrameView& view,
 
 void ScissorPass::scissor(SlicePlan& plan, const std::vector<Material>& materials,
                           const FrameView& view, const DepthSlice& slice, StageClock* clock) {
-    const StageScope stage(clock, FrameStage::volumes);
+    std::optional<StageScope> stage;
     bool known = false;
     for (std::size_t i = 0; i < plan.lights.size(); ++i) {
         LightPlan& light = plan.lights[i];
         if (!pays(light, view, slice)) continue;
+        if (!stage) stage.emplace(clock, FrameStage::volumes);
         if (!known) {
             depths_.width = view.width;
             depths_.height = view.height;
