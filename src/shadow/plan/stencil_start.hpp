@@ -19,6 +19,7 @@ class StencilStart {
     void setDoubled() { doubled_ = true; }
 
     int count() const { return count_; }
+    bool isDoubled() const { return doubled_; }
 
     /// What the stencil is cleared to, 0..255: half the count where counts are doubled.
     int cleared() const { return (count_ & 0xFF) >> (doubled_ ? 1 : 0); }
