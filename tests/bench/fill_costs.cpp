@@ -6,6 +6,7 @@
 #include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/plan/volume_fill.hpp"
 #include "tests/bench/told_scenes.hpp"
+#include "tests/support/placed_shadows.hpp"
 
 #include <ctime>
 
@@ -65,9 +66,7 @@ Json flown(const LoadedScene& loaded, const std::vector<PlacedShadow>& casters, 
 Json measured(const std::string& path) {
     LoadedScene loaded = loadScene(path, std::nullopt);
     loaded.scene.culls = false;
-    std::vector<PlacedShadow> casters;
-    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
-        casters.push_back({i, loaded.planePairs[i], loaded.scene.batches[i].worldFromBatch});
+    const auto casters = test::placedShadows(loaded.scene, loaded.planePairs);
     const Box bounds = worldBounds(loaded.scene);
     const glm::dvec3 at = besideAndAbove(bounds);
     const std::pair<const char*, Light> lights[] = {{"sun", {{0.4, 1, 0.3, 0}}},

@@ -8,6 +8,8 @@
 #include "src/shadow/geometry/light_region.hpp"
 #include "src/shadow/geometry/vectors.hpp"
 #include "tests/lab/extreme.hpp"
+#include "tests/lab/extreme_scenes.hpp"
+#include "tests/support/scene_builder.hpp"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -167,6 +169,28 @@ std::vector<std::filesystem::path> models() {
             for (const auto& entry : std::filesystem::directory_iterator(folder))
                 if (entry.path().extension() == ".glb") paths.push_back(entry.path());
     return paths;
+}
+
+/// Under a slab, which the near rectangle is in the shadow of; below the floor, which is a cluster
+/// of its own, a sheet that is folded along its silhouette: all that counts by two, and nobody sees
+/// its shadow.
+Scene foldedBelowFloor() {
+    SceneBuilder builder;
+    for (int x = -9; x < 9; ++x)
+        for (int z = -9; z < 9; ++z) {
+            const glm::vec3 a(2 * x, 0, 2 * z);
+            builder.quad(a, a + glm::vec3(0, 0, 2), a + glm::vec3(2, 0, 2), a + glm::vec3(2, 0, 0));
+        }
+    builder.box({-4, 4, -4}, {4, 5, 4});
+    const glm::vec3 a(-0.5, -1, 3), b(0.5, -1, 3), down(0, -0.5, 0.5);
+    builder.quad(b, a, a + down, b + down);
+    builder.quad(a, b, b + 1.5f * down - glm::vec3(0, 0.1, 0), a + 1.5f * down);
+    return builder.scene();
+}
+
+TEST(SameMasks, WhereAllThatCountsByTwoIsLeftOut) {
+    const LoadedScene scene = loaded(foldedBelowFloor());
+    expectSame(scene, {{frustumOf({{0, 2, 0}, {0.2, 0, 3}, 50.0}, aspect), {{0, 40, 0, 1}}}});
 }
 
 TEST(SameMasks, OfModels) {

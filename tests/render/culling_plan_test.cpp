@@ -2,6 +2,7 @@
 
 #include "src/shadow/plan/count_plan.hpp"
 #include "tests/support/headless.hpp"
+#include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -23,9 +24,9 @@ CountPlan planOf(const SceneBuilder& builder, const glm::dvec3& light, bool cull
     request.lights = {pointLight(light)};
     request.depth = {0.1, 1};
     const FrameView view = makeFrameView(scene, false, request);
-    const std::vector<PlacedShadow> placed = {{0, buildPlanePairs(scene, false).front()}};
     KeptSolids solids;
-    return planCount(placed, scene.materials, view, view.slices.front(), 0, {23, nullptr, &solids});
+    return planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
+                     {23, nullptr, &solids});
 }
 
 const ClusterPlan& onlyCluster(const CountPlan& plan) {

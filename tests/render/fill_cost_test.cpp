@@ -1,6 +1,7 @@
 // What filling is estimated to take, without a GL.
 #include "src/shadow/plan/volume_fill.hpp"
 #include "tests/support/hard_lights.hpp"
+#include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -99,15 +100,12 @@ struct Planned {
     Planned(const Scene& scene, const Camera& camera, const Light& light, VolumeEnds ends)
         : view(makeFrameView(scene, false,
                              {frustumOf(camera, 1.0), side, side, {light}, {0.1, 1}})) {
-        std::vector<PlacedShadow> casters;
-        const auto shadows = buildPlanePairs(scene, false);
-        for (std::size_t i = 0; i < shadows.size(); ++i)
-            casters.push_back({i, shadows[i], scene.batches[i].worldFromBatch});
         PlanSettings settings;
         settings.silhouettes = &silhouettes;
         settings.ends = ends;
         silhouettes.beginFrame(nullptr);
-        plan = planCount(casters, scene.materials, view, view.slices.front(), 0, settings);
+        plan = planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
+                         settings);
         fill = fillOf(plan, view, view.slices.front(), whole);
     }
     double cost() const { return FillWeights().of(fill); }

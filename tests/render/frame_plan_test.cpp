@@ -1,6 +1,7 @@
 // What the one list of draws holds for scenes that are plain enough to tell.
 #include "src/shadow/plan/frame_plan.hpp"
 
+#include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <algorithm>
@@ -42,10 +43,7 @@ std::unique_ptr<Planned> planned(const Scene& scene, const Camera& camera,
     result->view =
         makeFrameView(scene, castMasked, {frustumOf(camera, 1.0), 64, 64, lights, depth});
     if (change) change(result->view);
-    const auto shadows = buildPlanePairs(scene, castMasked);
-    std::vector<PlacedShadow> casters;
-    for (std::size_t i = 0; i < shadows.size(); ++i)
-        casters.push_back({i, shadows[i], scene.batches[i].worldFromBatch});
+    const std::vector<PlacedShadow> casters = test::placedShadows(scene, castMasked);
     PlanSettings settings;
     if (choice == Choice::potential) settings.silhouettes = &result->silhouettes;
     result->silhouettes.beginFrame(nullptr);

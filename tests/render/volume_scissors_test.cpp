@@ -1,8 +1,9 @@
 // Rectangles around what is visible of shadows (docs/method.md, C45), without a GL: depth buffers
 // are made up.
-#include "src/shadow/scissors/cluster_scissor.hpp"
+#include "src/shadow/scissors/cluster_scissors.hpp"
 #include "src/shadow/scissors/scissored_plan.hpp"
 #include "tests/support/hard_lights.hpp"
+#include "tests/support/placed_shadows.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>
@@ -27,14 +28,11 @@ struct Planned {
         : scene(of),
           view(makeFrameView(scene, false, {frustum, width, height, {light}, {0.1, 1}})) {
         view.divide(1);
-        std::vector<PlacedShadow> casters;
-        const auto shadows = buildPlanePairs(scene, false);
-        for (std::size_t i = 0; i < shadows.size(); ++i)
-            casters.push_back({i, shadows[i], scene.batches[i].worldFromBatch});
         PlanSettings settings;
         settings.silhouettes = &silhouettes;
         silhouettes.beginFrame(nullptr);
-        plan = planCount(casters, scene.materials, view, view.slices.front(), 0, settings);
+        plan = planCount(test::placedShadows(scene), scene.materials, view, view.slices.front(), 0,
+                         settings);
     }
     const Light& light() const { return view.lights.front().light; }
     const DepthSlice& slice() const { return view.slices.front(); }
@@ -146,9 +144,10 @@ TEST(VolumeScissors, HoldEveryPointThatIsInAVolume) {
                               someLight(random, far, orthographic));
         const MadeUp made = randomDepths(planned, random);
         const VisiblePoints visible = planned.visible(made.depths);
-        for (const BatchPlan& batch : planned.plan.batches)
+        for (const BatchPlan& batch : planned.plan.batches) {
+            const ClusterScissors scissors(batch, visible);
             for (const ShadowCluster& cluster : batch.shadow->clusters) {
-                const PixelRectangle scissor = scissorOf(batch, cluster, visible);
+                const PixelRectangle scissor = scissors.of(cluster);
                 ++clusters;
                 around += static_cast<std::size_t>(scissor.width) *
                           static_cast<std::size_t>(scissor.height);
@@ -161,6 +160,7 @@ TEST(VolumeScissors, HoldEveryPointThatIsInAVolume) {
                             << scissor.y << ", " << scissor.width << " x " << scissor.height;
                     }
             }
+        }
     }
     EXPECT_GT(shadowed, 4000u);
     EXPECT_LT(around, clusters * width * height * 9 / 10); // or it would say nothing

@@ -217,14 +217,22 @@ void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanePairShadow& sha
     }
 }
 
-void appendLeftOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
-    if (!all.empty() && all.back().clusters.end() == cluster && all.back().why == why)
-        ++all.back().clusters.count;
-    else
-        all.push_back({{cluster, 1}, why});
-}
-
 } // namespace
+
+void leaveOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
+    const auto next =
+        std::upper_bound(all.begin(), all.end(), cluster, [](std::uint32_t c, const LeftOut& left) {
+            return c < left.clusters.first;
+        });
+    if (next != all.begin()) {
+        LeftOut& before = *std::prev(next);
+        if (before.why == why && before.clusters.end() == cluster) {
+            ++before.clusters.count;
+            return;
+        }
+    }
+    all.insert(next, {{cluster, 1}, why});
+}
 
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits) {
@@ -306,7 +314,7 @@ VolumePlan planClusters(const PlanePairShadow& shadow, const PlanView& view,
     for (std::uint32_t i = 0; i < shadow.clusters.size(); ++i) {
         const ShadowCluster& cluster = shadow.clusters[i];
         if (const auto why = leftOutFor(cluster.bounds, view)) {
-            appendLeftOut(plan.leftOut, i, *why);
+            leaveOut(plan.leftOut, i, *why);
             continue;
         }
         const Touched touched = capsTouching(view.fromNear, cluster, shadow);

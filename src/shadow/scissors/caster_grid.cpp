@@ -46,8 +46,8 @@ CasterGrid::Cells CasterGrid::cellsOf(const glm::vec2& low, const glm::vec2& hig
     return cells;
 }
 
-bool CasterGrid::mayBeBehind(const VisiblePoints::Block& block) const {
-    if (!block.extent().mayBeBehind(whole_)) return false;
+bool CasterGrid::mayBeBehind(const FaceExtent& block) const {
+    if (!block.mayBeBehind(whole_)) return false;
     const Cells cells = cellsOf(block.low, block.high);
     if (cells.count() > mostCells) return true;
     for (int y = cells.first.y; y <= cells.last.y; ++y)

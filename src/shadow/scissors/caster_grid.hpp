@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/scissors/visible_points.hpp"
+#include "src/shadow/scissors/light_space.hpp"
 
 #include <vector>
 
@@ -14,7 +14,7 @@ class CasterGrid {
     explicit CasterGrid(const std::vector<FaceExtent>& casters);
 
     /// Whether some of the block's points may be behind a caster; false is certain.
-    bool mayBeBehind(const VisiblePoints::Block& block) const;
+    bool mayBeBehind(const FaceExtent& block) const;
 
   private:
     struct Cells {

@@ -2,9 +2,8 @@
 
 #include "src/shadow/plan/side_fill.hpp"
 #include "src/shadow/plan/side_sample.hpp"
-#include "src/shadow/scissors/cluster_scissor.hpp"
+#include "src/shadow/scissors/cluster_scissors.hpp"
 
-#include <algorithm>
 #include <span>
 
 namespace edgeshade {
@@ -44,20 +43,6 @@ ClusterPlan oneOf(const ClusterPlan& alike, std::uint32_t cluster) {
     ClusterPlan one = alike;
     one.clusters = {cluster, 1};
     return one;
-}
-
-/// Adds a cluster to those left out, which are in order.
-void leaveOut(std::vector<LeftOut>& all, std::uint32_t cluster) {
-    const auto next = std::find_if(
-        all.begin(), all.end(), [&](const LeftOut& left) { return left.clusters.first > cluster; });
-    if (next != all.begin()) {
-        LeftOut& before = *(next - 1);
-        if (before.why == LeftOut::Why::noReceiver && before.clusters.end() == cluster) {
-            ++before.clusters.count;
-            return;
-        }
-    }
-    all.insert(next, {{cluster, 1}, LeftOut::Why::noReceiver});
 }
 
 /// Puts neighbouring clusters that are drawn alike into groups with a rectangle each.
@@ -122,6 +107,7 @@ class Groups {
 };
 
 void scissorBatch(BatchPlan& batch, const VisiblePoints& visible, const FillTask& task) {
+    const ClusterScissors scissors(batch, visible);
     Groups groups(batch, task);
     for (const ClusterPlan& alike : batch.volumes.drawn) {
         if (alike.start != 0) {
@@ -130,9 +116,9 @@ void scissorBatch(BatchPlan& batch, const VisiblePoints& visible, const FillTask
         }
         for (std::uint32_t c = alike.clusters.first; c < alike.clusters.end(); ++c) {
             ClusterPlan one = oneOf(alike, c);
-            one.scissor = scissorOf(batch, batch.shadow->clusters[c], visible);
+            one.scissor = scissors.of(batch.shadow->clusters[c]);
             if (one.scissor->empty())
-                leaveOut(batch.volumes.leftOut, c);
+                leaveOut(batch.volumes.leftOut, c, LeftOut::Why::noReceiver);
             else
                 groups.add(one);
         }

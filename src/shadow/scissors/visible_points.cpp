@@ -18,12 +18,6 @@ constexpr std::int32_t allLeft = 1 << 24;
 
 } // namespace
 
-void VisiblePoints::Block::add(const Block& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-    farthest = std::max(farthest, other.farthest);
-}
-
 VisiblePoints::VisiblePoints(const DepthPicture& depths, const FrameView& view,
                              const DepthSlice& slice, const Light& light,
                              const PixelRectangle& reach)
@@ -86,7 +80,7 @@ void VisiblePoints::addBlock(int x, int y, const LightBox& box) {
         if (levels.empty())
             levels.emplace_back((depths_.width + blockSize - 1) / blockSize,
                                 (depths_.height + blockSize - 1) / blockSize);
-        levels.front().at(x, y) = {extent.low, extent.high, extent.farthest};
+        levels.front().at(x, y) = extent;
     }
 }
 

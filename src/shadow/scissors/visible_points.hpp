@@ -17,26 +17,16 @@ class VisiblePoints {
   public:
     static constexpr int blockSize = 4; ///< pixels of the smallest blocks along a side
 
-    /// What one block has of a face.
-    struct Block {
-        glm::vec2 low{std::numeric_limits<float>::infinity()};
-        glm::vec2 high{-std::numeric_limits<float>::infinity()};
-        float farthest = -std::numeric_limits<float>::infinity();
-
-        bool empty() const { return low.x > high.x; }
-        FaceExtent extent() const { return {low, high, farthest, farthest}; }
-        void add(const Block& other);
-    };
-    /// Blocks of one size, by row from below.
+    /// What blocks of one size have of a face, by row from below.
     struct Level {
         int width = 0, height = 0;
-        std::vector<Block> blocks;
+        std::vector<FaceExtent> blocks;
 
         Level(int columns, int rows)
             : width(columns), height(rows),
               blocks(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
-        Block& at(int x, int y) { return blocks[indexOf(x, y)]; }
-        const Block& at(int x, int y) const { return blocks[indexOf(x, y)]; }
+        FaceExtent& at(int x, int y) { return blocks[indexOf(x, y)]; }
+        const FaceExtent& at(int x, int y) const { return blocks[indexOf(x, y)]; }
 
       private:
         std::size_t indexOf(int x, int y) const {
