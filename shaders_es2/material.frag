@@ -8,9 +8,13 @@
 // CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
 // takes. FALLOFF, of LIT: candela, by the square of the distance. SOFT_TERMINATOR, of LIT: see
 // terminator.glsl. LIGHT_LIST: in place of LIT, of all lights of a tile's list, see light_table.glsl.
-// SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
+// SLICED: nothing deeper than u_farthest. AMBIENT_TARGET, of AMBIENT and LIT: what is seen by ambient
+// light alone, too. Of LIT those of light.glsl.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
+#endif
+#ifdef AMBIENT_TARGET
+#extension GL_EXT_draw_buffers : require
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
@@ -300,6 +304,16 @@ void addAmbient(Surface surface, float occlusion, inout Seen seen) {
 }
 #endif
 
+// The display's colours of it, or its light.
+vec3 colorOf(Seen seen) {
+    vec3 color = (seen.scattered + seen.reflected) * u_exposure;
+#ifdef LINEAR
+    return color;
+#else
+    return displayed(color);
+#endif
+}
+
 void main() {
     float lit = 1.0;
 #ifdef COARSE_MASK
@@ -333,6 +347,9 @@ void main() {
 #endif
     seen.reflected += emission;
 #endif
+#endif
+#ifdef AMBIENT_TARGET
+    gl_FragData[1] = vec4(colorOf(seen), 1.0);
 #endif
 #ifdef LIT
     vec3 light = towardsLight();
@@ -373,12 +390,13 @@ void main() {
 #else
     float alpha = 1.0;
 #endif
-    vec3 color = (seen.scattered + seen.reflected) * u_exposure;
-#ifndef LINEAR
-    color = displayed(color);
-#endif
+    vec3 color = colorOf(seen);
 #ifdef BLENDED
     color *= base.a;
 #endif
+#ifdef AMBIENT_TARGET
+    gl_FragData[0] = vec4(color, alpha);
+#else
     gl_FragColor = vec4(color, alpha);
+#endif
 }

@@ -39,6 +39,9 @@ const Choices<VolumeEnds> endNames = {{"auto", VolumeEnds::automatic},
                                       {"infinity", VolumeEnds::atInfinity}};
 const Choices<VolumeScissors> scissorNames = {
     {"auto", VolumeScissors::automatic}, {"on", VolumeScissors::on}, {"off", VolumeScissors::off}};
+const Choices<AmbientTargetChoice> ambientTargetNames = {{"auto", AmbientTargetChoice::automatic},
+                                                         {"on", AmbientTargetChoice::on},
+                                                         {"off", AmbientTargetChoice::off}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
@@ -155,7 +158,12 @@ void addShadingOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--terminator", settings.render.softTerminator, terminatorNames,
               "Where light grazes smooth surfaces: dimmed until their facets turn away, or as "
               "bright as normals say up to there (exact)");
-    noted(verb.get_option("--terminator"), settings.fullOptions);
+    addChoice(verb, "--ambient-target", settings.render.ambientTarget, ambientTargetNames,
+              "Whether colours by ambient light alone are drawn beside those in light, so that "
+              "surfaces in the counted shadows of one light aren't drawn again (auto: where the "
+              "processor draws)");
+    for (const char* option : {"--terminator", "--ambient-target"})
+        noted(verb.get_option(option), settings.fullOptions);
     noted(verb.add_option(
               "--exposure", settings.render.exposure,
               "Light is taken 2^EV times before the display's colours are made of it (0)"),
@@ -226,6 +234,17 @@ void resolveRivals(DrawSettings& settings) {
             "are drawn whole.");
     if (settings.render.shadows != ShadowMethod::planar && !settings.planarOptions.empty())
         throw Error(ExitStatus::usage, settings.planarOptions.front() + " needs --shadows planar.");
+}
+
+/// It serves where shadows are counted in the picture's own stencil.
+void resolveAmbientTarget(const DrawSettings& settings) {
+    const ShadowMethod shadows = settings.render.shadows;
+    if (shadows == ShadowMethod::map || shadows == ShadowMethod::none)
+        throw Error(ExitStatus::usage, "--ambient-target on does not go with --shadows " +
+                                           nameIn(shadowNames, shadows) +
+                                           ", which counts no shadows.");
+    if (settings.render.maskScale != 1)
+        throw Error(ExitStatus::usage, "--ambient-target on needs --mask-scale 1.");
 }
 
 /// The method that goes with a layout where nobody says.
@@ -382,6 +401,7 @@ void resolve(DrawSettings& settings) {
         throw Error(ExitStatus::usage, "--volume-scissors on needs --silhouette proposed.");
     if (settings.render.scissors == VolumeScissors::on && settings.render.maskScale != 1)
         throw Error(ExitStatus::usage, "--volume-scissors on needs --mask-scale 1.");
+    if (settings.render.ambientTarget == AmbientTargetChoice::on) resolveAmbientTarget(settings);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
     if (settings.render.shadows == ShadowMethod::none && settings.typedShadowedLights)
@@ -526,6 +546,7 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     if (render.shading == Shading::full) {
         json["exposure"] = render.exposure;
         json["terminator"] = nameIn(terminatorNames, render.softTerminator);
+        json["ambient-target"] = nameIn(ambientTargetNames, render.ambientTarget);
         json["environment"] = settings.environment.empty() ? "neutral" : settings.environment;
     }
     if (volumeLayoutOf(render.multiplicity) == VolumeLayout::triangles)

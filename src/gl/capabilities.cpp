@@ -51,6 +51,8 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.fragmentHighpMantissaBits = highpMantissaBits(GL_FRAGMENT_SHADER);
     capabilities.instancing =
         Instancing::find(capabilities.version, capabilities.extensions, lookUp);
+    capabilities.drawBuffers = DrawBuffers::find(capabilities.extensions, lookUp);
+    capabilities.framebufferFlip = FramebufferFlip::find(capabilities.extensions, lookUp);
     capabilities.multisampling =
         Multisampling::find(capabilities.version, capabilities.extensions, lookUp);
     capabilities.timerQueries = TimerQueries::find(capabilities.extensions, lookUp);
@@ -75,6 +77,8 @@ Capabilities limited(Capabilities capabilities, Limits limits) {
     lower(capabilities.vertexHighpMantissaBits, leastMantissaBits);
     lower(capabilities.fragmentHighpMantissaBits, leastMantissaBits);
     capabilities.instancing.reset();
+    capabilities.drawBuffers.reset();
+    capabilities.framebufferFlip.reset();
     capabilities.multisampling.reset();
     capabilities.timerQueries.reset();
     return capabilities;

@@ -46,7 +46,8 @@ TEST(Help, EveryVerbNamesItsOptions) {
                              "--cull",        "--place",
                              "--time-of-day", "--north",
                              "--volume-ends", "--caster-culling",
-                             "--cull-solids", "--volume-scissors"})
+                             "--cull-solids", "--volume-scissors",
+                             "--terminator",  "--ambient-target"})
         expectHelp({"render", "--help"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);

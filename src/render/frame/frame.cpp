@@ -83,6 +83,17 @@ bool isFullyShadowed(const LightPlan& light) {
                        [](const CountPlan& count) { return count.fullyShadowed; });
 }
 
+/// Whether to draw the surfaces takes longer than to write all pixels some times more.
+bool takesLong(const GpuScene& scene, const FrameView& view) {
+    constexpr double pixelsOfVertex = 10.0;
+    double vertices = 0.0;
+    for (const GpuBatch& batch : scene.batches)
+        for (const SurfaceChunk& chunk : *batch.surfaces)
+            if (!batch.hidden && scene.materials[chunk.material].alphaMode != AlphaMode::blend)
+                vertices += chunk.indexCount;
+    return pixelsOfVertex * vertices >= static_cast<double>(view.width) * view.height;
+}
+
 /// Calls use(plan, casters) for everything that a frame counts.
 template <class Use>
 void forEachCount(const FramePlan& frame, const FrameView& view, Use use) {
@@ -114,6 +125,9 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     if (maps_ && settings.map.kind == MapKind::warped) places_.emplace(capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
+    if constexpr (keepsAmbient)
+        if (settings.shading == Shading::full && AmbientTarget::isWanted(settings, capabilities))
+            ambient_.emplace(capabilities);
     if constexpr (listsLights)
         if (LightTable::isPossible(capabilities)) table_.emplace(capabilities);
     if constexpr (readsDepth)
@@ -139,6 +153,11 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     prepareSum(scene, view);
     drawSlices(scene, view, clock);
     if (sum_.linear) linear_->show(static_cast<gl::Name>(framebuffer));
+    if constexpr (keepsAmbient)
+        if (sum_.keepsAmbient) {
+            const StageScope stage(clock, FrameStage::lit);
+            ambient_->show(static_cast<gl::Name>(framebuffer));
+        }
 }
 
 Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) const {
@@ -162,8 +181,26 @@ void Renderer::prepareSum(const GpuScene& scene, const FrameView& view) {
     sum_.linear = !sum_.replaces && linear_ && linear_->bind(view.width, view.height);
 }
 
+bool Renderer::willKeepAmbient(const GpuScene& scene, const FrameView& view) {
+    if constexpr (keepsAmbient)
+        return ambient_ && !sum_.darkens() &&
+               (settings_.ambientTarget == AmbientTargetChoice::on || takesLong(scene, view)) &&
+               std::any_of(plan_.slices.begin(), plan_.slices.end(),
+                           [](const SlicePlan& plan) {
+                               return plan.withAmbient && plan.lights[*plan.first].isCounted();
+                           }) &&
+               ambient_->fit(view.width, view.height);
+    return false;
+}
+
+std::size_t Renderer::ambientBytes() const {
+    if constexpr (keepsAmbient) return ambient_ ? ambient_->bytes() : 0;
+    return 0;
+}
+
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
     plan_ = planned(scene, view, clock);
+    sum_.keepsAmbient = willKeepAmbient(scene, view);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
@@ -312,6 +349,8 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     std::optional<ShadowMapLookup> map;
     if (light) map = mapOf(pass, *light);
     const StageScope stage(pass.clock, FrameStage::ambient);
+    if constexpr (keepsAmbient)
+        if (sum_.keepsAmbient) ambient_->bindSurfaces();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
@@ -329,6 +368,7 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
     SurfaceShading shading = shadingOf(pass, light);
+    shading.withAmbientTarget = sum_.keepsAmbient;
     if (light) {
         shading.withAmbient = true;
         shading.map = map ? &*map : nullptr;
@@ -337,6 +377,8 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, counted && sum_.darkens());
     }
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
+    if constexpr (keepsAmbient)
+        if (sum_.keepsAmbient) ambient_->bindPicture();
 }
 
 void Renderer::drawShadow(const SlicePass& pass) {
@@ -346,6 +388,8 @@ void Renderer::drawShadow(const SlicePass& pass) {
     if (sum_.darkens()) {
         mark_.darkenCounted();
         mark_.clear();
+    } else if (sum_.keepsAmbient) {
+        takeAmbientInShadow(pass);
     } else {
         drawAmbientInShadow(pass);
     }
@@ -362,6 +406,24 @@ void Renderer::drawAmbientInShadow(const SlicePass& pass) {
     glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
     drawSurfaces(pass.scene, pass.view, pass.slice, shadingOf(pass, {}));
+}
+
+void Renderer::takeAmbientInShadow(const SlicePass& pass) {
+    if constexpr (keepsAmbient) {
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthMask(GL_FALSE);
+        glDisable(GL_BLEND);
+        glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+        // Beside the surfaces of the farthest slice both colours are the background's; beside those
+        // of others they are a farther slice's.
+        if (pass.first) glDisable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GREATER);
+        glDepthRangef(1.0f, 1.0f);
+        ambient_->takeAmbient();
+        glDepthRangef(0.0f, 1.0f);
+        glEnable(GL_DEPTH_TEST);
+    }
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.

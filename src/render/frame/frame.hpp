@@ -2,6 +2,7 @@
 
 #include "src/gl/capabilities.hpp"
 #include "src/gl/scissor.hpp"
+#include "src/render/frame/ambient_target.hpp"
 #include "src/render/frame/coarse_mask.hpp"
 #include "src/render/frame/linear_target.hpp"
 #include "src/render/frame/scissor_pass.hpp"
@@ -36,8 +37,9 @@ namespace edgeshade {
 /// With full shading what one light and ambient light leave on the display is no sum: the light's
 /// share is drawn over the ambient one, or, where it was drawn with it, the ambient one over it
 /// where there is shadow; only plain surfaces (Material::isPlain()) still take their ambient share
-/// from alpha. Several lights are added up in a LinearTarget; where the GL has none the display's
-/// colours are.
+/// from alpha. Where the processor draws, ambient light's colours are drawn beside those in light
+/// (AmbientTarget) and taken where there is shadow. Several lights are added up in a LinearTarget;
+/// where the GL has none the display's colours are.
 ///
 /// Depth slices are drawn from far to near, each with a depth range of its own: caps are cut at a
 /// slice's near plane, and what is nearer lies in front of everything visible there; nearer slices
@@ -103,12 +105,15 @@ class Renderer {
     /// That of the one that lights are added up in.
     std::size_t lightBytes() const { return linear_ ? linear_->bytes() : 0; }
 
+    /// That of the ones that ambient light's colours are kept in.
+    std::size_t ambientBytes() const;
+
     /// That of the table of lights without a shadow.
     std::size_t tableBytes() const { return table_ ? table_->bytes() : 0; }
 
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() + lightBytes() + tableBytes() +
+        return mapBytes() + maskBytes() + lightBytes() + ambientBytes() + tableBytes() +
                (volumes_ ? volumes_->bytes() : 0);
     }
 
@@ -133,6 +138,7 @@ class Renderer {
         bool replaces = false;     ///< the one light is drawn over ambient light
         bool linear = false;       ///< light itself is added up
         bool plainIsShort = false; ///< see FullShading
+        bool keepsAmbient = false; ///< what ambient light leaves is drawn beside it
         double lights = 0.0;       ///< of the view, by their weights
 
         /// Whether shadow leaves colours the share that alpha says.
@@ -166,8 +172,12 @@ class Renderer {
     void addLight(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
     void drawShadow(const SlicePass& pass);
-    /// What ambient light leaves, where the stencil isn't 0.
+    /// What ambient light leaves, where the stencil isn't 0: the surfaces drawn once more.
     void drawAmbientInShadow(const SlicePass& pass);
+    /// The same, as it was drawn with the light.
+    void takeAmbientInShadow(const SlicePass& pass);
+    /// Whether it is drawn with the light in this frame; the target is ready then.
+    bool willKeepAmbient(const GpuScene& scene, const FrameView& view);
     void setLightBlending(bool marked) const;
     /// By the light, or by nothing.
     SurfaceShading shadingOf(const SlicePass& pass, std::optional<std::size_t> light) const;
@@ -211,6 +221,7 @@ class Renderer {
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
     std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
     std::optional<LinearTarget> linear_;
+    std::optional<AmbientTarget> ambient_;      ///< where ambient light's colours may be kept
     std::optional<LightTable> table_;           ///< where lights may be listed
     LightTableLookup listed_;                   ///< of the slice that is drawn
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it

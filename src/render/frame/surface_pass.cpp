@@ -370,6 +370,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.lit = shading.light.has_value();
     variant.lightList = shading.listed ? shading.listed->longest : 0;
     variant.withAmbient = variant.lit && shading.withAmbient;
+    variant.ambientTarget = shading.withAmbientTarget;
     variant.directional = variant.lit && shading.light->position.w == 0.0;
     variant.ranged = variant.lit && shading.light->hasRange();
     variant.spot = variant.lit && shading.light->isSpot();
@@ -404,6 +405,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.lightList > 0) defines.push_back("LIGHT_LIST " + std::to_string(variant.lightList));
     if (derivatives_) defines.push_back("DERIVATIVES");
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
+    if (variant.ambientTarget) defines.push_back("AMBIENT_TARGET");
     if (variant.directional) defines.push_back("DIRECTIONAL");
     if (variant.ranged) defines.push_back("RANGED");
     if (variant.spot) defines.push_back("SPOT");

@@ -41,6 +41,7 @@ struct SurfaceShading {
     std::optional<FullShading> full; ///< nothing: Shading::base
     std::optional<Light> light;      ///< nothing: ambient light
     bool withAmbient = false;        ///< light and ambient light, whose share of both is in alpha
+    bool withAmbientTarget = false;  ///< what ambient light alone leaves, to an AmbientTarget, too
     float ambient = 0.0f;
     float diffuse = 0.0f;       ///< of the light, times its Lambert term
     double lights = 0.0;        ///< of the picture, by their weights
@@ -133,29 +134,30 @@ class SurfacePass {
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
-        int lightList;     ///< lit by lists by tile, none longer; 0: not
-        bool falloff;      ///< lit by a light that falls off with the square of the distance
-        bool withAmbient;  ///< with ambient light, too
-        bool directional;  ///< lit by a light of one direction
-        bool ranged;       ///< lit by a light that doesn't reach everywhere
-        bool spot;         ///< lit by a light with a cone
-        bool mask;         ///< draws the lit mask
-        bool sliced;       ///< has a farthest depth
-        bool coarse;       ///< looks up a mask of lower resolution
-        bool visibility;   ///< looks up how much of the light is seen
-        bool planes;       ///< draws what such a mask stores of surfaces
-        bool nearness;     ///< draws how near they are
-        bool orthographic; ///< looks it up or draws it for such a picture
-        bool alphaLookup;  ///< finds its alpha by an AlphaLookup
-        bool sided;        ///< its vertices know which side the light is on
-        bool selfShadowed; ///< is dark where its normal says so
+        int lightList;      ///< lit by lists by tile, none longer; 0: not
+        bool falloff;       ///< lit by a light that falls off with the square of the distance
+        bool withAmbient;   ///< with ambient light, too
+        bool ambientTarget; ///< and by that alone beside it
+        bool directional;   ///< lit by a light of one direction
+        bool ranged;        ///< lit by a light that doesn't reach everywhere
+        bool spot;          ///< lit by a light with a cone
+        bool mask;          ///< draws the lit mask
+        bool sliced;        ///< has a farthest depth
+        bool coarse;        ///< looks up a mask of lower resolution
+        bool visibility;    ///< looks up how much of the light is seen
+        bool planes;        ///< draws what such a mask stores of surfaces
+        bool nearness;      ///< draws how near they are
+        bool orthographic;  ///< looks it up or draws it for such a picture
+        bool alphaLookup;   ///< finds its alpha by an AlphaLookup
+        bool sided;         ///< its vertices know which side the light is on
+        bool selfShadowed;  ///< is dark where its normal says so
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
                             linear, softTerminator, catcher, textured, colored, lit, lightList,
-                            falloff, withAmbient, directional, ranged, spot, mask, sliced, coarse,
-                            visibility, planes, nearness, orthographic, alphaLookup, sided,
-                            selfShadowed);
+                            falloff, withAmbient, ambientTarget, directional, ranged, spot, mask,
+                            sliced, coarse, visibility, planes, nearness, orthographic, alphaLookup,
+                            sided, selfShadowed);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

@@ -29,13 +29,13 @@ DepthRange visibleDepths(const FrameView& frame) {
     return depths;
 }
 
-struct Ball {
+struct WindowBall {
     glm::dvec3 middle{0.0}; ///< from the camera, as it looks
     double radius = 0.0;
 };
 
 /// Around the window between two depths. Depends on these and the window alone, bit for bit.
-Ball ballAround(const Frustum& frustum, double near, double far) {
+WindowBall ballAround(const Frustum& frustum, double near, double far) {
     const glm::dvec2 center = 0.5 * (frustum.low + frustum.high), half = 0.5 * frustum.size();
     const auto at = [&](const glm::dvec2& window, double depth) {
         const double wide = frustum.orthographic ? 1.0 : depth;
@@ -44,7 +44,7 @@ Ball ballAround(const Frustum& frustum, double near, double far) {
     // As far from the corners of both ends, if that is between these.
     double depth = 0.5 * (near + far);
     if (!frustum.orthographic) depth = std::min(depth * (1.0 + glm::dot(half, half)), far);
-    Ball ball;
+    WindowBall ball;
     ball.middle = at(center, depth);
     for (const double end : {near, far})
         for (const double x : {-1.0, 1.0})
@@ -80,7 +80,7 @@ std::vector<CascadeSquare> cascadeSquares(const FrameView& frame, const glm::dma
     std::vector<CascadeSquare> squares;
     double begin = depths.nearest;
     for (const double end : ends) {
-        const Ball ball = ballAround(frame.frustum, begin, end);
+        const WindowBall ball = ballAround(frame.frustum, begin, end);
         const glm::dvec3 middle(worldFromView * glm::dvec4(ball.middle, 1.0));
         CascadeSquare square;
         // Snapping moves it by half a texel.

@@ -35,6 +35,14 @@ enum class VolumeScissors {
     off,
 };
 
+/// Whether what surfaces are by ambient light alone is drawn beside what they are in light, so that
+/// they aren't drawn again where they are found to be in shadow.
+enum class AmbientTargetChoice {
+    automatic, ///< where the processor draws
+    on,
+    off,
+};
+
 /// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
 enum class SilhouetteChoice {
     all,
@@ -64,6 +72,7 @@ struct RenderSettings {
     float ambient = 0.35f; ///< 0..1, as the display shows it; the lights share the rest
     /// What ambient light is where shading is full; null: the neutral one.
     std::shared_ptr<const Environment> environment;
+    AmbientTargetChoice ambientTarget = AmbientTargetChoice::automatic; ///< of full shading
     bool softTerminator = false; ///< of full shading: see shaders_es2/terminator.glsl
     float exposure = 0.0f;       ///< of full shading, in EV: light is taken 2^exposure times
     glm::vec3 background{0.86f, 0.89f, 0.92f};
