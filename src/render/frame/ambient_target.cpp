@@ -26,6 +26,16 @@ bool AmbientTarget::isWanted(const RenderSettings& settings, const gl::Capabilit
                          capabilities.isSoftware() && capabilities.framebufferFlip));
 }
 
+bool AmbientTarget::pays(const GpuScene& scene, const FrameView& view) {
+    constexpr double pixelsOfVertex = 10.0;
+    double vertices = 0.0;
+    for (const GpuBatch& batch : scene.batches)
+        for (const SurfaceChunk& chunk : *batch.surfaces)
+            if (!batch.hidden && scene.materials[chunk.material].alphaMode != AlphaMode::blend)
+                vertices += chunk.indexCount;
+    return pixelsOfVertex * vertices >= static_cast<double>(view.width) * view.height;
+}
+
 bool AmbientTarget::fit(int width, int height) {
     if (refused_) return false;
     GLint bound = 0;

@@ -5,6 +5,8 @@
 #include "src/gl/depth_stencil.hpp"
 #include "src/render/drawing/whole_picture.hpp"
 #include "src/render/volumes/render_settings.hpp"
+#include "src/scene/gpu_scene.hpp"
+#include "src/shadow/geometry/frame_view.hpp"
 
 #include <glm/glm.hpp>
 
@@ -17,6 +19,9 @@ class AmbientTarget {
     /// Whether the settings ask for it and the GL can. Throws Error(unavailable) where they insist
     /// and it can't.
     static bool isWanted(const RenderSettings& settings, const gl::Capabilities& capabilities);
+
+    /// Whether to draw the scene's surfaces takes longer than to write all pixels some times more.
+    static bool pays(const GpuScene& scene, const FrameView& view);
 
     explicit AmbientTarget(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
 

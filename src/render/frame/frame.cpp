@@ -83,17 +83,6 @@ bool isFullyShadowed(const LightPlan& light) {
                        [](const CountPlan& count) { return count.fullyShadowed; });
 }
 
-/// Whether to draw the surfaces takes longer than to write all pixels some times more.
-bool takesLong(const GpuScene& scene, const FrameView& view) {
-    constexpr double pixelsOfVertex = 10.0;
-    double vertices = 0.0;
-    for (const GpuBatch& batch : scene.batches)
-        for (const SurfaceChunk& chunk : *batch.surfaces)
-            if (!batch.hidden && scene.materials[chunk.material].alphaMode != AlphaMode::blend)
-                vertices += chunk.indexCount;
-    return pixelsOfVertex * vertices >= static_cast<double>(view.width) * view.height;
-}
-
 /// Calls use(plan, casters) for everything that a frame counts.
 template <class Use>
 void forEachCount(const FramePlan& frame, const FrameView& view, Use use) {
@@ -184,7 +173,8 @@ void Renderer::prepareSum(const GpuScene& scene, const FrameView& view) {
 bool Renderer::willKeepAmbient(const GpuScene& scene, const FrameView& view) {
     if constexpr (keepsAmbient)
         return ambient_ && !sum_.darkens() &&
-               (settings_.ambientTarget == AmbientTargetChoice::on || takesLong(scene, view)) &&
+               (settings_.ambientTarget == AmbientTargetChoice::on ||
+                AmbientTarget::pays(scene, view)) &&
                std::any_of(plan_.slices.begin(), plan_.slices.end(),
                            [](const SlicePlan& plan) {
                                return plan.withAmbient && plan.lights[*plan.first].isCounted();
