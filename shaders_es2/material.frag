@@ -15,6 +15,9 @@
 #endif
 #ifdef AMBIENT_TARGET
 #extension GL_EXT_draw_buffers : require
+#define SHOWN gl_FragData[0]
+#else
+#define SHOWN gl_FragColor
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
@@ -304,16 +307,6 @@ void addAmbient(Surface surface, float occlusion, inout Seen seen) {
 }
 #endif
 
-// The display's colours of it, or its light.
-vec3 colorOf(Seen seen) {
-    vec3 color = (seen.scattered + seen.reflected) * u_exposure;
-#ifdef LINEAR
-    return color;
-#else
-    return displayed(color);
-#endif
-}
-
 void main() {
     float lit = 1.0;
 #ifdef COARSE_MASK
@@ -349,7 +342,7 @@ void main() {
 #endif
 #endif
 #ifdef AMBIENT_TARGET
-    gl_FragData[1] = vec4(colorOf(seen), 1.0);
+    gl_FragData[1] = vec4(displayed((seen.scattered + seen.reflected) * u_exposure), 1.0);
 #endif
 #ifdef LIT
     vec3 light = towardsLight();
@@ -390,13 +383,12 @@ void main() {
 #else
     float alpha = 1.0;
 #endif
-    vec3 color = colorOf(seen);
+    vec3 color = (seen.scattered + seen.reflected) * u_exposure;
+#ifndef LINEAR
+    color = displayed(color);
+#endif
 #ifdef BLENDED
     color *= base.a;
 #endif
-#ifdef AMBIENT_TARGET
-    gl_FragData[0] = vec4(color, alpha);
-#else
-    gl_FragColor = vec4(color, alpha);
-#endif
+    SHOWN = vec4(color, alpha);
 }

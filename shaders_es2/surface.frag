@@ -194,16 +194,15 @@ void main() {
 #endif
 #ifdef PLAIN
     share = displayed(share);
+#ifdef SHOWS_AMBIENT
+    ambient = displayed(ambient);
 #endif
-#if defined(AMBIENT_TARGET) && defined(PLAIN)
-    gl_FragData[1] = vec4(base.rgb * displayed(ambient), 1.0);
-#elif defined(AMBIENT_TARGET)
+#endif
+#ifdef AMBIENT_TARGET
     gl_FragData[1] = vec4(base.rgb * ambient, 1.0);
 #endif
 #if defined(BLENDED)
     float alpha = base.a;
-#elif defined(WITH_AMBIENT) && defined(PLAIN)
-    float alpha = share > 0.0 ? displayed(ambient) / share : 1.0;
 #elif defined(WITH_AMBIENT)
     float alpha = share > 0.0 ? ambient / share : 1.0;
 #else

@@ -51,8 +51,10 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.fragmentHighpMantissaBits = highpMantissaBits(GL_FRAGMENT_SHADER);
     capabilities.instancing =
         Instancing::find(capabilities.version, capabilities.extensions, lookUp);
+#ifndef __EMSCRIPTEN__ // pages draw one colour at a time
     capabilities.drawBuffers = DrawBuffers::find(capabilities.extensions, lookUp);
     capabilities.framebufferFlip = FramebufferFlip::find(capabilities.extensions, lookUp);
+#endif
     capabilities.multisampling =
         Multisampling::find(capabilities.version, capabilities.extensions, lookUp);
     capabilities.timerQueries = TimerQueries::find(capabilities.extensions, lookUp);

@@ -123,7 +123,7 @@ MUTANTS = (
      "ambient_target_test", "AmbientTarget.*"),
     ("a ground that catches shadow keeps ambient light as light, not as the display shows it",
      "shaders_es2/surface.frag",
-     "base.rgb * displayed(ambient)", "base.rgb * ambient",
+     "ambient = displayed(ambient);", "ambient = ambient;",
      "ambient_target_test", "AmbientTarget.*"),
     ("of closed clusters, what stays beside what is left out has negated planes",
      "src/shadow/culling/kept_records.cpp",

@@ -116,7 +116,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         linear_.emplace(capabilities);
     if constexpr (keepsAmbient)
         if (settings.shading == Shading::full && AmbientTarget::isWanted(settings, capabilities))
-            ambient_.emplace(capabilities);
+            ambient_ = std::make_shared<AmbientTarget>(capabilities);
     if constexpr (listsLights)
         if (LightTable::isPossible(capabilities)) table_.emplace(capabilities);
     if constexpr (readsDepth)
@@ -378,7 +378,7 @@ void Renderer::drawShadow(const SlicePass& pass) {
     if (sum_.darkens()) {
         mark_.darkenCounted();
         mark_.clear();
-    } else if (sum_.keepsAmbient) {
+    } else if (keepsAmbient && sum_.keepsAmbient) {
         takeAmbientInShadow(pass);
     } else {
         drawAmbientInShadow(pass);

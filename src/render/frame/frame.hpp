@@ -221,7 +221,9 @@ class Renderer {
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
     std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
     std::optional<LinearTarget> linear_;
-    std::optional<AmbientTarget> ambient_;      ///< where ambient light's colours may be kept
+    /// Where ambient light's colours may be kept. Shared with nobody, but pages, which keep none,
+    /// carry no code to destroy it so.
+    std::shared_ptr<AmbientTarget> ambient_;
     std::optional<LightTable> table_;           ///< where lights may be listed
     LightTableLookup listed_;                   ///< of the slice that is drawn
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it

@@ -329,7 +329,8 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
                               const SurfaceShading& shading, Variant& variant) const {
     const Material& material = scene.materials[chunk.material];
     if (!shading.full || shading.mask || shading.geometryAlone() || shading.tintPrimitives) return;
-    variant.linear = shading.full->linear;
+    if (shading.full->linear) variant.written = Written::light;
+    if (shading.withAmbientTarget) variant.written = Written::shownAndAmbient;
     if (variant.catcher) {
         variant.plain = shading.lights == 1.0 &&
                         shading.weight == 1.0; // else light or the display's colours are added up
@@ -370,7 +371,6 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     variant.lit = shading.light.has_value();
     variant.lightList = shading.listed ? shading.listed->longest : 0;
     variant.withAmbient = variant.lit && shading.withAmbient;
-    variant.ambientTarget = shading.withAmbientTarget;
     variant.directional = variant.lit && shading.light->position.w == 0.0;
     variant.ranged = variant.lit && shading.light->hasRange();
     variant.spot = variant.lit && shading.light->isSpot();
@@ -397,7 +397,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.plain) defines.push_back("PLAIN");
     if (variant.catcher) defines.push_back("CATCHER");
     if (variant.softTerminator) defines.push_back("SOFT_TERMINATOR");
-    if (variant.linear) defines.push_back("LINEAR");
+    if (variant.written == Written::light) defines.push_back("LINEAR");
     if (variant.textured) defines.push_back("TEXTURED");
     if (variant.alphaLookup) defines.push_back("ALPHA_LOOKUP");
     if (variant.colored) defines.push_back("COLORED");
@@ -405,7 +405,8 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.lightList > 0) defines.push_back("LIGHT_LIST " + std::to_string(variant.lightList));
     if (derivatives_) defines.push_back("DERIVATIVES");
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
-    if (variant.ambientTarget) defines.push_back("AMBIENT_TARGET");
+    if constexpr (keepsAmbient)
+        if (variant.written == Written::shownAndAmbient) defines.push_back("AMBIENT_TARGET");
     if (variant.directional) defines.push_back("DIRECTIONAL");
     if (variant.ranged) defines.push_back("RANGED");
     if (variant.spot) defines.push_back("SPOT");

@@ -119,45 +119,49 @@ class SurfacePass {
 
         auto operator<=>(const MapVariant&) const = default;
     };
+    enum class Written {
+        shown,           ///< the display's colours
+        shownAndAmbient, ///< the same, and beside them those by ambient light alone
+        light,           ///< light itself
+    };
     struct Variant {
         AlphaMode alphaMode;
         std::optional<MaterialFeatures> material; ///< of material.frag
         std::optional<MapVariant> map;
         std::optional<PrimitiveMapVariant> primitives;
-        bool softMap;        ///< the map is that of a light with an extent
-        bool pcss;           ///< which gets percentage-closer soft shadows
-        bool rectangle;      ///< and is a rectangle
-        bool plain;          ///< full shading of what needs no material.frag
-        bool linear;         ///< writes light itself
+        bool softMap;   ///< the map is that of a light with an extent
+        bool pcss;      ///< which gets percentage-closer soft shadows
+        bool rectangle; ///< and is a rectangle
+        bool plain;     ///< full shading of what needs no material.frag
+        Written written;
         bool softTerminator; ///< dims the light where it grazes facets
         bool catcher;        ///< shows the background, darker in shadow
         bool textured;
         bool colored; ///< has colours at its vertices
         bool lit;
-        int lightList;      ///< lit by lists by tile, none longer; 0: not
-        bool falloff;       ///< lit by a light that falls off with the square of the distance
-        bool withAmbient;   ///< with ambient light, too
-        bool ambientTarget; ///< and by that alone beside it
-        bool directional;   ///< lit by a light of one direction
-        bool ranged;        ///< lit by a light that doesn't reach everywhere
-        bool spot;          ///< lit by a light with a cone
-        bool mask;          ///< draws the lit mask
-        bool sliced;        ///< has a farthest depth
-        bool coarse;        ///< looks up a mask of lower resolution
-        bool visibility;    ///< looks up how much of the light is seen
-        bool planes;        ///< draws what such a mask stores of surfaces
-        bool nearness;      ///< draws how near they are
-        bool orthographic;  ///< looks it up or draws it for such a picture
-        bool alphaLookup;   ///< finds its alpha by an AlphaLookup
-        bool sided;         ///< its vertices know which side the light is on
-        bool selfShadowed;  ///< is dark where its normal says so
+        int lightList;     ///< lit by lists by tile, none longer; 0: not
+        bool falloff;      ///< lit by a light that falls off with the square of the distance
+        bool withAmbient;  ///< with ambient light, too
+        bool directional;  ///< lit by a light of one direction
+        bool ranged;       ///< lit by a light that doesn't reach everywhere
+        bool spot;         ///< lit by a light with a cone
+        bool mask;         ///< draws the lit mask
+        bool sliced;       ///< has a farthest depth
+        bool coarse;       ///< looks up a mask of lower resolution
+        bool visibility;   ///< looks up how much of the light is seen
+        bool planes;       ///< draws what such a mask stores of surfaces
+        bool nearness;     ///< draws how near they are
+        bool orthographic; ///< looks it up or draws it for such a picture
+        bool alphaLookup;  ///< finds its alpha by an AlphaLookup
+        bool sided;        ///< its vertices know which side the light is on
+        bool selfShadowed; ///< is dark where its normal says so
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
-                            linear, softTerminator, catcher, textured, colored, lit, lightList,
-                            falloff, withAmbient, ambientTarget, directional, ranged, spot, mask,
-                            sliced, coarse, visibility, planes, nearness, orthographic, alphaLookup,
-                            sided, selfShadowed);
+                            written, softTerminator, catcher, textured, colored, lit, lightList,
+                            falloff, withAmbient, directional, ranged, spot, mask, sliced, coarse,
+                            visibility, planes, nearness, orthographic, alphaLookup, sided,
+                            selfShadowed);
         }
         bool operator<(const Variant& other) const { return key() < other.key(); }
     };

@@ -220,18 +220,10 @@ void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanePairShadow& sha
 } // namespace
 
 void leaveOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
-    const auto next =
-        std::upper_bound(all.begin(), all.end(), cluster, [](std::uint32_t c, const LeftOut& left) {
-            return c < left.clusters.first;
-        });
-    if (next != all.begin()) {
-        LeftOut& before = *std::prev(next);
-        if (before.why == why && before.clusters.end() == cluster) {
-            ++before.clusters.count;
-            return;
-        }
-    }
-    all.insert(next, {{cluster, 1}, why});
+    if (!all.empty() && all.back().clusters.end() == cluster && all.back().why == why)
+        ++all.back().clusters.count;
+    else
+        all.push_back({{cluster, 1}, why});
 }
 
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,

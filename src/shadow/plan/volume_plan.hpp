@@ -71,7 +71,7 @@ struct LeftOut {
     Why why = Why::outsideView;
 };
 
-/// Adds a cluster to those left out, which are in order; to its neighbour, where the reason is one.
+/// Adds a cluster behind those left out; to its neighbour, where the reason is one.
 void leaveOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why);
 
 /// What is drawn of a batch for one light, and what is not.

@@ -4,6 +4,7 @@
 #include "src/shadow/plan/side_sample.hpp"
 #include "src/shadow/scissors/cluster_scissors.hpp"
 
+#include <algorithm>
 #include <span>
 
 namespace edgeshade {
@@ -106,9 +107,18 @@ class Groups {
     double cost_ = 0.0;              ///< likewise
 };
 
+/// Adds some to those left out; both are in order.
+void addLeftOut(const std::vector<LeftOut>& some, std::vector<LeftOut>& all) {
+    const auto middle = all.insert(all.end(), some.begin(), some.end());
+    std::inplace_merge(all.begin(), middle, all.end(), [](const LeftOut& a, const LeftOut& b) {
+        return a.clusters.first < b.clusters.first;
+    });
+}
+
 void scissorBatch(BatchPlan& batch, const VisiblePoints& visible, const FillTask& task) {
     const ClusterScissors scissors(batch, visible);
     Groups groups(batch, task);
+    std::vector<LeftOut> unseen;
     for (const ClusterPlan& alike : batch.volumes.drawn) {
         if (alike.start != 0) {
             groups.addAsItIs(alike);
@@ -118,12 +128,13 @@ void scissorBatch(BatchPlan& batch, const VisiblePoints& visible, const FillTask
             ClusterPlan one = oneOf(alike, c);
             one.scissor = scissors.of(batch.shadow->clusters[c]);
             if (one.scissor->empty())
-                leaveOut(batch.volumes.leftOut, c, LeftOut::Why::noReceiver);
+                leaveOut(unseen, c, LeftOut::Why::noReceiver);
             else
                 groups.add(one);
         }
     }
     batch.volumes.drawn = groups.take();
+    addLeftOut(unseen, batch.volumes.leftOut);
 }
 
 } // namespace
