@@ -43,13 +43,14 @@ bool AmbientTarget::fit(int width, int height) {
     const bool flipped = bound == 0 && capabilities_.framebufferFlip;
     if (size_ == glm::ivec2(width, height) && flipped == flipped_) return true;
     const gl::FramebufferKeeper keeper;
+    size_ = glm::ivec2(0); // should anything be refused
     flipped_ = flipped;
     refused_ = !make(width, height);
+    if (!refused_) size_ = {width, height};
     return !refused_;
 }
 
 bool AmbientTarget::make(int width, int height) {
-    size_ = {width, height};
     depthStencil_.emplace(width, height, capabilities_);
     picture_ = gl::ColorTarget(width, height);
     depthStencil_->attach();

@@ -173,12 +173,12 @@ void Renderer::prepareSum(const GpuScene& scene, const FrameView& view) {
 bool Renderer::willKeepAmbient(const GpuScene& scene, const FrameView& view) {
     if constexpr (keepsAmbient)
         return ambient_ && !sum_.darkens() &&
-               (settings_.ambientTarget == AmbientTargetChoice::on ||
-                AmbientTarget::pays(scene, view)) &&
                std::any_of(plan_.slices.begin(), plan_.slices.end(),
                            [](const SlicePlan& plan) {
                                return plan.withAmbient && plan.lights[*plan.first].isCounted();
                            }) &&
+               (settings_.ambientTarget == AmbientTargetChoice::on ||
+                AmbientTarget::pays(scene, view)) &&
                ambient_->fit(view.width, view.height);
     return false;
 }
