@@ -52,7 +52,7 @@ void simplifyCasters(Scene& scene, double error) {
         }
         if (!batch.deforms()) // else what is near in one pose is far in another
             batch.geometry.edit().simplifiedCasters = simplified(
-                batch, castingSurfacesOf(batch, scene.materials, false), error / longest[i]);
+                batch, castingSurfacesOf(*batch.geometry, scene.materials, false), error / longest[i]);
     }
 }
 

@@ -16,27 +16,28 @@ void add(Casters& casters, std::size_t material, std::span<const std::uint32_t> 
 
 } // namespace
 
-Casters castingSurfacesOf(const Batch& batch, const std::vector<Material>& materials,
+Casters castingSurfacesOf(const Geometry& geometry, const std::vector<Material>& materials,
                           bool castMasked) {
     Casters casters;
-    for (const SurfaceGroup& group : batch.geometry->groups)
+    for (const SurfaceGroup& group : geometry.groups)
         if (materials[group.material].casts(castMasked))
             add(casters, group.material,
-                std::span(batch.geometry->indices).subspan(group.firstIndex, group.indexCount));
+                std::span(geometry.indices).subspan(group.firstIndex, group.indexCount));
     return casters;
 }
 
-Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bool castMasked) {
-    if (!batch.geometry->simplifiedCasters) return castingSurfacesOf(batch, materials, castMasked);
+Casters castersOf(const Geometry& geometry, const std::vector<Material>& materials,
+                  bool castMasked) {
+    if (!geometry.simplifiedCasters) return castingSurfacesOf(geometry, materials, castMasked);
     Casters casters;
-    for (const SurfaceGroup& group : batch.geometry->groups) {
+    for (const SurfaceGroup& group : geometry.groups) {
         const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
         // One group stands for all opaque ones: their materials make no difference.
         if (opaque && casters.groups.empty())
-            add(casters, group.material, *batch.geometry->simplifiedCasters);
+            add(casters, group.material, *geometry.simplifiedCasters);
         else if (!opaque && castMasked)
             add(casters, group.material,
-                std::span(batch.geometry->indices).subspan(group.firstIndex, group.indexCount));
+                std::span(geometry.indices).subspan(group.firstIndex, group.indexCount));
     }
     return casters;
 }

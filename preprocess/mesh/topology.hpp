@@ -21,11 +21,16 @@ struct Casters {
 
 /// The surfaces of a batch that cast: opaque triangles, with `castMasked` MASK and BLEND ones too
 /// (docs/method.md, C7).
-Casters castingSurfacesOf(const Batch& batch, const std::vector<Material>& materials,
+Casters castingSurfacesOf(const Geometry& geometry, const std::vector<Material>& materials,
                           bool castMasked);
 
 /// The same with the simplified casters, where there are some, in place of the opaque triangles.
-Casters castersOf(const Batch& batch, const std::vector<Material>& materials, bool castMasked);
+Casters castersOf(const Geometry& geometry, const std::vector<Material>& materials,
+                  bool castMasked);
+inline Casters castersOf(const Batch& batch, const std::vector<Material>& materials,
+                         bool castMasked) {
+    return castersOf(*batch.geometry, materials, castMasked);
+}
 
 /// Casters, welded.
 struct CasterMesh {

@@ -38,7 +38,7 @@ BorderCounts countsOf(const Scene& scene, bool castMasked) {
         const Batch& batch = scene.batches[i];
         if (first[i] != i || batch.deforms()) continue; // what deforms isn't welded
         const auto places = static_cast<std::size_t>(std::count(first.begin(), first.end(), i));
-        count(weldCasters(batch, castingSurfacesOf(batch, scene.materials, castMasked)),
+        count(weldCasters(batch, castingSurfacesOf(*batch.geometry, scene.materials, castMasked)),
               scene.materials, places, counts);
     }
     return counts;

@@ -16,6 +16,7 @@ namespace {
 const Choices<ShadowMethod> shadowNames = {{"auto", ShadowMethod::automatic},
                                            {"volumes", ShadowMethod::volumes},
                                            {"primitive-map", ShadowMethod::primitiveMap},
+                                           {"irregular-z-buffer", ShadowMethod::irregularZBuffer},
                                            {"map", ShadowMethod::map},
                                            {"planar", ShadowMethod::planar},
                                            {"none", ShadowMethod::none}};

@@ -63,6 +63,9 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
         return "no shadows are drawn";
     case ShadowMethod::map:
         return mapsOf(renderer, scene, view);
+    case ShadowMethod::irregularZBuffer:
+        return "irregular z-buffer: no volumes are drawn; the processor asks of each visible point "
+               "whether a caster is between it and the light";
     case ShadowMethod::planar:
         return "planar: all casters are projected " +
                lightMethods(scene, view, settings).front().why + ", " +

@@ -48,7 +48,7 @@ void sortBatch(const Batch& batch, const std::vector<Material>& materials,
 
 SolidSurfaces solidSurfacesOf(const Batch& batch, const std::vector<Material>& materials) {
     if (batch.deforms() || batch.ground) return {};
-    const Casters surfaces = castingSurfacesOf(batch, materials, false);
+    const Casters surfaces = castingSurfacesOf(*batch.geometry, materials, false);
     const WeldedMesh mesh = weld(batch.geometry->positions, surfaces.indices);
     const EdgeList edges = buildEdges(mesh);
     const Components components = findComponents(mesh, edges);

@@ -81,7 +81,7 @@ TEST(CasterSimplification, SurfacesStayAsTheyAre) {
     const Batch &a = before.batches.front(), &b = after.batches.front();
     EXPECT_EQ(a.geometry->positions, b.geometry->positions);
     EXPECT_EQ(a.geometry->indices, b.geometry->indices);
-    EXPECT_EQ(positionsHash(a, castingSurfacesOf(a, before.materials, false)),
+    EXPECT_EQ(positionsHash(a, castingSurfacesOf(*a.geometry, before.materials, false)),
               positionsHash(b, castingSurfacesOf(b, after.materials, false)));
 }
 

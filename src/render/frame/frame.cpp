@@ -111,6 +111,13 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
             throw Error(ExitStatus::unavailable,
                         "This build has no planar shadows, which are there to be compared with.");
     }
+    if (settings.shadows == ShadowMethod::irregularZBuffer) {
+        if constexpr (readsDepth)
+            irregular_.emplace(capabilities);
+        else
+            throw Error(ExitStatus::unavailable, "This build can't read depth buffers, which "
+                                                 "'--shadows irregular-z-buffer' needs.");
+    }
     if (maps_ && settings.map.kind == MapKind::warped) places_.emplace(capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
@@ -230,7 +237,7 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
                    .groupCount = [](std::size_t) { return std::size_t{0}; },
                    .planCount = {}};
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
-    if (planar_) { // counted in one stencil, without volumes
+    if (planar_ || irregular_) { // counted in one stencil, without volumes
         task.groupCount = [&](std::size_t light) -> std::size_t {
             return visibilityOf(light) ? 0 : 1;
         };
@@ -545,6 +552,12 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
         if (planar_) {
             vertexRuns_ +=
                 planar_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light);
+            return;
+        }
+    if constexpr (readsDepth)
+        if (irregular_) {
+            irregular_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light,
+                             pass.plan.lights[light].reach);
             return;
         }
     counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});

@@ -9,6 +9,7 @@
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
 #include "src/render/frame/visible_places.hpp"
+#include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/render/planar/planar_shadow_pass.hpp"
 #include "src/render/shadow_map/shadow_map_pass.hpp"
 #include "src/render/timing/stage_clock.hpp"
@@ -219,6 +220,7 @@ class Renderer {
     std::optional<VisiblePlaces> places_;    ///< where they are warped
     std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
+    std::optional<IrregularShadowPass> irregular_; ///< where they are asked of visible points
     std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
     std::optional<LinearTarget> linear_;
     /// Where ambient light's colours may be kept. Shared with nobody, but pages, which keep none,

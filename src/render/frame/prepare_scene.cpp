@@ -84,6 +84,8 @@ const char* nameOf(ShadowMethod method) {
     switch (method) {
     case ShadowMethod::map:
         return "map";
+    case ShadowMethod::irregularZBuffer:
+        return "irregular-z-buffer";
     case ShadowMethod::planar:
         return "planar";
     case ShadowMethod::none:

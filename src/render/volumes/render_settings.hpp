@@ -16,6 +16,8 @@ enum class ShadowMethod {
     volumes,
     primitiveMap, ///< and volumes for lights that have none
     automatic,    ///< the same, and only lights at rest whose volumes would cost more have any
+    /// An IrregularZBuffer: the processor asks of each visible point whether it is in shadow.
+    irregularZBuffer,
     map,
     planar, ///< projected onto the scene's largest planes, and nowhere else
     none,

@@ -1,0 +1,69 @@
+#include "src/render/irregular/irregular_shadow_pass.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "preprocess/mesh/topology.hpp"
+#include "shaders_es2.hpp"
+#include "src/gl/depth_reading.hpp"
+#include "src/shadow/irregular/irregular_z_buffer.hpp"
+
+#include <GLES2/gl2.h>
+
+namespace edgeshade {
+
+IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
+    : subpixelBits_(capabilities.subpixelBits), picture_(shaders::marked_frag) {
+    if (!gl::canReadDepth(capabilities))
+        throw Error(ExitStatus::unavailable,
+                    "This GL can't read depth buffers (GL_NV_read_depth), which '--shadows "
+                    "irregular-z-buffer' needs; '--shadows volumes' does without.");
+}
+
+void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
+                               const DepthSlice& slice, const Light& light,
+                               const PixelRectangle& reach) {
+    depths_.width = view.width;
+    depths_.height = view.height;
+    depths_.bits = gl::readDepth(view.width, view.height, depths_.depths);
+    if (depths_.bits == 0)
+        throw Error(ExitStatus::unavailable,
+                    "A picture with several samples a pixel has no depths that could be read, which "
+                    "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
+    IrregularZBuffer buffer(depths_, view, slice, light, reach, subpixelBits_);
+    for (const GpuBatch& batch : scene.batches) {
+        if (batch.hidden) continue;
+        const Casters casters = castersOf(*batch.geometry, scene.materials, scene.castMasked);
+        buffer.cast({batch.geometry->positions, casters.indices, batch.worldFromBatch});
+    }
+    upload(view.width, view.height, buffer.shadowed());
+    glDisable(GL_DEPTH_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    const gl::Program& used = picture_.use();
+    used.setSampler("u_marked", 0);
+    used.set("u_texelFromPixel", 1.0f / glm::vec2(size_));
+    picture_.draw();
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void IrregularShadowPass::upload(int width, int height, const std::vector<std::uint8_t>& marked) {
+    glActiveTexture(GL_TEXTURE0);
+    if (texture_.name() == 0 || size_ != glm::ivec2(width, height)) {
+        GLuint name = 0;
+        glGenTextures(1, &name);
+        texture_ = gl::Texture(name);
+        glBindTexture(GL_TEXTURE_2D, name);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        size_ = {width, height};
+    }
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, width, height, 0, GL_ALPHA, GL_UNSIGNED_BYTE,
+                 marked.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+} // namespace edgeshade

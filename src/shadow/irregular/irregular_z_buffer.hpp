@@ -1,0 +1,76 @@
+#pragma once
+
+#include "preprocess/base/parallel.hpp"
+#include "src/shadow/geometry/pixel_rectangle.hpp"
+#include "src/shadow/irregular/point_tree.hpp"
+#include "src/shadow/irregular/sight_lines.hpp"
+#include "src/shadow/scissors/depth_picture.hpp"
+
+#include <span>
+
+namespace edgeshade {
+
+/// Triangles that cast, somewhere in the world.
+struct PlacedTriangles {
+    std::span<const glm::vec3> positions;
+    std::span<const std::uint32_t> indices; ///< three a triangle
+    glm::dmat4 worldFromBatch{1.0};
+};
+
+/// Which visible points of a picture a light doesn't reach, found point by point: an irregular
+/// z-buffer (Johnson et al. 2005, Aila and Laine 2004), which the processor draws casters into. A
+/// point is taken to be just before what is seen there, as it is where volumes are counted, and is
+/// in shadow if a triangle is between it and the light (docs/method.md, C46).
+class IrregularZBuffer {
+  public:
+    /// Of a slice whose depth buffer this is, within `reach`. `subpixelBits`: of the grid on which
+    /// the rasteriser has put vertices. `depths` must outlive it.
+    IrregularZBuffer(const DepthPicture& depths, const FrameView& view, const DepthSlice& slice,
+                     const Light& light, const PixelRectangle& reach, int subpixelBits);
+
+    void cast(const PlacedTriangles& triangles, Threads threads = {});
+
+    /// By pixel, rows from below: 255 where something is in shadow, else 0.
+    const std::vector<std::uint8_t>& shadowed() const { return shadowed_; }
+
+  private:
+    struct Vertex {
+        glm::dvec3 place; ///< in the light's space
+        float u = 0.0f, v = 0.0f, height = 0.0f; ///< in the frame of its face
+        std::size_t face = 0;
+    };
+    struct Triangle {
+        const Vertex *a, *b, *c;
+        CasterBox box{};
+        bool waits = false; ///< for others on its face
+
+        bool onOneFace() const { return a->face == b->face && a->face == c->face; }
+    };
+    struct Corners;
+    struct Scratch {
+        std::vector<Triangle> triangles;
+        PointTree::Groups groups;
+    };
+
+    void addPoints(const PixelRectangle& within);
+    std::vector<Vertex> placed(const PlacedTriangles& triangles, Threads threads) const;
+    void castRun(Scratch& scratch);
+    void castAlone(const Triangle& triangle, std::size_t face, const CasterBox& box,
+                   Scratch& scratch);
+    CasterBox boxOn(std::size_t face, const Triangle& triangle) const;
+    Corners cornersOf(const Triangle& triangle) const;
+    CasterPlanes planesOn(std::size_t face, const Corners& corners) const;
+    bool isShadowed(const Corners& corners, std::uint32_t pixel) const;
+    double leftOf(std::uint32_t pixel) const {
+        return static_cast<double>(~depths_.depths[pixel]) * (1.0 / 4294967295.0);
+    }
+
+    const DepthPicture& depths_;
+    LightSpace space_;
+    SightLines lines_;
+    double depthError_, snapError_;
+    std::vector<PointTree> faces_;
+    std::vector<std::uint8_t> shadowed_;
+};
+
+} // namespace edgeshade

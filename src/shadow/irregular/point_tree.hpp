@@ -1,0 +1,157 @@
+#pragma once
+
+#include "src/shadow/irregular/lanes.hpp"
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace edgeshade {
+
+/// Which part of a light's face a PointTree's own coordinates, -1 to 1, stand for: rays (u, v) and
+/// heights towards the light.
+struct FaceFrame {
+    glm::dvec3 middle{0.0};
+    glm::dvec3 scale{1.0}; ///< own coordinates a unit
+
+    glm::dvec3 of(const glm::dvec3& place) const { return (place - middle) * scale; }
+};
+
+/// A visible point, in a FaceFrame.
+struct FacePoint {
+    float u = 0.0f, v = 0.0f, height = 0.0f;
+    std::uint32_t pixel = 0; ///< y * width + x
+};
+
+/// What is around a caster, in a FaceFrame: rays, and the greatest height. Points that it may keep
+/// light from are within, and no higher.
+struct CasterBox {
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    float u0 = infinity, u1 = -infinity, v0 = infinity, v1 = -infinity, highest = -infinity;
+
+    void add(const CasterBox& other) {
+        u0 = std::min(u0, other.u0);
+        u1 = std::max(u1, other.u1);
+        v0 = std::min(v0, other.v0);
+        v1 = std::max(v1, other.v1);
+        highest = std::max(highest, other.highest);
+    }
+};
+
+/// Where a u + b v + c height + d >= 0.
+struct HalfSpace {
+    float a = 0.0f, b = 0.0f, c = 0.0f, d = 0.0f;
+};
+
+/// A triangle's edges as the light sees them, the triangle on the positive side, and what is behind
+/// its plane.
+using CasterPlanes = std::array<HalfSpace, 4>;
+
+/// Eight boxes in a FaceFrame, and which of them hold points that weren't found.
+struct PointBoxes {
+    static constexpr std::size_t count = 8, parts = count / laneCount;
+    std::array<Lanes, parts> u0, u1, v0, v1, h0, h1;
+
+    PointBoxes();
+    void add(std::size_t i, const PointBoxes& others, std::size_t other);
+    void add(std::size_t i, float u, float v, float height);
+    unsigned meeting(const CasterBox& box) const;
+    /// Of those, the ones that have something on the positive side of each plane.
+    unsigned meeting(const CasterPlanes& planes) const;
+};
+
+/// The visible points of a face, sorted so that neighbours in a light's eyes are neighbours, in
+/// leaves of 16, and boxes around 8 of these, around 8 of such and so on. Points that are found in
+/// shadow aren't asked for again. Several threads may find some at a time.
+class PointTree {
+  public:
+    static constexpr std::size_t leafSize = 16;
+
+    /// In place of what was there.
+    void build(const FaceFrame& frame, std::span<const FacePoint> points);
+
+    const FaceFrame& frame() const { return frame_; }
+    bool empty() const { return levels_.empty(); }
+
+    /// Some groups of leaves, with the boxes around them.
+    struct Groups {
+        std::vector<PointBoxes> boxes;
+        std::vector<std::uint32_t> groups; ///< by box
+    };
+    /// All that hold points which a caster within the box may keep light from; of one caster, if
+    /// its planes are told.
+    void gather(const CasterBox& around, const CasterPlanes* planes, Groups& found) const;
+
+    /// Calls planes() once for a caster whose box, within that of gather(), may hold points,
+    /// isShadowed(pixel) for those that may be behind it, and mark(pixel) once for each that is.
+    template <class Planes, class IsShadowed, class Mark>
+    void find(const Groups& among, const CasterBox& box, Planes planes, IsShadowed isShadowed,
+              Mark mark) {
+        bool known = false;
+        CasterPlanes by;
+        for (std::size_t b = 0; b < among.boxes.size(); ++b)
+            for (unsigned met = among.boxes[b].meeting(box); met != 0; met &= met - 1) {
+                const std::size_t group =
+                    among.groups[b * PointBoxes::count +
+                                 static_cast<std::size_t>(std::countr_zero(met))];
+                unsigned leaves = levels_[0].alive[group].load(std::memory_order_relaxed);
+                if (leaves != 0) leaves &= levels_[0].boxes[group].meeting(box);
+                if (leaves == 0) continue;
+                if (!known) by = planes();
+                known = true;
+                leaves &= levels_[0].boxes[group].meeting(by);
+                for (; leaves != 0; leaves &= leaves - 1)
+                    ask(group * PointBoxes::count +
+                            static_cast<std::size_t>(std::countr_zero(leaves)),
+                        by, isShadowed, mark);
+            }
+    }
+
+  private:
+    struct Leaf {
+        static constexpr std::size_t parts = leafSize / laneCount;
+        std::array<Lanes, parts> u, v, height;
+        std::array<std::uint32_t, leafSize> pixels;
+
+        unsigned within(const CasterPlanes& planes) const;
+    };
+    struct Level {
+        std::vector<PointBoxes> boxes;
+        /// By eight boxes, a bit for each that holds points which weren't found.
+        std::vector<std::atomic<std::uint8_t>> alive;
+    };
+    static constexpr unsigned all = (1u << leafSize) - 1;
+
+    void gatherIn(std::size_t level, std::size_t eight, const CasterBox& around,
+                  const CasterPlanes* planes, Groups& found) const;
+    void settle(std::size_t leaf);
+
+    template <class IsShadowed, class Mark>
+    void ask(std::size_t leaf, const CasterPlanes& planes, IsShadowed& isShadowed, Mark& mark) {
+        const unsigned known = found_[leaf].load(std::memory_order_relaxed);
+        unsigned found = 0;
+        for (unsigned met = leaves_[leaf].within(planes) & ~known; met != 0; met &= met - 1) {
+            const int i = std::countr_zero(met);
+            if (isShadowed(leaves_[leaf].pixels[static_cast<std::size_t>(i)])) found |= 1u << i;
+        }
+        if (found == 0) return;
+        const unsigned before =
+            found_[leaf].fetch_or(static_cast<std::uint16_t>(found), std::memory_order_relaxed);
+        for (unsigned fresh = found & ~before; fresh != 0; fresh &= fresh - 1)
+            mark(leaves_[leaf].pixels[static_cast<std::size_t>(std::countr_zero(fresh))]);
+        if ((before | found) == all && before != all) settle(leaf);
+    }
+
+    FaceFrame frame_;
+    std::vector<Leaf> leaves_;
+    std::vector<std::atomic<std::uint16_t>> found_; ///< by leaf, a bit for each point
+    std::vector<Level> levels_;                     ///< leaves' boxes first
+};
+
+} // namespace edgeshade
