@@ -29,11 +29,7 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
                     "A picture with several samples a pixel has no depths that could be read, which "
                     "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
     IrregularZBuffer buffer(depths_, view, slice, light, reach, subpixelBits_);
-    for (const GpuBatch& batch : scene.batches) {
-        if (batch.hidden) continue;
-        const Casters casters = castersOf(*batch.geometry, scene.materials, scene.castMasked);
-        buffer.cast({batch.geometry->positions, casters.indices, batch.worldFromBatch});
-    }
+    buffer.cast(castersOf(scene));
     upload(view.width, view.height, buffer.shadowed());
     glDisable(GL_DEPTH_TEST);
     glStencilFunc(GL_ALWAYS, 1, 0xFF);
@@ -44,6 +40,29 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
     picture_.draw();
     glBindTexture(GL_TEXTURE_2D, 0);
     glEnable(GL_DEPTH_TEST);
+}
+
+std::vector<PlacedRuns> IrregularShadowPass::castersOf(const GpuScene& scene) {
+    for (auto& [geometry, kept] : kept_)
+        kept.used = false;
+    std::vector<PlacedRuns> placed;
+    for (const GpuBatch& batch : scene.batches) {
+        if (batch.hidden) continue;
+        const Geometry& geometry = *batch.geometry;
+        const auto [found, isNew] =
+            kept_.try_emplace(&geometry, Kept{batch.geometry, scene.identity});
+        Kept& kept = found->second;
+        if (isNew || kept.scene != scene.identity) {
+            kept.scene = scene.identity;
+            kept.casters = CasterRuns(
+                geometry.positions,
+                edgeshade::castersOf(geometry, scene.materials, scene.castMasked).indices);
+        }
+        kept.used = true;
+        placed.push_back({&kept.casters, batch.worldFromBatch});
+    }
+    std::erase_if(kept_, [](const auto& entry) { return !entry.second.used; });
+    return placed;
 }
 
 void IrregularShadowPass::upload(int width, int height, const std::vector<std::uint8_t>& marked) {

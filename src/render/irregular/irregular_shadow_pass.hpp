@@ -6,7 +6,10 @@
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
+#include "src/shadow/irregular/irregular_z_buffer.hpp"
 #include "src/shadow/scissors/depth_picture.hpp"
+
+#include <map>
 
 namespace edgeshade {
 
@@ -26,6 +29,14 @@ class IrregularShadowPass {
               const Light& light, const PixelRectangle& reach);
 
   private:
+    /// The casters of a geometry, as long as batches have it.
+    struct Kept {
+        CopyOnWrite<Geometry> geometry; ///< it is shared, so that nobody edits it in place
+        std::shared_ptr<const int> scene;
+        CasterRuns casters{};
+        bool used = true;
+    };
+    std::vector<PlacedRuns> castersOf(const GpuScene& scene);
     void upload(int width, int height, const std::vector<std::uint8_t>& marked);
 
     int subpixelBits_;
@@ -33,6 +44,7 @@ class IrregularShadowPass {
     gl::Texture texture_;
     glm::ivec2 size_{0}; ///< the texture's
     DepthPicture depths_;
+    std::map<const Geometry*, Kept> kept_;
 };
 
 } // namespace edgeshade

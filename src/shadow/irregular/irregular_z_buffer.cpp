@@ -12,8 +12,8 @@ constexpr double depthRounding = 0x1p-21;
 /// What rounding may do to an own coordinate of a FaceFrame, where it is 1.
 constexpr float faceRounding = 0x1p-20f;
 
-/// Triangles whose points are looked for together, and in how many boxes of groups at most.
-constexpr std::size_t runLength = 32, mostBoxes = 12;
+/// Boxes of groups that triangles are asked about one after the other.
+constexpr std::size_t mostBoxes = 12;
 
 std::size_t faceAlong(const glm::dvec3& place) {
     const glm::dvec3 size = glm::abs(place);
@@ -86,6 +86,11 @@ struct Extent {
         high = glm::max(high, rays);
         ++count;
     }
+    void add(const Extent& other) {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
+        count += other.count;
+    }
     FaceFrame frame() const {
         return {0.5 * (low + high),
                 2.0 / glm::max(high - low, glm::dvec3(std::numeric_limits<double>::min()))};
@@ -104,22 +109,32 @@ struct IrregularZBuffer::Corners {
     double tolerance; ///< of what is left
 };
 
+/// What a thread works with.
+struct IrregularZBuffer::Scratch {
+    std::array<PointTree::Groups, 6> groups; ///< by face, for a run
+    PointTree::Groups own;                   ///< for one triangle
+    std::array<Vertex, 3 * CasterRuns::length> vertices;
+};
+
 IrregularZBuffer::IrregularZBuffer(const DepthPicture& depths, const FrameView& view,
                                    const DepthSlice& slice, const Light& light,
-                                   const PixelRectangle& reach, int subpixelBits)
+                                   const PixelRectangle& reach, int subpixelBits, Threads threads)
     : depths_(depths), space_(light, view.frustum.position()), lines_(view, slice, space_),
       depthError_(std::ldexp(2.0, -depths.bits) + depthRounding),
       snapError_(std::ldexp(1.0, -subpixelBits)), faces_(space_.faceCount()),
       shadowed_(depths.depths.size(), 0) {
-    addPoints(intersection(reach, {0, 0, depths.width, depths.height}));
+    addPoints(intersection(reach, {0, 0, depths.width, depths.height}), threads);
 }
 
-void IrregularZBuffer::addPoints(const PixelRectangle& within) {
+void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) {
     constexpr int block = 4; // pixels: neighbours stay neighbours
-    const auto forEachPoint = [&](auto use) {
-        for (int y0 = within.y; y0 < within.y + within.height; y0 += block)
+    const int rows = (within.height + block - 1) / block;
+    const auto forEachPoint = [&](const ItemRange& blocks, auto use) {
+        const int end = within.y + within.height;
+        for (int y0 = within.y + block * static_cast<int>(blocks.first);
+             y0 < std::min(end, within.y + block * static_cast<int>(blocks.end)); y0 += block)
             for (int x0 = within.x; x0 < within.x + within.width; x0 += block)
-                for (int y = y0; y < std::min(y0 + block, within.y + within.height); ++y)
+                for (int y = y0; y < std::min(y0 + block, end); ++y)
                     for (int x = x0; x < std::min(x0 + block, within.x + within.width); ++x) {
                         const auto pixel = static_cast<std::uint32_t>(y * depths_.width + x);
                         const double left = leftOf(pixel);
@@ -130,124 +145,152 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within) {
                             space_.directional() ? raysOn(place) : raysOn(face, place));
                     }
     };
-    std::vector<Extent> extents(faces_.size());
-    forEachPoint([&](std::uint32_t, std::size_t face, const glm::dvec3& rays) {
-        extents[face].add(rays);
+    const auto parts = partsOf(static_cast<std::size_t>(std::max(rows, 0)), 32, threads);
+    std::vector<std::vector<Extent>> extents(parts.size(), std::vector<Extent>(faces_.size()));
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        forEachPoint(range, [&](std::uint32_t, std::size_t face, const glm::dvec3& rays) {
+            extents[part][face].add(rays);
+        });
     });
     std::vector<FaceFrame> frames;
-    std::vector<std::vector<FacePoint>> points(faces_.size());
     for (std::size_t face = 0; face < faces_.size(); ++face) {
-        frames.push_back(extents[face].frame());
-        points[face].reserve(extents[face].count);
+        Extent all;
+        for (const auto& of : extents)
+            all.add(of[face]);
+        frames.push_back(all.frame());
     }
-    forEachPoint([&](std::uint32_t pixel, std::size_t face, const glm::dvec3& rays) {
-        const glm::dvec3 own = frames[face].of(rays);
-        points[face].push_back({static_cast<float>(own.x), static_cast<float>(own.y),
-                                static_cast<float>(own.z), pixel});
+    std::vector<std::vector<std::vector<FacePoint>>> points(faces_.size());
+    for (auto& of : points)
+        of.resize(parts.size());
+    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+        for (std::size_t face = 0; face < faces_.size(); ++face)
+            points[face][part].reserve(extents[part][face].count);
+        forEachPoint(range, [&](std::uint32_t pixel, std::size_t face, const glm::dvec3& rays) {
+            points[face][part].push_back({glm::vec3(frames[face].of(rays)), pixel});
+        });
     });
     for (std::size_t face = 0; face < faces_.size(); ++face)
         faces_[face].build(frames[face], points[face]);
 }
 
-std::vector<IrregularZBuffer::Vertex> IrregularZBuffer::placed(const PlacedTriangles& triangles,
-                                                               Threads threads) const {
-    std::vector<Vertex> vertices(triangles.positions.size());
-    forEachItem(vertices.size(), itemsOfThread, threads, [&](std::size_t i) {
-        Vertex& vertex = vertices[i];
-        vertex.place = space_.of(
-            glm::dvec3(triangles.worldFromBatch * glm::dvec4(triangles.positions[i], 1.0)));
-        vertex.face = space_.directional() ? 0 : faceAlong(vertex.place);
-        const glm::dvec3 own = faces_[vertex.face].frame().of(
-            space_.directional() ? raysOn(vertex.place) : raysOn(vertex.face, vertex.place));
-        vertex.u = static_cast<float>(own.x);
-        vertex.v = static_cast<float>(own.y);
-        vertex.height = static_cast<float>(own.z);
-    });
-    return vertices;
-}
-
-void IrregularZBuffer::cast(const PlacedTriangles& triangles, Threads threads) {
-    const std::vector<Vertex> vertices = placed(triangles, threads);
-    const auto parts = partsOf(triangles.indices.size() / 3, itemsOfThread / 4, threads);
-    forEachPart(parts, [&](std::size_t, const ItemRange& range) {
+void IrregularZBuffer::cast(std::span<const PlacedRuns> casters, Threads threads) {
+    std::vector<std::size_t> first;
+    std::size_t count = 0;
+    for (const PlacedRuns& of : casters) {
+        first.push_back(count);
+        count += of.casters->runs().size();
+    }
+    constexpr std::size_t leastRuns = itemsOfThread / 4 / CasterRuns::length;
+    forEachPart(partsOf(count, leastRuns, threads), [&](std::size_t, const ItemRange& range) {
         Scratch scratch;
-        for (std::size_t first = range.first; first < range.end; first += runLength) {
-            scratch.triangles.clear();
-            for (std::size_t t = first; t < std::min(first + runLength, range.end); ++t) {
-                const std::uint32_t* of = &triangles.indices[3 * t];
-                scratch.triangles.push_back(
-                    {&vertices[of[0]], &vertices[of[1]], &vertices[of[2]]});
-            }
-            castRun(scratch);
+        std::size_t b = 0;
+        for (std::size_t run = range.first; run < range.end; ++run) {
+            while (b + 1 < first.size() && first[b + 1] <= run)
+                ++b;
+            const PlacedRuns& of = casters[b];
+            castRun(*of.casters, of.casters->runs()[run - first[b]], of.worldFromBatch, scratch);
         }
     });
 }
 
-void IrregularZBuffer::castRun(Scratch& scratch) {
-    std::array<CasterBox, 6> around;
-    for (Triangle& triangle : scratch.triangles) {
-        if (!triangle.onOneFace()) {
-            for (std::size_t face = 0; face < faces_.size(); ++face)
-                if (!faces_[face].empty())
-                    castAlone(triangle, face, boxOn(face, triangle), scratch);
+bool IrregularZBuffer::gatherFor(const Box& bounds, const glm::dmat4& worldFromBatch,
+                                 Scratch& scratch) const {
+    const glm::dmat3 turn = space_.turn() * glm::dmat3(worldFromBatch);
+    const glm::dvec3 middle =
+        space_.of(glm::dvec3(worldFromBatch * glm::dvec4(bounds.center(), 1.0)));
+    const glm::dvec3 half = 0.5 * (bounds.high - bounds.low);
+    const glm::dvec3 reach =
+        glm::abs(turn[0]) * half.x + glm::abs(turn[1]) * half.y + glm::abs(turn[2]) * half.z;
+    LightBox box{glm::vec3(middle - reach), glm::vec3(middle + reach)};
+    const glm::vec3 most = glm::max(glm::abs(box.low), glm::abs(box.high));
+    box = box.grown(faceRounding * std::max({most.x, most.y, most.z}));
+    bool any = false;
+    for (std::size_t face = 0; face < faces_.size(); ++face) {
+        PointTree::Groups& groups = scratch.groups[face];
+        groups.clear();
+        if (faces_[face].empty()) continue;
+        const FaceExtent extent = space_.extentIn(face, box);
+        if (extent.empty()) continue;
+        const double highest = space_.directional()      ? -extent.nearest
+                               : extent.nearest > 0.0f ? 1.0 / extent.nearest
+                                                       : std::numeric_limits<double>::infinity();
+        const FaceFrame& frame = faces_[face].frame();
+        const glm::vec3 low(frame.of(glm::dvec3(extent.low, highest)));
+        const glm::vec3 high(frame.of(glm::dvec3(extent.high, highest)));
+        faces_[face].gather(boxAround({low, high, high}), nullptr, groups);
+        any = any || !groups.boxes.empty();
+    }
+    return any;
+}
+
+IrregularZBuffer::Vertex IrregularZBuffer::vertexAt(const glm::dvec3& world) const {
+    Vertex vertex;
+    vertex.place = space_.of(world);
+    if (!space_.directional()) vertex.face = faceAlong(vertex.place);
+    vertex.own = glm::vec3(faces_[vertex.face].frame().of(
+        space_.directional() ? raysOn(vertex.place) : raysOn(vertex.face, vertex.place)));
+    return vertex;
+}
+
+void IrregularZBuffer::castRun(const CasterRuns& casters, const CasterRuns::Run& run,
+                               const glm::dmat4& worldFromBatch, Scratch& scratch) {
+    if (!gatherFor(run.bounds, worldFromBatch, scratch)) return;
+    std::size_t i = 0;
+    for (const glm::vec3& place : casters.verticesOf(run))
+        scratch.vertices[i++] = vertexAt(glm::dvec3(worldFromBatch * glm::dvec4(place, 1.0)));
+    for (const CasterRuns::Triangle& of : casters.trianglesOf(run)) {
+        const Triangle triangle{scratch.vertices[of[0]], scratch.vertices[of[1]],
+                                scratch.vertices[of[2]]};
+        if (triangle.onOneFace()) {
+            cast(triangle, triangle.a.face, scratch);
             continue;
         }
-        const auto at = [](const Vertex* of) { return glm::vec3(of->u, of->v, of->height); };
-        triangle.box = boxAround({at(triangle.a), at(triangle.b), at(triangle.c)});
-        triangle.waits = true;
-        around[triangle.a->face].add(triangle.box);
-    }
-    for (std::size_t face = 0; face < faces_.size(); ++face) {
-        if (around[face].u0 > around[face].u1) continue;
-        PointTree& tree = faces_[face];
-        PointTree::Groups& groups = scratch.groups;
-        tree.gather(around[face], nullptr, groups);
-        if (groups.boxes.empty()) continue;
-        const bool together = groups.boxes.size() <= mostBoxes;
-        for (const Triangle& triangle : scratch.triangles) {
-            if (!triangle.waits || triangle.a->face != face) continue;
-            if (!together) {
-                castAlone(triangle, face, triangle.box, scratch);
-                continue;
-            }
-            Corners corners;
-            tree.find(
-                groups, triangle.box,
-                [&] {
-                    corners = cornersOf(triangle);
-                    return planesOn(face, corners);
-                },
-                [&](std::uint32_t pixel) { return isShadowed(corners, pixel); },
-                [&](std::uint32_t pixel) { shadowed_[pixel] = 255; });
-        }
+        for (std::size_t face = 0; face < faces_.size(); ++face)
+            cast(triangle, face, scratch);
     }
 }
 
-void IrregularZBuffer::castAlone(const Triangle& triangle, std::size_t face, const CasterBox& box,
-                                 Scratch& scratch) {
+void IrregularZBuffer::cast(const Triangle& triangle, std::size_t face, Scratch& scratch) {
+    const PointTree::Groups* groups = &scratch.groups[face];
+    if (groups->boxes.empty()) return;
+    const CasterBox box = boxOn(face, triangle);
     PointTree& tree = faces_[face];
-    const Corners corners = cornersOf(triangle);
-    const CasterPlanes planes = planesOn(face, corners);
-    tree.gather(box, &planes, scratch.groups);
+    Corners corners;
+    CasterPlanes planes;
+    const bool alone = groups->boxes.size() > mostBoxes;
+    const auto know = [&] {
+        corners = cornersOf(triangle);
+        planes = planesOn(face, corners);
+    };
+    if (alone) {
+        know();
+        tree.gather(box, &planes, scratch.own);
+        groups = &scratch.own;
+    }
     tree.find(
-        scratch.groups, box, [&] { return planes; },
+        *groups, box,
+        [&] {
+            if (!alone) know();
+            return planes;
+        },
         [&](std::uint32_t pixel) { return isShadowed(corners, pixel); },
         [&](std::uint32_t pixel) { shadowed_[pixel] = 255; });
 }
 
 CasterBox IrregularZBuffer::boxOn(std::size_t face, const Triangle& triangle) const {
-    std::array<glm::vec3, 3> places;
-    const std::array<const Vertex*, 3> vertices = {triangle.a, triangle.b, triangle.c};
+    if (triangle.onOneFace()) return boxAround({triangle.a.own, triangle.b.own, triangle.c.own});
+    std::array<glm::vec3, 3> own;
+    const std::array<const Vertex*, 3> vertices = {&triangle.a, &triangle.b, &triangle.c};
     for (std::size_t i = 0; i < 3; ++i) {
         if (turnedTo(face, vertices[i]->place).z <= 0.0) return everything;
-        places[i] = glm::vec3(faces_[face].frame().of(raysOn(face, vertices[i]->place)));
+        own[i] = glm::vec3(faces_[face].frame().of(raysOn(face, vertices[i]->place)));
     }
-    return boxAround(places);
+    return boxAround(own);
 }
 
 IrregularZBuffer::Corners IrregularZBuffer::cornersOf(const Triangle& triangle) const {
     Corners corners;
-    corners.places = {triangle.a->place, triangle.b->place, triangle.c->place};
+    corners.places = {triangle.a.place, triangle.b.place, triangle.c.place};
     const auto& [a, b, c] = corners.places;
     corners.plane.normal = glm::cross(b - a, c - a);
     corners.plane.offset = -glm::dot(corners.plane.normal, a);

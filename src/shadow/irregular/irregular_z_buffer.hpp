@@ -2,6 +2,7 @@
 
 #include "preprocess/base/parallel.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
+#include "src/shadow/irregular/caster_runs.hpp"
 #include "src/shadow/irregular/point_tree.hpp"
 #include "src/shadow/irregular/sight_lines.hpp"
 #include "src/shadow/scissors/depth_picture.hpp"
@@ -10,10 +11,9 @@
 
 namespace edgeshade {
 
-/// Triangles that cast, somewhere in the world.
-struct PlacedTriangles {
-    std::span<const glm::vec3> positions;
-    std::span<const std::uint32_t> indices; ///< three a triangle
+/// Casting triangles, somewhere in the world.
+struct PlacedRuns {
+    const CasterRuns* casters = nullptr;
     glm::dmat4 worldFromBatch{1.0};
 };
 
@@ -26,37 +26,35 @@ class IrregularZBuffer {
     /// Of a slice whose depth buffer this is, within `reach`. `subpixelBits`: of the grid on which
     /// the rasteriser has put vertices. `depths` must outlive it.
     IrregularZBuffer(const DepthPicture& depths, const FrameView& view, const DepthSlice& slice,
-                     const Light& light, const PixelRectangle& reach, int subpixelBits);
+                     const Light& light, const PixelRectangle& reach, int subpixelBits,
+                     Threads threads = {});
 
-    void cast(const PlacedTriangles& triangles, Threads threads = {});
+    void cast(std::span<const PlacedRuns> casters, Threads threads = {});
 
     /// By pixel, rows from below: 255 where something is in shadow, else 0.
     const std::vector<std::uint8_t>& shadowed() const { return shadowed_; }
 
   private:
     struct Vertex {
-        glm::dvec3 place; ///< in the light's space
-        float u = 0.0f, v = 0.0f, height = 0.0f; ///< in the frame of its face
+        glm::dvec3 place{0.0}; ///< in the light's space
+        glm::vec3 own{0.0f};   ///< in the frame of its face
         std::size_t face = 0;
     };
     struct Triangle {
-        const Vertex *a, *b, *c;
-        CasterBox box{};
-        bool waits = false; ///< for others on its face
+        const Vertex &a, &b, &c;
 
-        bool onOneFace() const { return a->face == b->face && a->face == c->face; }
+        bool onOneFace() const { return a.face == b.face && a.face == c.face; }
     };
     struct Corners;
-    struct Scratch {
-        std::vector<Triangle> triangles;
-        PointTree::Groups groups;
-    };
+    struct Scratch;
 
-    void addPoints(const PixelRectangle& within);
-    std::vector<Vertex> placed(const PlacedTriangles& triangles, Threads threads) const;
-    void castRun(Scratch& scratch);
-    void castAlone(const Triangle& triangle, std::size_t face, const CasterBox& box,
-                   Scratch& scratch);
+    void addPoints(const PixelRectangle& within, Threads threads);
+    void castRun(const CasterRuns& casters, const CasterRuns::Run& run,
+                 const glm::dmat4& worldFromBatch, Scratch& scratch);
+    /// Whether some groups of points may be behind the run, which are in `scratch` then.
+    bool gatherFor(const Box& bounds, const glm::dmat4& worldFromBatch, Scratch& scratch) const;
+    Vertex vertexAt(const glm::dvec3& world) const;
+    void cast(const Triangle& triangle, std::size_t face, Scratch& scratch);
     CasterBox boxOn(std::size_t face, const Triangle& triangle) const;
     Corners cornersOf(const Triangle& triangle) const;
     CasterPlanes planesOn(std::size_t face, const Corners& corners) const;

@@ -1,5 +1,7 @@
 #include "src/shadow/irregular/point_tree.hpp"
 
+#include "preprocess/base/parallel.hpp"
+
 #include <algorithm>
 
 namespace edgeshade {
@@ -23,27 +25,24 @@ std::uint32_t cellOf(const FacePoint& point) {
         return static_cast<std::uint32_t>(
             std::clamp((at + 1.0f) * 0.5f * (1u << cellBits), 0.0f, most));
     };
-    return spread(step(point.u)) | spread(step(point.v)) << 1;
+    return spread(step(point.at.x)) | spread(step(point.at.y)) << 1;
 }
 
-/// The points, cell by cell, in each as they were.
-std::vector<FacePoint> byCell(std::span<const FacePoint> points) {
-    std::vector<std::uint16_t> cells(points.size());
+/// Where each point goes so that they come cell by cell, in each as they were.
+std::vector<std::uint32_t> placesByCell(std::span<const std::vector<FacePoint>> points,
+                                        std::size_t count) {
+    std::vector<std::uint32_t> places(count);
     std::vector<std::uint32_t> next(1u << (2 * cellBits), 0);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        cells[i] = static_cast<std::uint16_t>(cellOf(points[i]));
-        ++next[cells[i]];
-    }
-    std::uint32_t sum = 0;
-    for (std::uint32_t& of : next) {
-        const std::uint32_t count = of;
-        of = sum;
-        sum += count;
-    }
-    std::vector<FacePoint> sorted(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        sorted[next[cells[i]]++] = points[i];
-    return sorted;
+    std::size_t at = 0;
+    for (const auto& of : points)
+        for (const FacePoint& point : of) {
+            places[at] = cellOf(point);
+            ++next[places[at++]];
+        }
+    toFirsts(next);
+    for (std::uint32_t& place : places)
+        place = next[place]++;
+    return places;
 }
 
 std::size_t groupsOf(std::size_t count) {
@@ -53,6 +52,30 @@ std::size_t groupsOf(std::size_t count) {
 template <class Parts>
 float laneAt(const Parts& parts, std::size_t i) {
     return parts[i / laneCount][i % laneCount];
+}
+
+template <class Parts>
+float leastOf(const Parts& parts) {
+    Lanes least = parts[0];
+    for (const Lanes& of : parts)
+        least = of < least ? of : least;
+    return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
+}
+
+template <class Parts>
+float mostOf(const Parts& parts) {
+    Lanes most = parts[0];
+    for (const Lanes& of : parts)
+        most = of > most ? of : most;
+    return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+}
+
+glm::vec3 lowOfAll(const PointBoxes& boxes) {
+    return {leastOf(boxes.u0), leastOf(boxes.v0), leastOf(boxes.h0)};
+}
+
+glm::vec3 highOfAll(const PointBoxes& boxes) {
+    return {mostOf(boxes.u1), mostOf(boxes.v1), mostOf(boxes.h1)};
 }
 
 template <class Parts>
@@ -69,18 +92,21 @@ PointBoxes::PointBoxes() {
     }
 }
 
-void PointBoxes::add(std::size_t i, float u, float v, float height) {
-    setLane(u0, i, std::min(laneAt(u0, i), u));
-    setLane(u1, i, std::max(laneAt(u1, i), u));
-    setLane(v0, i, std::min(laneAt(v0, i), v));
-    setLane(v1, i, std::max(laneAt(v1, i), v));
-    setLane(h0, i, std::min(laneAt(h0, i), height));
-    setLane(h1, i, std::max(laneAt(h1, i), height));
+void PointBoxes::set(std::size_t i, const glm::vec3& low, const glm::vec3& high) {
+    setLane(u0, i, low.x);
+    setLane(v0, i, low.y);
+    setLane(h0, i, low.z);
+    setLane(u1, i, high.x);
+    setLane(v1, i, high.y);
+    setLane(h1, i, high.z);
 }
 
-void PointBoxes::add(std::size_t i, const PointBoxes& others, std::size_t other) {
-    add(i, laneAt(others.u0, other), laneAt(others.v0, other), laneAt(others.h0, other));
-    add(i, laneAt(others.u1, other), laneAt(others.v1, other), laneAt(others.h1, other));
+glm::vec3 PointBoxes::lowOf(std::size_t i) const {
+    return {laneAt(u0, i), laneAt(v0, i), laneAt(h0, i)};
+}
+
+glm::vec3 PointBoxes::highOf(std::size_t i) const {
+    return {laneAt(u1, i), laneAt(v1, i), laneAt(h1, i)};
 }
 
 unsigned PointBoxes::meeting(const CasterBox& box) const {
@@ -117,70 +143,78 @@ unsigned PointTree::Leaf::within(const CasterPlanes& planes) const {
     return bits;
 }
 
-void PointTree::build(const FaceFrame& frame, std::span<const FacePoint> points) {
+glm::vec3 PointTree::Leaf::low() const {
+    return {leastOf(u), leastOf(v), leastOf(height)};
+}
+
+glm::vec3 PointTree::Leaf::high() const {
+    return {mostOf(u), mostOf(v), mostOf(height)};
+}
+
+void PointTree::build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> points) {
     frame_ = frame;
     levels_.clear();
-    if (points.empty()) return;
-    const std::vector<FacePoint> sorted = byCell(points);
-    const std::size_t count = sorted.size(), leaves = (count + leafSize - 1) / leafSize;
+    std::size_t count = 0;
+    for (const auto& of : points)
+        count += of.size();
+    if (count == 0) return;
+    const std::vector<std::uint32_t> places = placesByCell(points, count);
+    const std::size_t leaves = (count + leafSize - 1) / leafSize;
     leaves_.resize(leaves);
     found_ = std::vector<std::atomic<std::uint16_t>>(leaves);
-    std::vector<PointBoxes> boxes(groupsOf(leaves));
-    for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
-        Leaf& of = leaves_[leaf];
-        float u0 = infinity, u1 = -infinity, v0 = infinity, v1 = -infinity, h0 = infinity,
-              h1 = -infinity;
-        for (std::size_t i = 0; i < leafSize; ++i) {
-            const std::size_t at = leaf * leafSize + i;
-            // The last leaf is filled up with its last point, found already.
-            const FacePoint& point = sorted[std::min(at, count - 1)];
-            if (at >= count)
-                found_[leaf].store(static_cast<std::uint16_t>(found_[leaf].load() | 1u << i));
-            setLane(of.u, i, point.u);
-            setLane(of.v, i, point.v);
-            setLane(of.height, i, point.height);
-            of.pixels[i] = point.pixel;
-            u0 = std::min(u0, point.u);
-            u1 = std::max(u1, point.u);
-            v0 = std::min(v0, point.v);
-            v1 = std::max(v1, point.v);
-            h0 = std::min(h0, point.height);
-            h1 = std::max(h1, point.height);
-        }
-        PointBoxes& group = boxes[leaf / PointBoxes::count];
-        group.add(leaf % PointBoxes::count, u0, v0, h0);
-        group.add(leaf % PointBoxes::count, u1, v1, h1);
+    const auto put = [&](std::size_t place, const FacePoint& point) {
+        Leaf& leaf = leaves_[place / leafSize];
+        const std::size_t i = place % leafSize;
+        setLane(leaf.u, i, point.at.x);
+        setLane(leaf.v, i, point.at.y);
+        setLane(leaf.height, i, point.at.z);
+        leaf.pixels[i] = point.pixel;
+    };
+    std::size_t at = 0;
+    for (const auto& of : points)
+        for (const FacePoint& point : of)
+            put(places[at++], point);
+    // The last leaf is filled up with one of its points, found already.
+    const Leaf& last = leaves_.back();
+    const FacePoint one{{last.u[0][0], last.v[0][0], last.height[0][0]}, last.pixels[0]};
+    for (std::size_t place = count; place < leaves * leafSize; ++place) {
+        put(place, one);
+        found_.back().fetch_or(static_cast<std::uint16_t>(1u << place % leafSize));
     }
-    for (std::size_t filled = leaves;;) {
+    buildLevels();
+}
+
+void PointTree::buildLevels() {
+    std::size_t filled = leaves_.size();
+    std::vector<PointBoxes> boxes(groupsOf(filled));
+    for (std::size_t i = 0; i < filled; ++i)
+        boxes[i / PointBoxes::count].set(i % PointBoxes::count, leaves_[i].low(),
+                                         leaves_[i].high());
+    while (true) {
         Level& level = levels_.emplace_back();
         level.alive = std::vector<std::atomic<std::uint8_t>>(boxes.size());
-        for (std::size_t i = 0; i < filled; ++i)
-            level.alive[i / PointBoxes::count].fetch_or(
-                static_cast<std::uint8_t>(1u << i % PointBoxes::count), std::memory_order_relaxed);
-        std::vector<PointBoxes> coarser(groupsOf(boxes.size()));
-        for (std::size_t i = 0; i < filled; ++i) {
-            const std::size_t eight = i / PointBoxes::count;
-            coarser[eight / PointBoxes::count].add(eight % PointBoxes::count, boxes[eight],
-                                                   i % PointBoxes::count);
-        }
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            level.alive[i].store(static_cast<std::uint8_t>(
+                (1u << std::min(PointBoxes::count, filled - i * PointBoxes::count)) - 1));
         level.boxes = std::move(boxes);
-        if (level.boxes.size() == 1) break;
+        if (level.boxes.size() == 1) return;
         filled = level.boxes.size();
-        boxes = std::move(coarser);
+        boxes = std::vector<PointBoxes>(groupsOf(filled));
+        for (std::size_t i = 0; i < filled; ++i)
+            boxes[i / PointBoxes::count].set(i % PointBoxes::count, lowOfAll(level.boxes[i]),
+                                             highOfAll(level.boxes[i]));
     }
 }
 
 void PointTree::gather(const CasterBox& around, const CasterPlanes* planes, Groups& found) const {
-    found.boxes.clear();
-    found.groups.clear();
+    found.clear();
     if (levels_.empty()) return;
-    if (levels_.size() == 1) {
-        // One group, around which there is no box.
-        found.groups.push_back(0);
-        for (std::size_t i = 0; i < PointBoxes::count; ++i)
-            found.boxes.resize(1), found.boxes[0].add(0, levels_[0].boxes[0], i);
-    } else {
+    if (levels_.size() > 1) {
         gatherIn(levels_.size() - 1, 0, around, planes, found);
+    } else { // one group, which no box is around
+        found.groups.push_back(0);
+        found.boxes.emplace_back().set(0, lowOfAll(levels_[0].boxes[0]),
+                                       highOfAll(levels_[0].boxes[0]));
     }
     found.groups.resize(found.boxes.size() * PointBoxes::count, 0);
 }
@@ -201,7 +235,7 @@ void PointTree::gatherIn(std::size_t level, std::size_t eight, const CasterBox& 
         }
         const std::size_t at = found.groups.size() % PointBoxes::count;
         if (at == 0) found.boxes.emplace_back();
-        found.boxes.back().add(at, of.boxes[eight], i);
+        found.boxes.back().set(at, of.boxes[eight].lowOf(i), of.boxes[eight].highOf(i));
         found.groups.push_back(static_cast<std::uint32_t>(child));
     }
 }

@@ -25,7 +25,7 @@ struct FaceFrame {
 
 /// A visible point, in a FaceFrame.
 struct FacePoint {
-    float u = 0.0f, v = 0.0f, height = 0.0f;
+    glm::vec3 at{0.0f};      ///< u, v and height
     std::uint32_t pixel = 0; ///< y * width + x
 };
 
@@ -59,8 +59,9 @@ struct PointBoxes {
     std::array<Lanes, parts> u0, u1, v0, v1, h0, h1;
 
     PointBoxes();
-    void add(std::size_t i, const PointBoxes& others, std::size_t other);
-    void add(std::size_t i, float u, float v, float height);
+    void set(std::size_t i, const glm::vec3& low, const glm::vec3& high);
+    glm::vec3 lowOf(std::size_t i) const;
+    glm::vec3 highOf(std::size_t i) const;
     unsigned meeting(const CasterBox& box) const;
     /// Of those, the ones that have something on the positive side of each plane.
     unsigned meeting(const CasterPlanes& planes) const;
@@ -74,7 +75,7 @@ class PointTree {
     static constexpr std::size_t leafSize = 16;
 
     /// In place of what was there.
-    void build(const FaceFrame& frame, std::span<const FacePoint> points);
+    void build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> points);
 
     const FaceFrame& frame() const { return frame_; }
     bool empty() const { return levels_.empty(); }
@@ -83,6 +84,11 @@ class PointTree {
     struct Groups {
         std::vector<PointBoxes> boxes;
         std::vector<std::uint32_t> groups; ///< by box
+
+        void clear() {
+            boxes.clear();
+            groups.clear();
+        }
     };
     /// All that hold points which a caster within the box may keep light from; of one caster, if
     /// its planes are told.
@@ -119,6 +125,8 @@ class PointTree {
         std::array<Lanes, parts> u, v, height;
         std::array<std::uint32_t, leafSize> pixels;
 
+        glm::vec3 low() const;
+        glm::vec3 high() const;
         unsigned within(const CasterPlanes& planes) const;
     };
     struct Level {
@@ -128,6 +136,7 @@ class PointTree {
     };
     static constexpr unsigned all = (1u << leafSize) - 1;
 
+    void buildLevels();
     void gatherIn(std::size_t level, std::size_t eight, const CasterBox& around,
                   const CasterPlanes* planes, Groups& found) const;
     void settle(std::size_t leaf);
