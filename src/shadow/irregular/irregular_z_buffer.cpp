@@ -50,12 +50,13 @@ double edgeSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p, b
 
 /// normal . rays + offset >= 0 in the frame's own coordinates, with room for rounding.
 HalfSpace inFrame(const FaceFrame& frame, const glm::dvec3& normal, double offset) {
-    const glm::dvec3 own = normal / frame.scale;
+    const glm::dvec3 own = normal * frame.half;
     const double d = offset + glm::dot(normal, frame.middle);
     const double size = std::abs(own.x) + std::abs(own.y) + std::abs(own.z) + std::abs(d);
     if (!(size > 0.0) || !std::isfinite(size)) return {0.0f, 0.0f, 0.0f, 1.0f};
-    return {static_cast<float>(own.x / size), static_cast<float>(own.y / size),
-            static_cast<float>(own.z / size), static_cast<float>(d / size) + faceRounding};
+    const double by = 1.0 / size;
+    return {static_cast<float>(own.x * by), static_cast<float>(own.y * by),
+            static_cast<float>(own.z * by), static_cast<float>(d * by) + faceRounding};
 }
 
 float above(float value) {
@@ -92,8 +93,8 @@ struct Extent {
         count += other.count;
     }
     FaceFrame frame() const {
-        return {0.5 * (low + high),
-                2.0 / glm::max(high - low, glm::dvec3(std::numeric_limits<double>::min()))};
+        constexpr double least = 1e-300; // its inverse is a number
+        return {0.5 * (low + high), glm::max(0.5 * (high - low), glm::dvec3(least))};
     }
 };
 
@@ -104,8 +105,10 @@ struct IrregularZBuffer::Corners {
     std::array<glm::dvec3, 3> places;
     SpacePlane plane;
     double behind;    ///< times a height over the plane: above 0 where the light isn't
-    SeenPlane seen;
+    int eyeSide;      ///< SightLines::eyeSideOf()
     bool litSideSeen; ///< eye and light are on one side
+    bool isSeen = false; ///< the following is known
+    SeenPlane seen;
     double tolerance; ///< of what is left
 };
 
@@ -269,11 +272,14 @@ void IrregularZBuffer::cast(const Triangle& triangle, std::size_t face, Scratch&
     }
     tree.find(
         *groups, box,
-        [&] {
+        [&]() -> const CasterPlanes& {
             if (!alone) know();
             return planes;
         },
-        [&](std::uint32_t pixel) { return isShadowed(corners, pixel); },
+        [&](std::uint32_t pixel) {
+            if (!corners.isSeen) see(corners);
+            return isShadowed(corners, pixel);
+        },
         [&](std::uint32_t pixel) { shadowed_[pixel] = 255; });
 }
 
@@ -297,10 +303,9 @@ IrregularZBuffer::Corners IrregularZBuffer::cornersOf(const Triangle& triangle) 
     const double light =
         space_.directional() ? -corners.plane.normal.z : corners.plane.offset;
     corners.behind = light > 0.0 ? -1.0 : light < 0.0 ? 1.0 : 0.0;
-    corners.seen = lines_.seen(corners.plane);
-    corners.litSideSeen = corners.seen.eyeSide != 0 && (light > 0.0) == (corners.seen.eyeSide > 0);
-    corners.tolerance = depthError_ + snapError_ * (std::abs(corners.seen.perColumn) +
-                                                    std::abs(corners.seen.perRow));
+    corners.eyeSide = lines_.eyeSideOf(corners.plane);
+    corners.litSideSeen = corners.eyeSide != 0 && (light > 0.0) == (corners.eyeSide > 0);
+    corners.isSeen = false;
     return corners;
 }
 
@@ -338,11 +343,19 @@ CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners
     return planes;
 }
 
+void IrregularZBuffer::see(Corners& corners) const {
+    corners.isSeen = true;
+    if (corners.eyeSide == 0) return;
+    corners.seen = lines_.seen(corners.plane);
+    corners.tolerance = depthError_ + snapError_ * (std::abs(corners.seen.perColumn) +
+                                                    std::abs(corners.seen.perRow));
+}
+
 bool IrregularZBuffer::isShadowed(const Corners& corners, std::uint32_t pixel) const {
     const int x = static_cast<int>(pixel % static_cast<std::uint32_t>(depths_.width));
     const int y = static_cast<int>(pixel / static_cast<std::uint32_t>(depths_.width));
     const double left = leftOf(pixel);
-    if (corners.seen.eyeSide != 0) {
+    if (corners.eyeSide != 0) {
         const double behind = corners.seen.leftAt(x, y) - left;
         const bool before =
             behind <= 0.0 || (behind <= corners.tolerance &&
@@ -350,7 +363,7 @@ bool IrregularZBuffer::isShadowed(const Corners& corners, std::uint32_t pixel) c
         if (before == corners.litSideSeen) return false;
     }
     const glm::dvec3 place = lines_.placeOf(x, y, left);
-    if (corners.seen.eyeSide == 0 && corners.behind * corners.plane.heightOf(place) <= 0.0)
+    if (corners.eyeSide == 0 && corners.behind * corners.plane.heightOf(place) <= 0.0)
         return false;
     const auto& [a, b, c] = corners.places;
     const bool directional = space_.directional();

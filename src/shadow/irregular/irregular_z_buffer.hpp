@@ -57,6 +57,7 @@ class IrregularZBuffer {
     void cast(const Triangle& triangle, std::size_t face, Scratch& scratch);
     CasterBox boxOn(std::size_t face, const Triangle& triangle) const;
     Corners cornersOf(const Triangle& triangle) const;
+    void see(Corners& corners) const;
     CasterPlanes planesOn(std::size_t face, const Corners& corners) const;
     bool isShadowed(const Corners& corners, std::uint32_t pixel) const;
     double leftOf(std::uint32_t pixel) const {

@@ -132,6 +132,16 @@ unsigned PointBoxes::meeting(const CasterPlanes& planes) const {
     return bits;
 }
 
+unsigned PointTree::Leaf::within(const CasterBox& box) const {
+    unsigned bits = 0;
+    for (std::size_t p = 0; p < parts; ++p) {
+        const LaneMask mask = (u[p] >= box.u0) & (u[p] <= box.u1) & (v[p] >= box.v0) &
+                              (v[p] <= box.v1) & (height[p] <= box.highest);
+        bits |= bitsOf(mask) << (p * laneCount);
+    }
+    return bits;
+}
+
 unsigned PointTree::Leaf::within(const CasterPlanes& planes) const {
     unsigned bits = 0;
     for (std::size_t p = 0; p < parts; ++p) {

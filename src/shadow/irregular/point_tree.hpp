@@ -18,7 +18,8 @@ namespace edgeshade {
 /// heights towards the light.
 struct FaceFrame {
     glm::dvec3 middle{0.0};
-    glm::dvec3 scale{1.0}; ///< own coordinates a unit
+    glm::dvec3 half{1.0}; ///< from there to where a coordinate is 1
+    glm::dvec3 scale = 1.0 / half;
 
     glm::dvec3 of(const glm::dvec3& place) const { return (place - middle) * scale; }
 };
@@ -94,13 +95,12 @@ class PointTree {
     /// its planes are told.
     void gather(const CasterBox& around, const CasterPlanes* planes, Groups& found) const;
 
-    /// Calls planes() once for a caster whose box, within that of gather(), may hold points,
+    /// Calls planes() once for a caster whose box, within that of gather(), holds points,
     /// isShadowed(pixel) for those that may be behind it, and mark(pixel) once for each that is.
     template <class Planes, class IsShadowed, class Mark>
     void find(const Groups& among, const CasterBox& box, Planes planes, IsShadowed isShadowed,
               Mark mark) {
-        bool known = false;
-        CasterPlanes by;
+        const CasterPlanes* by = nullptr;
         for (std::size_t b = 0; b < among.boxes.size(); ++b)
             for (unsigned met = among.boxes[b].meeting(box); met != 0; met &= met - 1) {
                 const std::size_t group =
@@ -108,14 +108,18 @@ class PointTree {
                                  static_cast<std::size_t>(std::countr_zero(met))];
                 unsigned leaves = levels_[0].alive[group].load(std::memory_order_relaxed);
                 if (leaves != 0) leaves &= levels_[0].boxes[group].meeting(box);
-                if (leaves == 0) continue;
-                if (!known) by = planes();
-                known = true;
-                leaves &= levels_[0].boxes[group].meeting(by);
-                for (; leaves != 0; leaves &= leaves - 1)
-                    ask(group * PointBoxes::count +
-                            static_cast<std::size_t>(std::countr_zero(leaves)),
-                        by, isShadowed, mark);
+                if (leaves != 0 && by) leaves &= levels_[0].boxes[group].meeting(*by);
+                for (; leaves != 0; leaves &= leaves - 1) {
+                    const std::size_t leaf = group * PointBoxes::count +
+                                             static_cast<std::size_t>(std::countr_zero(leaves));
+                    unsigned points =
+                        leaves_[leaf].within(box) &
+                        ~static_cast<unsigned>(found_[leaf].load(std::memory_order_relaxed));
+                    if (points == 0) continue;
+                    if (!by) by = &planes();
+                    points &= leaves_[leaf].within(*by);
+                    if (points != 0) ask(leaf, points, isShadowed, mark);
+                }
             }
     }
 
@@ -127,6 +131,7 @@ class PointTree {
 
         glm::vec3 low() const;
         glm::vec3 high() const;
+        unsigned within(const CasterBox& box) const;
         unsigned within(const CasterPlanes& planes) const;
     };
     struct Level {
@@ -142,11 +147,10 @@ class PointTree {
     void settle(std::size_t leaf);
 
     template <class IsShadowed, class Mark>
-    void ask(std::size_t leaf, const CasterPlanes& planes, IsShadowed& isShadowed, Mark& mark) {
-        const unsigned known = found_[leaf].load(std::memory_order_relaxed);
+    void ask(std::size_t leaf, unsigned points, IsShadowed& isShadowed, Mark& mark) {
         unsigned found = 0;
-        for (unsigned met = leaves_[leaf].within(planes) & ~known; met != 0; met &= met - 1) {
-            const int i = std::countr_zero(met);
+        for (; points != 0; points &= points - 1) {
+            const int i = std::countr_zero(points);
             if (isShadowed(leaves_[leaf].pixels[static_cast<std::size_t>(i)])) found |= 1u << i;
         }
         if (found == 0) return;

@@ -25,15 +25,12 @@ SeenPlane SightLines::seen(const SpacePlane& plane) const {
     const double first = glm::dot(plane.normal, first_), column = glm::dot(plane.normal, column_),
                  row = glm::dot(plane.normal, row_);
     // Perspective: eye + depth (along + aside) = 0. Orthographic: eye + aside + depth along = 0.
-    const double by = perspective_ ? eye : along;
-    if (by == 0.0) return {};
     if (perspective_) {
         const double scale = -perLeft_ / eye;
-        return {scale * (along + first), scale * column, scale * row, eye > 0.0 ? 1 : -1};
+        return {scale * (along + first), scale * column, scale * row};
     }
     const double scale = -1.0 / (along * perLeft_);
-    return {scale * (eye + first) - ofNone_ / perLeft_, scale * column, scale * row,
-            along < 0.0 ? 1 : -1};
+    return {scale * (eye + first) - ofNone_ / perLeft_, scale * column, scale * row};
 }
 
 bool SightLines::meets(int x, int y, const std::array<glm::dvec3, 3>& corners,

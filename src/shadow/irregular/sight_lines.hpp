@@ -19,7 +19,6 @@ struct SpacePlane {
 /// 1 - depth, is linear in the pixel.
 struct SeenPlane {
     double none = 0.0, perColumn = 0.0, perRow = 0.0;
-    int eyeSide = 0; ///< the sign of heights where the eye is; 0: the plane is seen from its edge
 
     double leftAt(int x, int y) const { return none + perColumn * x + perRow * y; }
 };
@@ -38,6 +37,12 @@ class SightLines {
         return perspective_ ? eye_ + depth * (forward_ + aside)
                             : eye_ + depth * forward_ + aside;
     }
+    /// The sign of heights over a plane where the eye is; 0: it is seen from its edge.
+    int eyeSideOf(const SpacePlane& plane) const {
+        const double side = perspective_ ? plane.heightOf(eye_) : -glm::dot(plane.normal, forward_);
+        return side > 0.0 ? 1 : side < 0.0 ? -1 : 0;
+    }
+    /// Of one that isn't seen from its edge.
     SeenPlane seen(const SpacePlane& plane) const;
     /// Whether a pixel's line of sight meets a triangle of the plane, or passes it by no more than
     /// so many pixels.
