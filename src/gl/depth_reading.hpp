@@ -11,8 +11,8 @@ namespace edgeshade::gl {
 bool canReadDepth(const Capabilities& capabilities);
 
 /// Reads the current framebuffer's: `depths` has width x height then, rows from below, 0 to
-/// 2^32 - 1 for depths from 0 to 1. Returns the buffer's bits; 0 where it can't be read, as it has
-/// several samples a pixel or no depth.
+/// 2^32 - 1 for depths from the near to the far end of the depth range. Returns how many bits that
+/// range has; 0 where it can't be read, as it has several samples a pixel or no depth.
 int readDepth(int width, int height, std::vector<std::uint32_t>& depths);
 
 } // namespace edgeshade::gl

@@ -21,14 +21,16 @@ std::string row(const std::string& name, const std::string& provokes,
 
 /// Ways of drawing a case, and their names.
 std::vector<std::pair<const char*, RenderSettings>> waysToDraw() {
-    RenderSettings byPlanes, toInfinity, byEdges, byMap;
+    RenderSettings byPlanes, toInfinity, byEdges, byMap, byPoints;
     toInfinity.ends = VolumeEnds::atInfinity;
     byEdges.multiplicity = MultiplicityMethod::referenceEdge;
     byMap.shadows = ShadowMethod::primitiveMap;
+    byPoints.shadows = ShadowMethod::irregularZBuffer;
     return {{"adapted", byPlanes},
             {"infinite", toInfinity},
             {"published", byEdges},
-            {"looked up", byMap}};
+            {"looked up", byMap},
+            {"irregular", byPoints}};
 }
 
 } // namespace

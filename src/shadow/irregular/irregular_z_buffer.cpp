@@ -7,7 +7,7 @@ namespace edgeshade {
 namespace {
 
 /// Rounding of a depth on its way through a rasteriser's floats.
-constexpr double depthRounding = 0x1p-21;
+constexpr double depthRounding = 0x1p-22;
 
 /// What rounding may do to an own coordinate of a FaceFrame, where it is 1.
 constexpr float faceRounding = 0x1p-20f;
@@ -123,7 +123,7 @@ IrregularZBuffer::IrregularZBuffer(const DepthPicture& depths, const FrameView& 
                                    const DepthSlice& slice, const Light& light,
                                    const PixelRectangle& reach, int subpixelBits, Threads threads)
     : depths_(depths), space_(light, view.frustum.position()), lines_(view, slice, space_),
-      depthError_(std::ldexp(2.0, -depths.bits) + depthRounding),
+      depthError_(std::ldexp(0.75, -depths.bits) + depthRounding),
       snapError_(std::ldexp(1.0, -subpixelBits)), faces_(space_.faceCount()),
       shadowed_(depths.depths.size(), 0) {
     addPoints(intersection(reach, {0, 0, depths.width, depths.height}), threads);
@@ -140,8 +140,8 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
                 for (int y = y0; y < std::min(y0 + block, end); ++y)
                     for (int x = x0; x < std::min(x0 + block, within.x + within.width); ++x) {
                         const auto pixel = static_cast<std::uint32_t>(y * depths_.width + x);
+                        if (isEmpty(pixel)) continue;
                         const double left = leftOf(pixel);
-                        if (left == 0.0) continue;
                         const glm::dvec3 place = lines_.placeOf(x, y, left);
                         const std::size_t face = space_.directional() ? 0 : faceAlong(place);
                         use(pixel, face,
@@ -324,7 +324,9 @@ CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners
             planes[i] = inFrame(frame, turned * normal,
                                 -turned * (normal.x * a.x + normal.y * a.y));
         } else {
-            const glm::dvec3 normal = turned * glm::cross(turnedTo(face, a), turnedTo(face, b));
+            // a x b, which rounding leaves little of where the light is far away.
+            const glm::dvec3 normal =
+                turned * glm::cross(turnedTo(face, a), turnedTo(face, b - a));
             planes[i] = inFrame(frame, {normal.x, normal.y, 0.0}, normal.z);
         }
     }
@@ -347,7 +349,7 @@ void IrregularZBuffer::see(Corners& corners) const {
     corners.isSeen = true;
     if (corners.eyeSide == 0) return;
     corners.seen = lines_.seen(corners.plane);
-    corners.tolerance = depthError_ + snapError_ * (std::abs(corners.seen.perColumn) +
+    corners.tolerance = snapError_ * (std::abs(corners.seen.perColumn) +
                                                     std::abs(corners.seen.perRow));
 }
 

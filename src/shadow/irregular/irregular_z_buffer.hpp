@@ -60,8 +60,10 @@ class IrregularZBuffer {
     void see(Corners& corners) const;
     CasterPlanes planesOn(std::size_t face, const Corners& corners) const;
     bool isShadowed(const Corners& corners, std::uint32_t pixel) const;
+    bool isEmpty(std::uint32_t pixel) const { return depths_.depths[pixel] == 0xFFFFFFFF; }
+    /// What is left of the depth range behind a point that is certainly before what is seen.
     double leftOf(std::uint32_t pixel) const {
-        return static_cast<double>(~depths_.depths[pixel]) * (1.0 / 4294967295.0);
+        return static_cast<double>(~depths_.depths[pixel]) * (1.0 / 4294967295.0) + depthError_;
     }
 
     const DepthPicture& depths_;

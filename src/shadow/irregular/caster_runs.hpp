@@ -1,0 +1,44 @@
+#pragma once
+
+#include "preprocess/base/box.hpp"
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace edgeshade {
+
+/// Casting triangles by runs of neighbours, each with its own vertices and the box around them.
+class CasterRuns {
+  public:
+    static constexpr std::size_t length = 32; ///< triangles of a run, or fewer
+
+    using Triangle = std::array<std::uint8_t, 3>; ///< corners among its run's vertices
+
+    struct Run {
+        Box bounds;
+        std::uint32_t firstVertex = 0, vertexCount = 0;
+        std::uint32_t firstTriangle = 0, triangleCount = 0;
+    };
+
+    CasterRuns() = default;
+    /// `indices`: three a triangle.
+    CasterRuns(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
+
+    const std::vector<Run>& runs() const { return runs_; }
+    std::span<const glm::vec3> verticesOf(const Run& run) const {
+        return std::span(vertices_).subspan(run.firstVertex, run.vertexCount);
+    }
+    std::span<const Triangle> trianglesOf(const Run& run) const {
+        return std::span(triangles_).subspan(run.firstTriangle, run.triangleCount);
+    }
+
+  private:
+    std::vector<Run> runs_;
+    std::vector<glm::vec3> vertices_;
+    std::vector<Triangle> triangles_;
+};
+
+} // namespace edgeshade
