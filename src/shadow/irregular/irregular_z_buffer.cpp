@@ -6,8 +6,8 @@
 namespace edgeshade {
 namespace {
 
-/// Rounding of a depth on its way through a rasteriser's floats.
-constexpr double depthRounding = 0x1p-22;
+/// Rounding of a depth on its way through a rasteriser's floats, mostly and at the most.
+constexpr double depthRounding = 0x1p-25, mostRounding = 0x1p-21;
 
 /// What rounding may do to an own coordinate of a FaceFrame, where it is 1.
 constexpr float faceRounding = 0x1p-20f;
@@ -124,7 +124,7 @@ IrregularZBuffer::IrregularZBuffer(const DepthPicture& depths, const FrameView& 
                                    const PixelRectangle& reach, int subpixelBits, Threads threads)
     : depths_(depths), space_(light, view.frustum.position()), lines_(view, slice, space_),
       depthError_(std::ldexp(0.75, -depths.bits) + depthRounding),
-      snapError_(std::ldexp(1.0, -subpixelBits)), faces_(space_.faceCount()),
+      snapError_(std::ldexp(0.5, -subpixelBits)), faces_(space_.faceCount()),
       shadowed_(depths.depths.size(), 0) {
     addPoints(intersection(reach, {0, 0, depths.width, depths.height}), threads);
 }
@@ -349,7 +349,7 @@ void IrregularZBuffer::see(Corners& corners) const {
     corners.isSeen = true;
     if (corners.eyeSide == 0) return;
     corners.seen = lines_.seen(corners.plane);
-    corners.tolerance = snapError_ * (std::abs(corners.seen.perColumn) +
+    corners.tolerance = mostRounding + snapError_ * (std::abs(corners.seen.perColumn) +
                                                     std::abs(corners.seen.perRow));
 }
 

@@ -69,7 +69,8 @@ class IrregularZBuffer {
     const DepthPicture& depths_;
     LightSpace space_;
     SightLines lines_;
-    double depthError_, snapError_;
+    double depthError_; ///< what depths, as they are kept, are off by
+    double snapError_;  ///< pixels, that a rasteriser moves vertices by
     std::vector<PointTree> faces_;
     std::vector<std::uint8_t> shadowed_;
 };
