@@ -7,7 +7,7 @@ namespace edgeshade {
 namespace {
 
 /// Rounding of a depth on its way through a rasteriser's floats, mostly and at the most.
-constexpr double depthRounding = 0x1p-25, mostRounding = 0x1p-21;
+constexpr double depthRounding = 0x1p-24, mostRounding = 0x1p-21;
 
 /// What rounding may do to an own coordinate of a FaceFrame, where it is 1.
 constexpr float faceRounding = 0x1p-20f;
@@ -109,7 +109,7 @@ struct IrregularZBuffer::Corners {
     bool litSideSeen; ///< eye and light are on one side
     bool isSeen = false; ///< the following is known
     SeenPlane seen;
-    double tolerance; ///< of what is left
+    double perPixel; ///< of what is left: how steep the plane is
 };
 
 /// What a thread works with.
@@ -349,8 +349,7 @@ void IrregularZBuffer::see(Corners& corners) const {
     corners.isSeen = true;
     if (corners.eyeSide == 0) return;
     corners.seen = lines_.seen(corners.plane);
-    corners.tolerance = mostRounding + snapError_ * (std::abs(corners.seen.perColumn) +
-                                                    std::abs(corners.seen.perRow));
+    corners.perPixel = std::abs(corners.seen.perColumn) + std::abs(corners.seen.perRow);
 }
 
 bool IrregularZBuffer::isShadowed(const Corners& corners, std::uint32_t pixel) const {
@@ -359,9 +358,12 @@ bool IrregularZBuffer::isShadowed(const Corners& corners, std::uint32_t pixel) c
     const double left = leftOf(pixel);
     if (corners.eyeSide != 0) {
         const double behind = corners.seen.leftAt(x, y) - left;
-        const bool before =
-            behind <= 0.0 || (behind <= corners.tolerance &&
-                              lines_.meets(x, y, corners.places, snapError_));
+        bool before = behind <= 0.0;
+        if (!before) {
+            const double aside = snapError_ + lines_.asideAt(left);
+            before = behind <= mostRounding + aside * corners.perPixel &&
+                     lines_.meets(x, y, corners.places, aside);
+        }
         if (before == corners.litSideSeen) return false;
     }
     const glm::dvec3 place = lines_.placeOf(x, y, left);

@@ -1,6 +1,8 @@
 #include "src/shadow/irregular/sight_lines.hpp"
 
-#include <cmath>
+#include "src/shadow/geometry/box_plane.hpp"
+
+#include <algorithm>
 
 namespace edgeshade {
 
@@ -17,6 +19,10 @@ SightLines::SightLines(const FrameView& view, const DepthSlice& slice, const Lig
     // Perspective: left = K / depth. Orthographic: both are linear.
     const glm::dmat4 clip = view.clipFromView(slice);
     perLeft_ = perspective_ ? -0.5 * clip[3][2] : 2.0 / clip[2][2];
+    places_ = view.bounds.empty() ? 0.0
+                                  : glm::length(glm::max(glm::abs(view.bounds.low - frustum.position()),
+                                                         glm::abs(view.bounds.high - frustum.position())));
+    placing_ = 0x1p-23 / std::min(pixel.x, pixel.y);
     ofNone_ = perspective_ ? 0.0 : (clip[3][2] - 1.0) / clip[2][2];
 }
 

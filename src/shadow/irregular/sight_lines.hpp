@@ -4,6 +4,7 @@
 #include "src/shadow/scissors/light_space.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace edgeshade {
 
@@ -31,11 +32,16 @@ class SightLines {
 
     /// What is seen in a pixel, of which so much is left; not 0.
     glm::dvec3 placeOf(int x, int y, double left) const {
-        const double depth = perspective_ ? perLeft_ / left : ofNone_ + perLeft_ * left;
+        const double depth = depthOf(left);
         const glm::dvec3 aside = first_ + static_cast<double>(x) * column_ +
                                  static_cast<double>(y) * row_;
         return perspective_ ? eye_ + depth * (forward_ + aside)
                             : eye_ + depth * forward_ + aside;
+    }
+    /// How far, in pixels, floats may have put vertices aside at a depth.
+    double asideAt(double left) const {
+        const double depth = depthOf(left);
+        return placing_ * (places_ + std::abs(depth)) / (perspective_ ? depth : 1.0);
     }
     /// The sign of heights over a plane where the eye is; 0: it is seen from its edge.
     int eyeSideOf(const SpacePlane& plane) const {
@@ -49,11 +55,17 @@ class SightLines {
     bool meets(int x, int y, const std::array<glm::dvec3, 3>& corners, double pixels) const;
 
   private:
+    double depthOf(double left) const {
+        return perspective_ ? perLeft_ / left : ofNone_ + perLeft_ * left;
+    }
+
     bool perspective_;
     glm::dvec3 eye_, forward_;
     /// Across the line of sight: the first pixel's, and to the next column and row.
     glm::dvec3 first_, column_, row_;
     double perLeft_, ofNone_;
+    double places_;  ///< the size of what is rounded
+    double placing_; ///< pixels, a unit of depth, for each of it
 };
 
 } // namespace edgeshade
