@@ -63,16 +63,16 @@ class Stage {
     /// Works out what the frame shows. RayCrossings are kept while the lights rest;
     /// `volumes`: somebody draws them; `mostShadowed`: the most lights that anybody has with
     /// shadows.
-    /// `circle`: that lights draw; nothing: they rest.
-    void look(const FrameRequest& request, std::optional<double> circle, bool volumes,
+    /// `circle`: that lights draw, where they move.
+    void look(const FrameRequest& request, bool moves, double circle, bool volumes,
               std::optional<std::size_t> mostShadowed) {
         Stopwatch watch;
         view_ = makeFrameView(loaded_.scene, request, bounds_);
         chooseLights(view_, mostShadowed);
         for (FrameLight& of : view_.lights) {
-            of.atRest = !circle;
-            if (!circle) continue;
-            const double width = widthOf(of.light, bounds_, *circle);
+            of.atRest = !moves;
+            if (!moves) continue;
+            const double width = widthOf(of.light, bounds_, circle);
             if (width <= mostWander(of.light, bounds_.diagonal())) of.wander = width;
         }
         planMs_ = 1e3 * watch.lap();
@@ -156,7 +156,7 @@ class Course {
         look(shareOf(index));
         inTurn(index, [&](Contender& contender) {
             contender.frameMs.push_back(frameMs(contender));
-            contender.planMs.push_back(contender.stage.planMs(contender.needs.volumes.has_value()));
+            contender.planMs.push_back(contender.stage.planMs(countsVolumes(contender)));
             contender.vertexRuns.push_back(static_cast<double>(contender.renderer.vertexRuns()));
             addFill(contender);
             addLights(contender);
@@ -216,9 +216,9 @@ class Course {
         for (const auto& contender : contenders_)
             request.lightSamples =
                 std::max(request.lightSamples, contender->renderer.settings().countedPoints());
-        const auto circle = task_.lightMoves ? std::optional(task_.circle) : std::nullopt;
         for (const auto& stage : stages_)
-            stage->look(request, circle, anyVolumes(*stage), mostShadowed());
+            stage->look(request, task_.lightMoves, task_.circle, anyVolumes(*stage),
+                        mostShadowed());
     }
 
     /// Nothing: somebody has shadows of all lights.
@@ -235,8 +235,17 @@ class Course {
 
     bool anyVolumes(const Stage& stage) const {
         return std::any_of(contenders_.begin(), contenders_.end(), [&](const auto& contender) {
-            return &contender->stage == &stage && contender->needs.volumes.has_value();
+            return &contender->stage == &stage && countsVolumes(*contender);
         });
+    }
+
+    bool countsVolumes(const Contender& contender) const {
+        const LoadedScene& loaded = contender.stage.loaded();
+        return contender.needs.volumes &&
+               !(IrregularShadowPass::serves(contender.renderer.settings(),
+                                                           context_.capabilities(),
+                                                           loaded.scene.triangleCount(),
+                                                           loaded.settings.castMasked));
     }
 
     /// Calls `use` for every contender, each time with another one first.

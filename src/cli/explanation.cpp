@@ -10,10 +10,9 @@ namespace edgeshade::cli {
 namespace {
 
 /// Which lights are looked up in primitive maps, and why the others are not.
-std::string methodsOf(const GpuScene& scene, const FrameView& view,
-                      const RenderSettings& settings) {
+std::string methodsOf(const Renderer& renderer, const GpuScene& scene, const FrameView& view) {
     std::string text;
-    const std::vector<LightMethod> methods = lightMethods(scene, view, settings);
+    const std::vector<LightMethod> methods = lightMethods(scene, view, renderer);
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const LightMethod& of = methods[i];
         text += "light " + std::to_string(i) + ": ";
@@ -21,7 +20,8 @@ std::string methodsOf(const GpuScene& scene, const FrameView& view,
             text += "looked up in a primitive map of " + std::to_string(of.bytes) +
                     " bytes, built in " + std::to_string(std::lround(of.buildMs)) + " ms\n";
         else
-            text += "volumes: " + of.why + "\n";
+            text += (of.method == "irregular-z-buffer" ? "irregular z-buffer: " : "volumes: ") + of.why +
+                    "\n";
     }
     return text;
 }
@@ -72,10 +72,10 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
                std::to_string(scene.planes.bytes()) + " bytes";
     case ShadowMethod::automatic:
     case ShadowMethod::primitiveMap:
-        methods = methodsOf(scene, view, settings);
+        methods = methodsOf(renderer, scene, view);
         break;
     case ShadowMethod::volumes:
-        if (settings.casterCulling) methods = methodsOf(scene, view, settings);
+        if (settings.casterCulling) methods = methodsOf(renderer, scene, view);
         break;
     }
     if (renderer.volumes()->layout() == VolumeLayout::triangles)

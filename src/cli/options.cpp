@@ -232,8 +232,10 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppos
     LoadedScene loaded = loadScene(input, casters.wanted(), limits, {}, {variant, shading});
     loaded.cutoutsCast = cutoutsCast;
     loaded.scene.culls = culls.value_or(cullsByDefault && !oppositeVertices);
-    if (cutoutsCast && shadows == ShadowMethod::volumes)
-        loaded.scene.warnings.add("--cast-cutouts: volumes count no cutouts; --shadows "
+    if (cutoutsCast &&
+        (shadows == ShadowMethod::volumes || shadows == ShadowMethod::irregularZBuffer))
+        loaded.scene.warnings.add("--cast-cutouts: volumes count no cutouts, nor does an irregular "
+                                  "z-buffer; --shadows "
                                   "primitive-map has them, exactly, auto, and map.");
     const bool wanted = time || !animation.empty();
     if (wanted && !poseScene(loaded, time.value_or(0.0), animation) && animation.empty())

@@ -1,5 +1,6 @@
 #include "src/viewer/viewer.hpp"
 
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
@@ -152,6 +153,8 @@ struct Viewer::Parts {
     void smooth(double now);
     void drawSides(const FrameView& view, Convergence& convergence, StageClock* stageClock);
     void groupCasters(FrameView& view);
+    /// Whether no volumes are counted for a side, but visible points asked.
+    bool asksPoints(const SideSettings& side);
     const EdgeCounts& edgesNow();
 };
 
@@ -303,6 +306,14 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
     return edgeCounts->second;
 }
 
+bool Viewer::Parts::asksPoints([[maybe_unused]] const SideSettings& side) {
+    if constexpr (readsDepth)
+        return IrregularShadowPass::serves(gpu->renderers.of(side, state).settings(),
+                                           gpu->capabilities, loaded->scene.triangleCount(),
+                                           loaded->settings.castMasked);
+    return false;
+}
+
 /// Puts the casters in groups that a stencil can count, and finds planes where shadows are planar.
 void Viewer::Parts::groupCasters(FrameView& view) {
     for (const SideSettings* side : {&state.left, &state.right}) {
@@ -311,6 +322,7 @@ void Viewer::Parts::groupCasters(FrameView& view) {
             if (side->shadows == ShadowMethod::planar)
                 gpu->scene->planes.make(*loaded, settings.render.planes);
         if (!mayCount(*side)) continue;
+        if (state.debug != DebugView::volumes && asksPoints(*side)) continue;
         layers.fill(loaded->scene, loaded->settings.castMasked, view.lights);
         gpu->scene->groups.upload(*loaded, view.lights, gpu->recordsOf(*side));
     }
@@ -736,12 +748,11 @@ FrameStats Viewer::stats() const {
     if (parts.gpu) stats.mapBytes = parts.gpu->renderers.mapBytes();
     if (parts.gpu && parts.gpu->scene) {
         stats.primitiveMapBytes = parts.gpu->scene->primitiveMaps.bytes();
-        RenderSettings drawn = parts.settings.render;
-        drawn.shadows = parts.state.left.shadows;
         FrameView view;
         for (const Light& light : parts.state.lights)
             view.lights.push_back({light, {}});
-        stats.lights = lightMethods(*parts.gpu->scene, view, drawn);
+        stats.lights = lightMethods(*parts.gpu->scene, view,
+                                    parts.gpu->renderers.of(parts.state.left, parts.state));
     }
     return stats;
 }

@@ -83,14 +83,29 @@ bool isFullyShadowed(const LightPlan& light) {
                        [](const CountPlan& count) { return count.fullyShadowed; });
 }
 
-/// Calls use(plan, casters) for everything that a frame counts.
+CountPlan askingPoints() {
+    CountPlan plan;
+    plan.byPoints = true;
+    return plan;
+}
+
+/// Of all batches that are drawn.
+[[maybe_unused]] std::size_t triangleCount(const GpuScene& scene) {
+    std::size_t count = 0;
+    for (const GpuBatch& batch : scene.batches)
+        if (!batch.hidden) count += batch.geometry->indices.size() / 3;
+    return count;
+}
+
+/// Calls use(plan, casters) for everything that a frame counts by drawing.
 template <class Use>
 void forEachCount(const FramePlan& frame, const FrameView& view, Use use) {
     for (std::size_t s = 0; s < frame.slices.size(); ++s)
         for (std::size_t light = 0; light < frame.slices[s].lights.size(); ++light) {
             const auto& counts = frame.slices[s].lights[light].counts;
             for (std::size_t group = 0; group < counts.size(); ++group)
-                use(counts[group], CasterGroupInSlice{view, view.slices[s], light, group});
+                if (!counts[group].byPoints)
+                    use(counts[group], CasterGroupInSlice{view, view.slices[s], light, group});
         }
 }
 
@@ -111,12 +126,12 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
             throw Error(ExitStatus::unavailable,
                         "This build has no planar shadows, which are there to be compared with.");
     }
-    if (settings.shadows == ShadowMethod::irregularZBuffer) {
-        if constexpr (readsDepth)
-            irregular_.emplace(capabilities);
-        else
-            throw Error(ExitStatus::unavailable, "This build can't read depth buffers, which "
-                                                 "'--shadows irregular-z-buffer' needs.");
+    if constexpr (readsDepth) {
+        if (IrregularShadowPass::isWanted(settings, capabilities))
+            irregular_ = std::make_shared<IrregularShadowPass>(capabilities);
+    } else if (settings.shadows == ShadowMethod::irregularZBuffer) {
+        throw Error(ExitStatus::unavailable, "This build has no irregular z-buffer: pages can't "
+                                             "read depth.");
     }
     if (maps_ && settings.map.kind == MapKind::warped) places_.emplace(capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
@@ -196,6 +211,9 @@ std::size_t Renderer::ambientBytes() const {
 }
 
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
+    if constexpr (readsDepth)
+        asksPoints_ = irregular_ && (!volumes_ || IrregularShadowPass::pays(triangleCount(scene),
+                                                                            scene.castMasked));
     plan_ = planned(scene, view, clock);
     sum_.keepsAmbient = willKeepAmbient(scene, view);
     glViewport(0, 0, view.width, view.height);
@@ -206,6 +224,8 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
         const SlicePass pass{scene, view, view.slices[s], plan_.slices[s], s == 0, clock};
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
         drawDepthAndAmbient(pass);
+        if constexpr (readsDepth)
+            if (irregular_) irregular_->forgetDepths();
         if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
         if constexpr (readsDepth)
             if (scissors_)
@@ -229,6 +249,10 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
     if (marked) restoreAlpha(scene, view);
 }
 
+bool Renderer::isByPoints(const GpuScene& scene, const FrameLight& of) const {
+    return readsDepth && asksPoints_ && !primitiveMapOf(scene, of);
+}
+
 FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* clock) {
     FrameTask task{.view = view,
                    .open = gl::scissored(view.width, view.height),
@@ -237,11 +261,13 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
                    .groupCount = [](std::size_t) { return std::size_t{0}; },
                    .planCount = {}};
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
-    if (planar_ || irregular_) { // counted in one stencil, without volumes
+    if (planar_ || (irregular_ && !volumes_)) { // marked in one stencil, without volumes
         task.groupCount = [&](std::size_t light) -> std::size_t {
             return visibilityOf(light) ? 0 : 1;
         };
-        task.planCount = [](const DepthSlice&, std::size_t, std::size_t) { return CountPlan(); };
+        task.planCount = [&](const DepthSlice&, std::size_t, std::size_t) {
+            return irregular_ ? askingPoints() : CountPlan();
+        };
     }
     if constexpr (listsLights)
         if (table_) {
@@ -251,10 +277,12 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
     if (!volumes_) return planFrame(task);
     task.groupCount = [&](std::size_t light) -> std::size_t {
         if (visibilityOf(light)) return 0;
+        if (isByPoints(scene, view.lights[light])) return 1;
         if (primitiveMapOf(scene, view.lights[light]) && !anyAnimated(scene)) return 0;
         return scene.groupCount(view.lights[light], volumes_->layout());
     };
     task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
+        if (isByPoints(scene, view.lights[light])) return askingPoints();
         const bool lookedUp = primitiveMapOf(scene, view.lights[light]) != nullptr;
         return volumes_->plan(scene, {view, slice, light, group, lookedUp});
     };
@@ -555,7 +583,7 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
             return;
         }
     if constexpr (readsDepth)
-        if (irregular_) {
+        if (plan.byPoints) {
             irregular_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light,
                              pass.plan.lights[light].reach);
             return;

@@ -149,6 +149,8 @@ class Renderer {
     LightSum lightSum(const GpuScene& scene, const FrameView& view) const;
     /// Makes what the sum takes, and binds what it is made in.
     void prepareSum(const GpuScene& scene, const FrameView& view);
+    /// Whether the light's visible points are asked one by one.
+    bool isByPoints(const GpuScene& scene, const FrameLight& of) const;
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
     /// Whether nothing is counted where no surface is; published methods count everywhere.
     bool cutsToVisible() const;
@@ -220,11 +222,12 @@ class Renderer {
     std::optional<VisiblePlaces> places_;    ///< where they are warped
     std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
-    std::optional<IrregularShadowPass> irregular_; ///< where they are asked of visible points
+    std::shared_ptr<IrregularShadowPass> irregular_; ///< where visible points may be asked
+    bool asksPoints_ = false;                      ///< they are, in this frame
     std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
     std::optional<LinearTarget> linear_;
-    /// Where ambient light's colours may be kept. Shared with nobody, but pages, which keep none,
-    /// carry no code to destroy it so.
+    /// Where ambient light's colours may be kept. It and irregular_ are shared with nobody, but
+    /// pages, which have neither, carry no code to destroy them so.
     std::shared_ptr<AmbientTarget> ambient_;
     std::optional<LightTable> table_;           ///< where lights may be listed
     LightTableLookup listed_;                   ///< of the slice that is drawn

@@ -1,5 +1,7 @@
 #include "src/render/frame/light_methods.hpp"
 
+#include <algorithm>
+
 namespace edgeshade {
 
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
@@ -9,6 +11,16 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         for (std::size_t i = 0; i < methods.size(); ++i)
             if (methods[i].method == "map")
                 methods[i].bytes = renderer.mapBytesOf(view.lights[i].light);
+    // What was decided as the last frame was planned.
+    for (const SlicePlan& slice : renderer.plan().slices)
+        for (std::size_t i = 0; i < std::min(methods.size(), slice.lights.size()); ++i) {
+            const std::vector<CountPlan>& counts = slice.lights[i].counts;
+            if (counts.empty() || !counts.front().byPoints) continue;
+            methods[i].method = "irregular-z-buffer";
+            if (renderer.volumes())
+                methods[i].why = "it has no primitive map, and filling volumes is estimated to take "
+                                 "longer";
+        }
     return methods;
 }
 

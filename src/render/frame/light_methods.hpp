@@ -5,8 +5,8 @@
 
 namespace edgeshade {
 
-/// lightMethods() with the bytes of shadow maps that the renderer has drawn; lights of a kind take
-/// turns with one.
+/// lightMethods() with the bytes of shadow maps that the renderer has drawn, lights of a kind take
+/// turns with one, and with whose visible points were asked in its last frame.
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
                                       const Renderer& renderer);
 

@@ -3,6 +3,7 @@
 #include "src/gl/capabilities.hpp"
 #include "src/gl/objects.hpp"
 #include "src/render/drawing/whole_picture.hpp"
+#include "src/render/volumes/render_settings.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
@@ -17,14 +18,29 @@ namespace edgeshade {
 /// is between it and the light: exact as volumes are, and nothing is filled (docs/method.md, C46).
 class IrregularShadowPass {
   public:
-    /// Throws Error(unavailable) where depth buffers can't be read.
+    /// Whether the settings ask for it, or leave it open in a GL where it may pay: the processor
+    /// draws, and depth can be read. Throws Error(unavailable) where they ask for it and it can't.
+    static bool isWanted(const RenderSettings& settings, const gl::Capabilities& capabilities);
+    /// Whether casters are so many that it takes less than filling their volumes, and none has
+    /// holes.
+    static bool pays(std::size_t casters, bool castMasked);
+    /// Whether lights without a primitive map have no volumes.
+    static bool serves(const RenderSettings& settings, const gl::Capabilities& capabilities,
+                       std::size_t casters, bool castMasked) {
+        return isWanted(settings, capabilities) &&
+               (settings.shadows == ShadowMethod::irregularZBuffer || pays(casters, castMasked));
+    }
+
     explicit IrregularShadowPass(const gl::Capabilities& capabilities);
+
+    /// The framebuffer's depths are others from now on.
+    void forgetDepths() { known_ = false; }
 
     /// Marks what of a slice's surfaces in the current framebuffer is in the light's shadow: the
     /// stencil, which must be 0, is not 0 there. Colour and depth masks are the caller's state, as
     /// are the viewport, the picture's, and the scissor, which is `reach`. Leaves the depth test
     /// on, the stencil's test on. Throws Error(unavailable) where the framebuffer's depth can't be
-    /// read.
+    /// read, or casters have holes.
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               const Light& light, const PixelRectangle& reach);
 
@@ -44,6 +60,7 @@ class IrregularShadowPass {
     gl::Texture texture_;
     glm::ivec2 size_{0}; ///< the texture's
     DepthPicture depths_;
+    bool known_ = false; ///< they are the framebuffer's
     std::map<const Geometry*, Kept> kept_;
 };
 

@@ -21,6 +21,8 @@ struct PlacedShadow {
 /// What one stencil counts: a group of a light's casters in a depth slice.
 struct CountPlan {
     std::vector<BatchPlan> batches;
+    /// Nothing is drawn: visible points are asked one by one (docs/method.md, C46).
+    bool byPoints = false;
     bool fullyShadowed = false; ///< all that is visible is in shadow, and nothing is drawn
     StencilStart start;
     DrawList draws; ///< where some count twice they come first, and counts are doubled then
