@@ -242,10 +242,8 @@ class Course {
     bool countsVolumes(const Contender& contender) const {
         const LoadedScene& loaded = contender.stage.loaded();
         return contender.needs.volumes &&
-               !(IrregularShadowPass::serves(contender.renderer.settings(),
-                                                           context_.capabilities(),
-                                                           loaded.scene.triangleCount(),
-                                                           loaded.settings.castMasked));
+               !(IrregularShadowPass::serves(contender.renderer.settings(), context_.capabilities(),
+                                             loaded.scene.triangleCount()));
     }
 
     /// Calls `use` for every contender, each time with another one first.

@@ -309,8 +309,7 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
 bool Viewer::Parts::asksPoints([[maybe_unused]] const SideSettings& side) {
     if constexpr (readsDepth)
         return IrregularShadowPass::serves(gpu->renderers.of(side, state).settings(),
-                                           gpu->capabilities, loaded->scene.triangleCount(),
-                                           loaded->settings.castMasked);
+                                           gpu->capabilities, loaded->scene.triangleCount());
     return false;
 }
 

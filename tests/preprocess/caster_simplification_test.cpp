@@ -82,7 +82,7 @@ TEST(CasterSimplification, SurfacesStayAsTheyAre) {
     EXPECT_EQ(a.geometry->positions, b.geometry->positions);
     EXPECT_EQ(a.geometry->indices, b.geometry->indices);
     EXPECT_EQ(positionsHash(a, castingSurfacesOf(*a.geometry, before.materials, false)),
-              positionsHash(b, castingSurfacesOf(b, after.materials, false)));
+              positionsHash(b, castingSurfacesOf(*b.geometry, after.materials, false)));
 }
 
 TEST(CasterSimplification, ALargerErrorLeavesFewerTriangles) {

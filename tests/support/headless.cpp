@@ -1,5 +1,6 @@
 #include "tests/support/headless.hpp"
 
+#include "src/gl/depth_reading.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/geometry/light_budget.hpp"
 
@@ -19,6 +20,11 @@ gl::Limits testLimits() {
 bool drawsOnProcessor() {
     static const bool software = gl::HeadlessContext(testPicture(1, 1)).capabilities().isSoftware();
     return software;
+}
+
+bool canReadDepth() {
+    static const bool can = gl::canReadDepth(gl::HeadlessContext(testPicture(1, 1)).capabilities());
+    return can;
 }
 
 bool hasDerivatives() {

@@ -46,6 +46,16 @@ void expectRight(const Case& test) {
                               MultiplicityMethod::threeEdge})
         expectRight(test, method);
     if (testLimits() == gl::Limits::device) expectLookedUpRight(test);
+    expectRightByPoints(test);
+}
+
+void expectRightByPoints(const Case& test) {
+    if (!canReadDepth()) return;
+    RenderSettings settings;
+    settings.shadows = ShadowMethod::irregularZBuffer;
+    const Outcome outcome = run(test, settings);
+    EXPECT_EQ(outcome.wrongBeyondOnePixel, 0) << "by an irregular z-buffer:" << outcome.where;
+    EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << "by an irregular z-buffer";
 }
 
 void expectLookedUpRight(const Case& test) {

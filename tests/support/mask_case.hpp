@@ -35,12 +35,15 @@ struct Outcome {
 Outcome run(const Case& test, RenderSettings settings = {}, bool nearDiscard = true,
             bool culledCaps = true);
 
-/// Expects every pixel away from a boundary to be right, by every robust method and layout, and by
-/// a primitive map.
+/// Expects every pixel away from a boundary to be right, by every robust method and layout, by a
+/// primitive map, and where visible points are asked one by one.
 void expectRight(const Case& test);
 
 /// The same by a primitive map; where some casters can't be in one, volumes are counted.
 void expectLookedUpRight(const Case& test);
+
+/// The same by an irregular z-buffer, where depth can be read.
+void expectRightByPoints(const Case& test);
 
 /// The same by one method and every layout.
 void expectRight(const Case& test, MultiplicityMethod method);

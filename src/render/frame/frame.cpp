@@ -212,8 +212,7 @@ std::size_t Renderer::ambientBytes() const {
 
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
     if constexpr (readsDepth)
-        asksPoints_ = irregular_ && (!volumes_ || IrregularShadowPass::pays(triangleCount(scene),
-                                                                            scene.castMasked));
+        asksPoints_ = irregular_ && (!volumes_ || IrregularShadowPass::pays(triangleCount(scene)));
     plan_ = planned(scene, view, clock);
     sum_.keepsAmbient = willKeepAmbient(scene, view);
     glViewport(0, 0, view.width, view.height);

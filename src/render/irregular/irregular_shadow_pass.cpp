@@ -13,7 +13,7 @@ namespace {
 
 /// Below, volumes are filled in less time than points are sorted: as measured, of 4,000 they are,
 /// of 22,000 they take 1.2 times as long (docs/measured/fill.md).
-constexpr std::size_t leastCasters = 8192;
+constexpr std::size_t leastTriangles = 8192;
 
 } // namespace
 
@@ -26,13 +26,13 @@ bool IrregularShadowPass::isWanted(const RenderSettings& settings,
                     "irregular-z-buffer' needs; '--shadows volumes' does without.");
     }
     const auto records = settings.records();
-    return settings.shadows == ShadowMethod::automatic && records->volumes == VolumeLayout::planePairs &&
-           settings.maskScale == 1 && capabilities.isSoftware() && capabilities.samples <= 1 &&
-           gl::canReadDepth(capabilities);
+    return settings.shadows == ShadowMethod::automatic &&
+           records->volumes == VolumeLayout::planePairs && settings.maskScale == 1 &&
+           capabilities.isSoftware() && capabilities.samples <= 1 && gl::canReadDepth(capabilities);
 }
 
-bool IrregularShadowPass::pays(std::size_t casters, bool castMasked) {
-    return casters >= leastCasters && !castMasked;
+bool IrregularShadowPass::pays(std::size_t triangles) {
+    return triangles >= leastTriangles;
 }
 
 IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
@@ -41,10 +41,6 @@ IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
 void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
                                const DepthSlice& slice, const Light& light,
                                const PixelRectangle& reach) {
-    if (scene.castMasked)
-        throw Error(ExitStatus::unavailable,
-                    "'--shadows irregular-z-buffer' knows no casters with holes, which "
-                    "--cast-masked asks for; '--shadows volumes' does.");
     if (!known_) {
         depths_.width = view.width;
         depths_.height = view.height;
@@ -52,9 +48,10 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
         known_ = depths_.bits > 0;
     }
     if (!known_)
-        throw Error(ExitStatus::unavailable,
-                    "A picture with several samples a pixel has no depths that could be read, which "
-                    "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
+        throw Error(
+            ExitStatus::unavailable,
+            "A picture with several samples a pixel has no depths that could be read, which "
+            "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
     IrregularZBuffer buffer(depths_, view, slice, light, reach, subpixelBits_);
     buffer.cast(castersOf(scene));
     upload(view.width, view.height, buffer.shadowed());

@@ -21,14 +21,13 @@ class IrregularShadowPass {
     /// Whether the settings ask for it, or leave it open in a GL where it may pay: the processor
     /// draws, and depth can be read. Throws Error(unavailable) where they ask for it and it can't.
     static bool isWanted(const RenderSettings& settings, const gl::Capabilities& capabilities);
-    /// Whether casters are so many that it takes less than filling their volumes, and none has
-    /// holes.
-    static bool pays(std::size_t casters, bool castMasked);
+    /// Whether triangles are so many that it takes less than filling their volumes.
+    static bool pays(std::size_t triangles);
     /// Whether lights without a primitive map have no volumes.
     static bool serves(const RenderSettings& settings, const gl::Capabilities& capabilities,
-                       std::size_t casters, bool castMasked) {
+                       std::size_t triangles) {
         return isWanted(settings, capabilities) &&
-               (settings.shadows == ShadowMethod::irregularZBuffer || pays(casters, castMasked));
+               (settings.shadows == ShadowMethod::irregularZBuffer || pays(triangles));
     }
 
     explicit IrregularShadowPass(const gl::Capabilities& capabilities);
@@ -40,7 +39,7 @@ class IrregularShadowPass {
     /// stencil, which must be 0, is not 0 there. Colour and depth masks are the caller's state, as
     /// are the viewport, the picture's, and the scissor, which is `reach`. Leaves the depth test
     /// on, the stencil's test on. Throws Error(unavailable) where the framebuffer's depth can't be
-    /// read, or casters have holes.
+    /// read.
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               const Light& light, const PixelRectangle& reach);
 

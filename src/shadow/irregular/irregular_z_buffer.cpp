@@ -17,8 +17,7 @@ constexpr std::size_t mostBoxes = 12;
 
 std::size_t faceAlong(const glm::dvec3& place) {
     const glm::dvec3 size = glm::abs(place);
-    const glm::length_t axis =
-        size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const glm::length_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     return static_cast<std::size_t>(2 * axis + (place[axis] < 0.0 ? 1 : 0));
 }
 
@@ -104,9 +103,9 @@ struct Extent {
 struct IrregularZBuffer::Corners {
     std::array<glm::dvec3, 3> places;
     SpacePlane plane;
-    double behind;    ///< times a height over the plane: above 0 where the light isn't
-    int eyeSide;      ///< SightLines::eyeSideOf()
-    bool litSideSeen; ///< eye and light are on one side
+    double behind;       ///< times a height over the plane: above 0 where the light isn't
+    int eyeSide;         ///< SightLines::eyeSideOf()
+    bool litSideSeen;    ///< eye and light are on one side
     bool isSeen = false; ///< the following is known
     SeenPlane seen;
     double perPixel; ///< of what is left: how steep the plane is
@@ -214,7 +213,7 @@ bool IrregularZBuffer::gatherFor(const Box& bounds, const glm::dmat4& worldFromB
         if (faces_[face].empty()) continue;
         const FaceExtent extent = space_.extentIn(face, box);
         if (extent.empty()) continue;
-        const double highest = space_.directional()      ? -extent.nearest
+        const double highest = space_.directional()    ? -extent.nearest
                                : extent.nearest > 0.0f ? 1.0 / extent.nearest
                                                        : std::numeric_limits<double>::infinity();
         const FaceFrame& frame = faces_[face].frame();
@@ -300,8 +299,7 @@ IrregularZBuffer::Corners IrregularZBuffer::cornersOf(const Triangle& triangle) 
     const auto& [a, b, c] = corners.places;
     corners.plane.normal = glm::cross(b - a, c - a);
     corners.plane.offset = -glm::dot(corners.plane.normal, a);
-    const double light =
-        space_.directional() ? -corners.plane.normal.z : corners.plane.offset;
+    const double light = space_.directional() ? -corners.plane.normal.z : corners.plane.offset;
     corners.behind = light > 0.0 ? -1.0 : light < 0.0 ? 1.0 : 0.0;
     corners.eyeSide = lines_.eyeSideOf(corners.plane);
     corners.litSideSeen = corners.eyeSide != 0 && (light > 0.0) == (corners.eyeSide > 0);
@@ -321,12 +319,11 @@ CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners
         const glm::dvec3 &a = corners.places[i], &b = corners.places[(i + 1) % 3];
         if (directional) {
             const glm::dvec3 normal(a.y - b.y, b.x - a.x, 0.0);
-            planes[i] = inFrame(frame, turned * normal,
-                                -turned * (normal.x * a.x + normal.y * a.y));
+            planes[i] =
+                inFrame(frame, turned * normal, -turned * (normal.x * a.x + normal.y * a.y));
         } else {
             // a x b, which rounding leaves little of where the light is far away.
-            const glm::dvec3 normal =
-                turned * glm::cross(turnedTo(face, a), turnedTo(face, b - a));
+            const glm::dvec3 normal = turned * glm::cross(turnedTo(face, a), turnedTo(face, b - a));
             planes[i] = inFrame(frame, {normal.x, normal.y, 0.0}, normal.z);
         }
     }
@@ -367,8 +364,7 @@ bool IrregularZBuffer::isShadowed(const Corners& corners, std::uint32_t pixel) c
         if (before == corners.litSideSeen) return false;
     }
     const glm::dvec3 place = lines_.placeOf(x, y, left);
-    if (corners.eyeSide == 0 && corners.behind * corners.plane.heightOf(place) <= 0.0)
-        return false;
+    if (corners.eyeSide == 0 && corners.behind * corners.plane.heightOf(place) <= 0.0) return false;
     const auto& [a, b, c] = corners.places;
     const bool directional = space_.directional();
     return corners.behind * edgeSide(a, b, place, directional) >= 0.0 &&

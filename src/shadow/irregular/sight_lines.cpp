@@ -19,9 +19,10 @@ SightLines::SightLines(const FrameView& view, const DepthSlice& slice, const Lig
     // Perspective: left = K / depth. Orthographic: both are linear.
     const glm::dmat4 clip = view.clipFromView(slice);
     perLeft_ = perspective_ ? -0.5 * clip[3][2] : 2.0 / clip[2][2];
-    places_ = view.bounds.empty() ? 0.0
-                                  : glm::length(glm::max(glm::abs(view.bounds.low - frustum.position()),
-                                                         glm::abs(view.bounds.high - frustum.position())));
+    places_ = view.bounds.empty()
+                  ? 0.0
+                  : glm::length(glm::max(glm::abs(view.bounds.low - frustum.position()),
+                                         glm::abs(view.bounds.high - frustum.position())));
     placing_ = 0x1p-23 / std::min(pixel.x, pixel.y);
     ofNone_ = perspective_ ? 0.0 : (clip[3][2] - 1.0) / clip[2][2];
 }
@@ -41,18 +42,18 @@ SeenPlane SightLines::seen(const SpacePlane& plane) const {
 
 bool SightLines::meets(int x, int y, const std::array<glm::dvec3, 3>& corners,
                        double pixels) const {
-    const glm::dvec3 aside = first_ + static_cast<double>(x) * column_ +
-                             static_cast<double>(y) * row_;
+    const glm::dvec3 aside =
+        first_ + static_cast<double>(x) * column_ + static_cast<double>(y) * row_;
     bool left = true, right = true;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 &a = corners[i], &b = corners[(i + 1) % 3];
         // Above 0 on one side of the edge, and linear in the pixel.
-        const glm::dvec3 across = perspective_ ? glm::cross(a - eye_, b - eye_)
-                                               : glm::cross(forward_, b - a);
-        const double at = perspective_ ? glm::dot(across, forward_ + aside)
-                                       : glm::dot(across, eye_ + aside - a);
-        const double room = pixels * (std::abs(glm::dot(across, column_)) +
-                                      std::abs(glm::dot(across, row_)));
+        const glm::dvec3 across =
+            perspective_ ? glm::cross(a - eye_, b - eye_) : glm::cross(forward_, b - a);
+        const double at =
+            perspective_ ? glm::dot(across, forward_ + aside) : glm::dot(across, eye_ + aside - a);
+        const double room =
+            pixels * (std::abs(glm::dot(across, column_)) + std::abs(glm::dot(across, row_)));
         left = left && at >= -room;
         right = right && at <= room;
     }

@@ -33,10 +33,9 @@ class SightLines {
     /// What is seen in a pixel, of which so much is left; not 0.
     glm::dvec3 placeOf(int x, int y, double left) const {
         const double depth = depthOf(left);
-        const glm::dvec3 aside = first_ + static_cast<double>(x) * column_ +
-                                 static_cast<double>(y) * row_;
-        return perspective_ ? eye_ + depth * (forward_ + aside)
-                            : eye_ + depth * forward_ + aside;
+        const glm::dvec3 aside =
+            first_ + static_cast<double>(x) * column_ + static_cast<double>(y) * row_;
+        return perspective_ ? eye_ + depth * (forward_ + aside) : eye_ + depth * forward_ + aside;
     }
     /// How far, in pixels, floats may have put vertices aside at a depth.
     double asideAt(double left) const {
