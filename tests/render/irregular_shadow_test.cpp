@@ -126,7 +126,7 @@ class Drawing {
     static LoadedScene withShadows(const Scene& scene) {
         LoadedScene loaded;
         loaded.scene = scene;
-        addShadows(loaded);
+        loaded.planePairs = buildPlanePairs(scene, false);
         return loaded;
     }
 
@@ -158,12 +158,15 @@ RenderSettings automatic() {
 TEST_F(IrregularShadows, AreDrawnOfManyCastersWhereALightMovesAndTheProcessorDraws) {
     const Light lamp = pointLight({1, 4, 2});
     const auto volumes = Drawing(boxes(700), byVolumes()).draw(lamp);
-    Drawing few(boxes(20), automatic());
-    few.draw(lamp);
-    EXPECT_EQ(few.method().method, "volumes");
+    {
+        Drawing few(boxes(20), automatic());
+        few.draw(lamp);
+        EXPECT_EQ(few.method().method, "volumes");
+    }
+    const bool softly = test::drawsOnProcessor(); // in a context of its own
     Drawing many(boxes(700), automatic());
     EXPECT_LE(differing(many.draw(lamp), volumes), 8u);
-    EXPECT_EQ(many.method().method, test::drawsOnProcessor() ? "irregular-z-buffer" : "volumes");
+    EXPECT_EQ(many.method().method, softly ? "irregular-z-buffer" : "volumes");
     EXPECT_FALSE(many.method().why.empty());
     many.draw(lamp, true);
     if (test::testLimits() == gl::Limits::device) {
