@@ -6,9 +6,10 @@ precision mediump float;
 #endif
 
 uniform sampler2D u_marked;
-uniform vec2 u_texelFromPixel;
+uniform vec4 u_texelFromPixel; // scale and offset
 
 void main() {
-    if (texture2D(u_marked, gl_FragCoord.xy * u_texelFromPixel).a < 0.5) discard;
+    vec2 texel = gl_FragCoord.xy * u_texelFromPixel.xy + u_texelFromPixel.zw;
+    if (texture2D(u_marked, texel).a < 0.5) discard;
     gl_FragColor = vec4(0.0);
 }

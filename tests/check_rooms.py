@@ -18,11 +18,11 @@ DRAWING = ROOT / "docs/figures/rooms.svg"
 ROOMS = (
     "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
     "preprocess/volumes",
-    "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/culling", "src/shadow/plan", "src/shadow/plan/published", "src/shadow/plan/brute_force", "src/shadow/scissors", "src/shadow/planar",
+    "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/culling", "src/shadow/plan", "src/shadow/plan/published", "src/shadow/plan/brute_force", "src/shadow/scissors", "src/shadow/irregular", "src/shadow/planar",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/hours", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
     "src/render/planar",
-    "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/volumes/brute_force", "src/render/frame", "src/render/accumulation",
+    "src/render/timing", "src/render/volumes", "src/render/volumes/published", "src/render/volumes/brute_force", "src/render/irregular", "src/render/frame", "src/render/accumulation",
     "src/engine", "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 

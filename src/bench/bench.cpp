@@ -6,6 +6,7 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/geometry/light_budget.hpp"
 #include "src/shadow/geometry/light_region.hpp"

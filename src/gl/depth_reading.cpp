@@ -28,14 +28,15 @@ bool canReadDepth(const Capabilities& capabilities) {
     return capabilities.has("GL_NV_read_depth");
 }
 
-int readDepth(int width, int height, std::vector<std::uint32_t>& depths) {
+int readDepth(const PixelRectangle& of, std::vector<std::uint32_t>& depths) {
     GLint sampled = 0, bits = 0;
     glGetIntegerv(GL_SAMPLE_BUFFERS, &sampled);
     glGetIntegerv(GL_DEPTH_BITS, &bits);
     if (sampled != 0 || bits == 0) return 0;
-    depths.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    depths.resize(static_cast<std::size_t>(of.width) * static_cast<std::size_t>(of.height));
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depths.data());
+    glReadPixels(of.x, of.y, of.width, of.height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                 depths.data());
     std::array<float, 2> range{};
     glGetFloatv(GL_DEPTH_RANGE, range.data());
     if (range[0] == range[1]) return 0;

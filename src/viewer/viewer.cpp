@@ -2,6 +2,7 @@
 
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
+#include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/shadow/geometry/scene_lights.hpp"

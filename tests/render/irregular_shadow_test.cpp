@@ -206,12 +206,12 @@ TEST_F(IrregularShadows, ReadDepthAsTheRangeHasIt) {
         glDepthRangef(0.0f, far);
         glClearDepthf(far);
         glClear(GL_DEPTH_BUFFER_BIT);
-        const int bits = gl::readDepth(2, 1, depths);
+        const int bits = gl::readDepth({0, 0, 2, 1}, depths);
         EXPECT_EQ(depths[0], 0xFFFFFFFFu);
         EXPECT_EQ(bits, context.capabilities().depthBits + static_cast<int>(std::log2(far)));
         glClearDepthf(0.25f * far);
         glClear(GL_DEPTH_BUFFER_BIT);
-        gl::readDepth(2, 1, depths);
+        gl::readDepth({0, 0, 2, 1}, depths);
         EXPECT_NEAR(depths[1] / 4294967295.0, 0.25, std::ldexp(1.0, -bits));
     }
     glDepthRangef(0.0f, 1.0f);

@@ -5,6 +5,7 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_renderers.hpp"
+#include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/scene/build_parts.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
@@ -584,7 +585,7 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
     if constexpr (readsDepth)
         if (plan.byPoints) {
             irregular_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light,
-                             pass.plan.lights[light].reach);
+                             pass.plan.lights[light].reach, pass.plan.reach);
             return;
         }
     counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});

@@ -9,7 +9,6 @@
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
 #include "src/render/frame/visible_places.hpp"
-#include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/render/planar/planar_shadow_pass.hpp"
 #include "src/render/shadow_map/shadow_map_pass.hpp"
 #include "src/render/timing/stage_clock.hpp"
@@ -23,6 +22,8 @@
 #include <span>
 
 namespace edgeshade {
+
+class IrregularShadowPass;
 
 /// Draws frames by the three passes of docs/method.md, A frame: ambient light and depth; for each
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps,
@@ -218,12 +219,12 @@ class Renderer {
     LightSum sum_;                             ///< likewise
     SurfacePass surfaces_;
     ShadowMark mark_;
-    std::optional<ShadowMapPass> maps_;      ///< where shadows are maps
-    std::optional<VisiblePlaces> places_;    ///< where they are warped
-    std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
-    std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
+    std::optional<ShadowMapPass> maps_;              ///< where shadows are maps
+    std::optional<VisiblePlaces> places_;            ///< where they are warped
+    std::vector<glm::dvec3> visible_;                ///< of this frame, where one is
+    std::optional<PlanarShadowPass> planar_;         ///< where they are projected onto planes
     std::shared_ptr<IrregularShadowPass> irregular_; ///< where visible points may be asked
-    bool asksPoints_ = false;                      ///< they are, in this frame
+    bool asksPoints_ = false;                        ///< they are, in this frame
     std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
     std::optional<LinearTarget> linear_;
     /// Where ambient light's colours may be kept. It and irregular_ are shared with nobody, but

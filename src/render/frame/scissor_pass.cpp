@@ -66,7 +66,7 @@ void ScissorPass::scissor(SlicePlan& plan, const std::vector<Material>& material
         if (!known) {
             depths_.width = view.width;
             depths_.height = view.height;
-            depths_.bits = gl::readDepth(view.width, view.height, depths_.depths);
+            depths_.bits = gl::readDepth({0, 0, view.width, view.height}, depths_.depths);
             known = depths_.bits > 0;
         }
         if (!known) {

@@ -40,11 +40,13 @@ IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
 
 void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
                                const DepthSlice& slice, const Light& light,
-                               const PixelRectangle& reach) {
+                               const PixelRectangle& reach, const PixelRectangle& area) {
     if (!known_) {
-        depths_.width = view.width;
-        depths_.height = view.height;
-        depths_.bits = gl::readDepth(view.width, view.height, depths_.depths);
+        depths_.x = area.x;
+        depths_.y = area.y;
+        depths_.width = area.width;
+        depths_.height = area.height;
+        depths_.bits = gl::readDepth(area, depths_.depths);
         known_ = depths_.bits > 0;
     }
     if (!known_)
@@ -54,13 +56,14 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
             "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
     IrregularZBuffer buffer(depths_, view, slice, light, reach, subpixelBits_);
     buffer.cast(castersOf(scene));
-    upload(view.width, view.height, buffer.shadowed());
+    upload(buffer.shadowed());
     glDisable(GL_DEPTH_TEST);
     glStencilFunc(GL_ALWAYS, 1, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     const gl::Program& used = picture_.use();
     used.setSampler("u_marked", 0);
-    used.set("u_texelFromPixel", 1.0f / glm::vec2(size_));
+    const glm::vec2 texel = 1.0f / glm::vec2(size_);
+    used.set("u_texelFromPixel", glm::vec4(texel, -texel * glm::vec2(depths_.x, depths_.y)));
     picture_.draw();
     glBindTexture(GL_TEXTURE_2D, 0);
     glEnable(GL_DEPTH_TEST);
@@ -89,9 +92,10 @@ std::vector<PlacedRuns> IrregularShadowPass::castersOf(const GpuScene& scene) {
     return placed;
 }
 
-void IrregularShadowPass::upload(int width, int height, const std::vector<std::uint8_t>& marked) {
+void IrregularShadowPass::upload(const std::vector<std::uint8_t>& marked) {
+    const glm::ivec2 size(depths_.width, depths_.height);
     glActiveTexture(GL_TEXTURE0);
-    if (texture_.name() == 0 || size_ != glm::ivec2(width, height)) {
+    if (texture_.name() == 0) {
         GLuint name = 0;
         glGenTextures(1, &name);
         texture_ = gl::Texture(name);
@@ -100,12 +104,16 @@ void IrregularShadowPass::upload(int width, int height, const std::vector<std::u
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-        size_ = {width, height};
     }
     glBindTexture(GL_TEXTURE_2D, texture_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, width, height, 0, GL_ALPHA, GL_UNSIGNED_BYTE,
-                 marked.data());
+    if (size_ == size)
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_ALPHA, GL_UNSIGNED_BYTE,
+                        marked.data());
+    else
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_ALPHA, size.x, size.y, 0, GL_ALPHA, GL_UNSIGNED_BYTE,
+                     marked.data());
+    size_ = size;
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 

@@ -37,11 +37,11 @@ class IrregularShadowPass {
 
     /// Marks what of a slice's surfaces in the current framebuffer is in the light's shadow: the
     /// stencil, which must be 0, is not 0 there. Colour and depth masks are the caller's state, as
-    /// are the viewport, the picture's, and the scissor, which is `reach`. Leaves the depth test
-    /// on, the stencil's test on. Throws Error(unavailable) where the framebuffer's depth can't be
-    /// read.
+    /// are the viewport, the picture's, and the scissor, which is `reach`. `area`: the same for any
+    /// light of the slice, and around `reach`. Leaves the depth test on, the stencil's test on.
+    /// Throws Error(unavailable) where the framebuffer's depth can't be read.
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
-              const Light& light, const PixelRectangle& reach);
+              const Light& light, const PixelRectangle& reach, const PixelRectangle& area);
 
   private:
     /// The casters of a geometry, as long as batches have it.
@@ -52,7 +52,7 @@ class IrregularShadowPass {
         bool used = true;
     };
     std::vector<PlacedRuns> castersOf(const GpuScene& scene);
-    void upload(int width, int height, const std::vector<std::uint8_t>& marked);
+    void upload(const std::vector<std::uint8_t>& marked);
 
     int subpixelBits_;
     WholePicture picture_;

@@ -125,7 +125,7 @@ IrregularZBuffer::IrregularZBuffer(const DepthPicture& depths, const FrameView& 
       depthError_(std::ldexp(0.75, -depths.bits) + depthRounding),
       snapError_(std::ldexp(0.5, -subpixelBits)), faces_(space_.faceCount()),
       shadowed_(depths.depths.size(), 0) {
-    addPoints(intersection(reach, {0, 0, depths.width, depths.height}), threads);
+    addPoints(intersection(reach, {depths.x, depths.y, depths.width, depths.height}), threads);
 }
 
 void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) {
@@ -138,7 +138,8 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
             for (int x0 = within.x; x0 < within.x + within.width; x0 += block)
                 for (int y = y0; y < std::min(y0 + block, end); ++y)
                     for (int x = x0; x < std::min(x0 + block, within.x + within.width); ++x) {
-                        const auto pixel = static_cast<std::uint32_t>(y * depths_.width + x);
+                        const auto pixel = static_cast<std::uint32_t>(
+                            (y - depths_.y) * depths_.width + x - depths_.x);
                         if (isEmpty(pixel)) continue;
                         const double left = leftOf(pixel);
                         const glm::dvec3 place = lines_.placeOf(x, y, left);
@@ -350,8 +351,9 @@ void IrregularZBuffer::see(Corners& corners) const {
 }
 
 bool IrregularZBuffer::isShadowed(const Corners& corners, std::uint32_t pixel) const {
-    const int x = static_cast<int>(pixel % static_cast<std::uint32_t>(depths_.width));
-    const int y = static_cast<int>(pixel / static_cast<std::uint32_t>(depths_.width));
+    const auto width = static_cast<std::uint32_t>(depths_.width);
+    const int x = depths_.x + static_cast<int>(pixel % width);
+    const int y = depths_.y + static_cast<int>(pixel / width);
     const double left = leftOf(pixel);
     if (corners.eyeSide != 0) {
         const double behind = corners.seen.leftAt(x, y) - left;

@@ -23,15 +23,15 @@ struct PlacedRuns {
 /// in shadow if a triangle is between it and the light (docs/method.md, C46).
 class IrregularZBuffer {
   public:
-    /// Of a slice whose depth buffer this is, within `reach`. `subpixelBits`: of the grid on which
-    /// the rasteriser has put vertices. `depths` must outlive it.
+    /// Of a slice whose depth buffer this is a rectangle of, within `reach`. `subpixelBits`: of the
+    /// grid on which the rasteriser has put vertices. `depths` must outlive it.
     IrregularZBuffer(const DepthPicture& depths, const FrameView& view, const DepthSlice& slice,
                      const Light& light, const PixelRectangle& reach, int subpixelBits,
                      Threads threads = {});
 
     void cast(std::span<const PlacedRuns> casters, Threads threads = {});
 
-    /// By pixel, rows from below: 255 where something is in shadow, else 0.
+    /// By pixel of the rectangle, rows from below: 255 where something is in shadow, else 0.
     const std::vector<std::uint8_t>& shadowed() const { return shadowed_; }
 
   private:

@@ -27,7 +27,7 @@ struct FaceFrame {
 /// A visible point, in a FaceFrame.
 struct FacePoint {
     glm::vec3 at{0.0f};      ///< u, v and height
-    std::uint32_t pixel = 0; ///< y * width + x
+    std::uint32_t pixel = 0; ///< its index in a picture
 };
 
 /// What is around a caster, in a FaceFrame: rays, and the greatest height. Points that it may keep

@@ -34,7 +34,7 @@ class VisiblePoints {
                    static_cast<std::size_t>(x);
         }
     };
-    /// Those of a slice whose depth buffer this is, within `reach`. `depths` must outlive it.
+    /// Those of a slice whose whole depth buffer this is, within `reach`. `depths` must outlive it.
     VisiblePoints(const DepthPicture& depths, const FrameView& view, const DepthSlice& slice,
                   const Light& light, const PixelRectangle& reach);
 
