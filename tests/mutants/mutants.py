@@ -114,7 +114,7 @@ MUTANTS = (
      "volume_scissors_test", "VolumeScissors.*"),
     ("points are asked where they are, not before what is seen",
      "src/shadow/irregular/irregular_z_buffer.hpp",
-     "(1.0 / 4294967295.0) + depthError_;", "(1.0 / 4294967295.0);",
+     "(1.0 / 4294967295.0) +\n               depthError_;", "(1.0 / 4294967295.0);",
      "irregular_z_buffer_test", "IrregularZBuffer.*"),
     ("all triangles near a point's depth are taken for its own surface",
      "src/shadow/irregular/irregular_z_buffer.cpp",

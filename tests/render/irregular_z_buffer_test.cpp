@@ -220,7 +220,7 @@ TEST(PointTree, FindsThePointsOfEveryHalfSpaceThatAreInTheBox) {
         SCOPED_TRACE(count);
         std::vector<std::vector<FacePoint>> points(3);
         for (std::uint32_t i = 0; i < count; ++i)
-            points[i % 3].push_back({glm::vec3(random.inCube()), i});
+            points[i % 3].push_back({glm::vec3(random.inCube()), Pixel(static_cast<int>(i), 7)});
         for (int turn = 0; turn < 20; ++turn) {
             PointTree tree;
             tree.build({}, points);
@@ -232,7 +232,7 @@ TEST(PointTree, FindsThePointsOfEveryHalfSpaceThatAreInTheBox) {
                 const glm::vec3 normal(random.inCube());
                 of = {normal.x, normal.y, normal.z, 0.6f};
             }
-            std::set<std::uint32_t> expected, found;
+            std::set<Pixel> expected, found;
             for (const auto& of : points)
                 for (const FacePoint& point : of) {
                     const glm::vec3& at = point.at;
@@ -251,8 +251,8 @@ TEST(PointTree, FindsThePointsOfEveryHalfSpaceThatAreInTheBox) {
                 tree.gather(box, by, groups);
                 tree.find(
                     groups, box, [&]() -> const CasterPlanes& { return planes; },
-                    [](std::uint32_t) { return true; },
-                    [&](std::uint32_t pixel) { EXPECT_TRUE(found.insert(pixel).second); });
+                    [](Pixel) { return true; },
+                    [&](Pixel pixel) { EXPECT_TRUE(found.insert(pixel).second); });
             }
             EXPECT_EQ(found, expected);
         }

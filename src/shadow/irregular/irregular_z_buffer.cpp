@@ -1,6 +1,7 @@
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace edgeshade {
@@ -79,17 +80,14 @@ constexpr CasterBox everything{-CasterBox::infinity, CasterBox::infinity, -Caste
 struct Extent {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-    std::size_t count = 0;
 
     void add(const glm::dvec3& rays) {
         low = glm::min(low, rays);
         high = glm::max(high, rays);
-        ++count;
     }
     void add(const Extent& other) {
         low = glm::min(low, other.low);
         high = glm::max(high, other.high);
-        count += other.count;
     }
     FaceFrame frame() const {
         constexpr double least = 1e-300; // its inverse is a number
@@ -128,50 +126,69 @@ IrregularZBuffer::IrregularZBuffer(const DepthPicture& depths, const FrameView& 
     addPoints(intersection(reach, {depths.x, depths.y, depths.width, depths.height}), threads);
 }
 
-void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) {
+template <class Use>
+void IrregularZBuffer::forEachPoint(const PixelRectangle& of, int step, Use use) const {
     constexpr int block = 4; // pixels: neighbours stay neighbours
-    const int rows = (within.height + block - 1) / block;
-    const auto forEachPoint = [&](const ItemRange& blocks, auto use) {
-        const int end = within.y + within.height;
-        for (int y0 = within.y + block * static_cast<int>(blocks.first);
-             y0 < std::min(end, within.y + block * static_cast<int>(blocks.end)); y0 += block)
-            for (int x0 = within.x; x0 < within.x + within.width; x0 += block)
-                for (int y = y0; y < std::min(y0 + block, end); ++y)
-                    for (int x = x0; x < std::min(x0 + block, within.x + within.width); ++x) {
-                        const auto pixel = static_cast<std::uint32_t>(
-                            (y - depths_.y) * depths_.width + x - depths_.x);
-                        if (isEmpty(pixel)) continue;
-                        const double left = leftOf(pixel);
-                        const glm::dvec3 place = lines_.placeOf(x, y, left);
-                        const std::size_t face = space_.directional() ? 0 : faceAlong(place);
-                        use(pixel, face,
-                            space_.directional() ? raysOn(place) : raysOn(face, place));
-                    }
+    const int right = of.x + of.width, top = of.y + of.height;
+    for (int y0 = of.y; y0 < top; y0 += block)
+        for (int x0 = of.x; x0 < right; x0 += block)
+            for (int y = y0; y < std::min(y0 + block, top); y += step)
+                for (int x = x0; x < std::min(x0 + block, right); x += step) {
+                    const Pixel pixel(x - depths_.x, y - depths_.y);
+                    if (isEmpty(pixel)) continue;
+                    const glm::dvec3 place = lines_.placeOf(x, y, leftOf(pixel));
+                    const std::size_t face = space_.directional() ? 0 : faceAlong(place);
+                    use(pixel, face, space_.directional() ? raysOn(place) : raysOn(face, place));
+                }
+}
+
+void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) {
+    constexpr std::size_t leastRows = 128;
+    const auto parts = partsOf(static_cast<std::size_t>(within.height), leastRows, threads);
+    const auto rowsOf = [&](const ItemRange& range) {
+        return PixelRectangle{within.x, within.y + static_cast<int>(range.first), within.width,
+                              static_cast<int>(range.size())};
     };
-    const auto parts = partsOf(static_cast<std::size_t>(std::max(rows, 0)), 32, threads);
-    std::vector<std::vector<Extent>> extents(parts.size(), std::vector<Extent>(faces_.size()));
-    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
-        forEachPoint(range, [&](std::uint32_t, std::size_t face, const glm::dvec3& rays) {
-            extents[part][face].add(rays);
+    const auto framesOf = [&](int step) {
+        std::vector<std::vector<Extent>> extents(parts.size(), std::vector<Extent>(faces_.size()));
+        forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+            forEachPoint(rowsOf(range), step, [&](Pixel, std::size_t face, const glm::dvec3& rays) {
+                extents[part][face].add(rays);
+            });
         });
-    });
-    std::vector<FaceFrame> frames;
-    for (std::size_t face = 0; face < faces_.size(); ++face) {
-        Extent all;
-        for (const auto& of : extents)
-            all.add(of[face]);
-        frames.push_back(all.frame());
+        std::vector<FaceFrame> frames;
+        for (std::size_t face = 0; face < faces_.size(); ++face) {
+            Extent all;
+            for (const auto& of : extents)
+                all.add(of[face]);
+            frames.push_back(all.frame());
+        }
+        return frames;
+    };
+    std::vector<std::vector<std::vector<FacePoint>>> points; // by face and part
+    // False: some are too far outside for floats' rounding.
+    const auto put = [&](const std::vector<FaceFrame>& frames) {
+        points.assign(faces_.size(), std::vector<std::vector<FacePoint>>(parts.size()));
+        std::atomic<bool> within2 = true;
+        forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
+            bool fit = true;
+            forEachPoint(rowsOf(range), 1,
+                         [&](Pixel pixel, std::size_t face, const glm::dvec3& rays) {
+                             const glm::vec3 at(frames[face].of(rays));
+                             fit = fit && std::abs(at.x) <= 2.0f && std::abs(at.y) <= 2.0f &&
+                                   std::abs(at.z) <= 2.0f;
+                             points[face][part].push_back({at, pixel});
+                         });
+            if (!fit) within2 = false;
+        });
+        return within2.load();
+    };
+    // A few points tell where most are.
+    std::vector<FaceFrame> frames = framesOf(4);
+    if (!put(frames)) {
+        frames = framesOf(1);
+        put(frames);
     }
-    std::vector<std::vector<std::vector<FacePoint>>> points(faces_.size());
-    for (auto& of : points)
-        of.resize(parts.size());
-    forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
-        for (std::size_t face = 0; face < faces_.size(); ++face)
-            points[face][part].reserve(extents[part][face].count);
-        forEachPoint(range, [&](std::uint32_t pixel, std::size_t face, const glm::dvec3& rays) {
-            points[face][part].push_back({glm::vec3(frames[face].of(rays)), pixel});
-        });
-    });
     for (std::size_t face = 0; face < faces_.size(); ++face)
         faces_[face].build(frames[face], points[face]);
 }
@@ -276,11 +293,11 @@ void IrregularZBuffer::cast(const Triangle& triangle, std::size_t face, Scratch&
             if (!alone) know();
             return planes;
         },
-        [&](std::uint32_t pixel) {
+        [&](Pixel pixel) {
             if (!corners.isSeen) see(corners);
             return isShadowed(corners, pixel);
         },
-        [&](std::uint32_t pixel) { shadowed_[pixel] = 255; });
+        [&](Pixel pixel) { shadowed_[indexOf(pixel)] = 255; });
 }
 
 CasterBox IrregularZBuffer::boxOn(std::size_t face, const Triangle& triangle) const {
@@ -350,10 +367,8 @@ void IrregularZBuffer::see(Corners& corners) const {
     corners.perPixel = std::abs(corners.seen.perColumn) + std::abs(corners.seen.perRow);
 }
 
-bool IrregularZBuffer::isShadowed(const Corners& corners, std::uint32_t pixel) const {
-    const auto width = static_cast<std::uint32_t>(depths_.width);
-    const int x = depths_.x + static_cast<int>(pixel % width);
-    const int y = depths_.y + static_cast<int>(pixel / width);
+bool IrregularZBuffer::isShadowed(const Corners& corners, Pixel pixel) const {
+    const int x = depths_.x + pixel.column, y = depths_.y + pixel.row;
     const double left = leftOf(pixel);
     if (corners.eyeSide != 0) {
         const double behind = corners.seen.leftAt(x, y) - left;

@@ -59,11 +59,20 @@ class IrregularZBuffer {
     Corners cornersOf(const Triangle& triangle) const;
     void see(Corners& corners) const;
     CasterPlanes planesOn(std::size_t face, const Corners& corners) const;
-    bool isShadowed(const Corners& corners, std::uint32_t pixel) const;
-    bool isEmpty(std::uint32_t pixel) const { return depths_.depths[pixel] == 0xFFFFFFFF; }
+    bool isShadowed(const Corners& corners, Pixel pixel) const;
+    /// Calls use(pixel, face, rays) for every step-th visible point of each four rows and columns.
+    template <class Use>
+    void forEachPoint(const PixelRectangle& of, int step, Use use) const;
+
+    std::size_t indexOf(Pixel pixel) const {
+        return static_cast<std::size_t>(pixel.row) * static_cast<std::size_t>(depths_.width) +
+               pixel.column;
+    }
+    bool isEmpty(Pixel pixel) const { return depths_.depths[indexOf(pixel)] == 0xFFFFFFFF; }
     /// What is left of the depth range behind a point that is certainly before what is seen.
-    double leftOf(std::uint32_t pixel) const {
-        return static_cast<double>(~depths_.depths[pixel]) * (1.0 / 4294967295.0) + depthError_;
+    double leftOf(Pixel pixel) const {
+        return static_cast<double>(~depths_.depths[indexOf(pixel)]) * (1.0 / 4294967295.0) +
+               depthError_;
     }
 
     const DepthPicture& depths_;

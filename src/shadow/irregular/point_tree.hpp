@@ -14,8 +14,8 @@
 
 namespace edgeshade {
 
-/// Which part of a light's face a PointTree's own coordinates, -1 to 1, stand for: rays (u, v) and
-/// heights towards the light.
+/// Which part of a light's face a PointTree's own coordinates, mostly -1 to 1, stand for: rays (u,
+/// v) and heights towards the light.
 struct FaceFrame {
     glm::dvec3 middle{0.0};
     glm::dvec3 half{1.0}; ///< from there to where a coordinate is 1
@@ -24,10 +24,20 @@ struct FaceFrame {
     glm::dvec3 of(const glm::dvec3& place) const { return (place - middle) * scale; }
 };
 
+/// A pixel of a picture, from its lower left.
+struct Pixel {
+    std::uint16_t column = 0, row = 0;
+
+    Pixel() = default;
+    Pixel(int column_, int row_)
+        : column(static_cast<std::uint16_t>(column_)), row(static_cast<std::uint16_t>(row_)) {}
+    auto operator<=>(const Pixel&) const = default;
+};
+
 /// A visible point, in a FaceFrame.
 struct FacePoint {
-    glm::vec3 at{0.0f};      ///< u, v and height
-    std::uint32_t pixel = 0; ///< its index in a picture
+    glm::vec3 at{0.0f}; ///< u, v and height
+    Pixel pixel;
 };
 
 /// What is around a caster, in a FaceFrame: rays, and the greatest height. Points that it may keep
@@ -127,7 +137,7 @@ class PointTree {
     struct Leaf {
         static constexpr std::size_t parts = leafSize / laneCount;
         std::array<Lanes, parts> u, v, height;
-        std::array<std::uint32_t, leafSize> pixels;
+        std::array<Pixel, leafSize> pixels;
 
         glm::vec3 low() const;
         glm::vec3 high() const;
