@@ -70,7 +70,7 @@ std::vector<std::string> familiesOf(const std::vector<std::string>& texts) {
                                          "cascades",      "paraboloid",
                                          "no shadows",    "volumes, brute-force",
                                          "planar",        "warped",
-                                         "maps, msm"};
+                                         "maps, msm",     "irregular z buffer"};
     for (const std::string& text : texts)
         if (const std::string family = familyOf(text);
             std::ranges::find(families, family) == families.end())

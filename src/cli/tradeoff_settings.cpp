@@ -68,6 +68,7 @@ std::vector<TradeSetting> tradeSettings(int largestMap, double diagonal,
     std::vector<TradeSetting> settings = {
         {"volumes", "shadows=volumes"},
         {"primitive map", "shadows=primitive-map"},
+        {"irregular z-buffer", "shadows=irregular-z-buffer"},
         {"published", "shadows=volumes,layout=published"},
         {"brute force, z-fail", "shadows=volumes,layout=brute-force"},
         {"brute force, z-pass", "shadows=volumes,layout=brute-force,count=z-pass"},

@@ -190,7 +190,7 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
         put(frames);
     }
     for (std::size_t face = 0; face < faces_.size(); ++face)
-        faces_[face].build(frames[face], points[face]);
+        faces_[face].build(frames[face], points[face], threads);
 }
 
 void IrregularZBuffer::cast(std::span<const PlacedRuns> casters, Threads threads) {

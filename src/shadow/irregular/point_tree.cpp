@@ -3,6 +3,7 @@
 #include "preprocess/base/parallel.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace edgeshade {
 namespace {
@@ -28,20 +29,21 @@ std::uint32_t cellOf(const FacePoint& point) {
     return spread(step(point.at.x)) | spread(step(point.at.y)) << 1;
 }
 
-/// Where each point goes so that they come cell by cell, in each as they were.
-std::vector<std::uint32_t> placesByCell(std::span<const std::vector<FacePoint>> points,
-                                        std::size_t count) {
-    std::vector<std::uint32_t> places(count);
-    std::vector<std::uint32_t> next(1u << (2 * cellBits), 0);
-    std::size_t at = 0;
-    for (const auto& of : points)
-        for (const FacePoint& point : of) {
-            places[at] = cellOf(point);
-            ++next[places[at++]];
-        }
-    toFirsts(next);
-    for (std::uint32_t& place : places)
-        place = next[place]++;
+using Cells = std::vector<std::uint32_t>;
+
+/// By part and cell: where the part's first point of the cell goes so that they come cell by cell,
+/// in each part by part.
+std::vector<Cells> firstPlaces(std::span<const std::vector<FacePoint>> parts, Threads threads) {
+    std::vector<Cells> places(parts.size());
+    inParallel(parts.size(), threads, [&](std::size_t part) {
+        places[part].assign(1u << (2 * cellBits), 0);
+        for (const FacePoint& point : parts[part])
+            ++places[part][cellOf(point)];
+    });
+    std::uint32_t sum = 0;
+    for (std::size_t cell = 0; cell < places[0].size(); ++cell)
+        for (Cells& of : places)
+            sum += std::exchange(of[cell], sum);
     return places;
 }
 
@@ -161,14 +163,14 @@ glm::vec3 PointTree::Leaf::high() const {
     return {mostOf(u), mostOf(v), mostOf(height)};
 }
 
-void PointTree::build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> points) {
+void PointTree::build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> parts,
+                      Threads threads) {
     frame_ = frame;
     levels_.clear();
     std::size_t count = 0;
-    for (const auto& of : points)
+    for (const auto& of : parts)
         count += of.size();
     if (count == 0) return;
-    const std::vector<std::uint32_t> places = placesByCell(points, count);
     const std::size_t leaves = (count + leafSize - 1) / leafSize;
     leaves_.resize(leaves);
     found_ = std::vector<std::atomic<std::uint16_t>>(leaves);
@@ -180,10 +182,11 @@ void PointTree::build(const FaceFrame& frame, std::span<const std::vector<FacePo
         setLane(leaf.height, i, point.at.z);
         leaf.pixels[i] = point.pixel;
     };
-    std::size_t at = 0;
-    for (const auto& of : points)
-        for (const FacePoint& point : of)
-            put(places[at++], point);
+    std::vector<Cells> next = firstPlaces(parts, threads);
+    inParallel(parts.size(), threads, [&](std::size_t part) {
+        for (const FacePoint& point : parts[part])
+            put(next[part][cellOf(point)]++, point);
+    });
     // The last leaf is filled up with one of its points, found already.
     const Leaf& last = leaves_.back();
     const FacePoint one{{last.u[0][0], last.v[0][0], last.height[0][0]}, last.pixels[0]};
@@ -191,15 +194,17 @@ void PointTree::build(const FaceFrame& frame, std::span<const std::vector<FacePo
         put(place, one);
         found_.back().fetch_or(static_cast<std::uint16_t>(1u << place % leafSize));
     }
-    buildLevels();
+    buildLevels(threads);
 }
 
-void PointTree::buildLevels() {
+void PointTree::buildLevels(Threads threads) {
     std::size_t filled = leaves_.size();
     std::vector<PointBoxes> boxes(groupsOf(filled));
-    for (std::size_t i = 0; i < filled; ++i)
-        boxes[i / PointBoxes::count].set(i % PointBoxes::count, leaves_[i].low(),
-                                         leaves_[i].high());
+    forEachItem(boxes.size(), itemsOfThread / PointBoxes::count, threads, [&](std::size_t group) {
+        const std::size_t first = group * PointBoxes::count;
+        for (std::size_t i = first; i < std::min(first + PointBoxes::count, filled); ++i)
+            boxes[group].set(i - first, leaves_[i].low(), leaves_[i].high());
+    });
     while (true) {
         Level& level = levels_.emplace_back();
         level.alive = std::vector<std::atomic<std::uint8_t>>(boxes.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/base/parallel.hpp"
 #include "src/shadow/irregular/lanes.hpp"
 
 #include <array>
@@ -85,8 +86,10 @@ class PointTree {
   public:
     static constexpr std::size_t leafSize = 16;
 
-    /// In place of what was there.
-    void build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> points);
+    /// In place of what was there. `parts`: the points, as several threads found them; at least
+    /// one part.
+    void build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> parts,
+               Threads threads = {});
 
     const FaceFrame& frame() const { return frame_; }
     bool empty() const { return levels_.empty(); }
@@ -151,7 +154,7 @@ class PointTree {
     };
     static constexpr unsigned all = (1u << leafSize) - 1;
 
-    void buildLevels();
+    void buildLevels(Threads threads);
     void gatherIn(std::size_t level, std::size_t eight, const CasterBox& around,
                   const CasterPlanes* planes, Groups& found) const;
     void settle(std::size_t leaf);

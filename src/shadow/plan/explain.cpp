@@ -200,6 +200,10 @@ std::string explain(const FramePlan& plan, const FrameView& view) {
             text << "no volumes\n";
             continue;
         }
+        if (first.counts.front().byPoints) {
+            text << "no volumes: visible points are asked one by one\n";
+            continue;
+        }
         if (first.inGroups())
             text << "casters in " << first.counts.size() << " groups, since "
                  << (view.lights[i].cut ? "they are cut at the light's depth\n"

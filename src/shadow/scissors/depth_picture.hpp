@@ -9,7 +9,7 @@ namespace edgeshade {
 /// What a rectangle of a depth buffer holds.
 struct DepthPicture {
     int width = 0, height = 0;
-    int bits = 24;    ///< of the buffer
+    int bits = 24; ///< of the buffer
     /// Rows from below; 0 to 2^32 - 1 for depths from 0 to 1, where nothing was drawn.
     std::vector<std::uint32_t> depths;
     int x = 0, y = 0; ///< of its lower left pixel
