@@ -99,8 +99,9 @@ class Drawing {
   public:
     Drawing(const Scene& scene, const RenderSettings& settings, int samples = 0)
         : context_(test::testPicture(width, height, samples)),
-          renderer_(settings, context_.capabilities()), loaded_(withShadows(scene)),
-          scene_(uploadScene(loaded_, settings.records(), context_.capabilities())) {}
+          renderer_(suited(settings, context_.capabilities()), context_.capabilities()),
+          loaded_(withShadows(scene)),
+          scene_(uploadScene(loaded_, renderer_.settings().records(), context_.capabilities())) {}
 
     std::vector<std::uint8_t> draw(const Light& light, bool atRest = false) {
         FrameRequest request;
@@ -123,6 +124,10 @@ class Drawing {
     const gl::HeadlessContext& context() const { return context_; }
 
   private:
+    static RenderSettings suited(RenderSettings settings, const gl::Capabilities& capabilities) {
+        settings.layout = bestLayout(capabilities);
+        return settings;
+    }
     static LoadedScene withShadows(const Scene& scene) {
         LoadedScene loaded;
         loaded.scene = scene;
@@ -186,10 +191,16 @@ TEST_F(IrregularShadows, FollowWhatMoves) {
 }
 
 TEST_F(IrregularShadows, AreRefusedWhereDepthCantBeRead) {
-    Drawing drawing(yard().scene(), byPoints(), 4);
+    std::optional<Drawing> several;
+    try {
+        several.emplace(yard().scene(), byPoints(), 4);
+    } catch (const Error&) {
+        GTEST_SKIP() << "this GL has no pictures of several samples";
+    }
+    Drawing& drawing = *several;
     GLint sampled = 0;
     glGetIntegerv(GL_SAMPLE_BUFFERS, &sampled);
-    if (sampled == 0) GTEST_SKIP() << "this GL has no pictures of several samples";
+    if (sampled == 0) GTEST_SKIP() << "Mesa's pbuffers have one sample";
     EXPECT_THROW(drawing.draw(sun({0.4, 1, 0.3})), Error);
     gl::Capabilities without = drawing.context().capabilities();
     without.extensions.clear();

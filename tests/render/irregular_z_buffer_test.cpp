@@ -15,7 +15,7 @@ using test::Random;
 constexpr int width = 93, height = 61; // no whole blocks
 constexpr double aspect = static_cast<double>(width) / height;
 constexpr PixelRectangle whole{0, 0, width, height};
-constexpr int subpixelBits = 8;
+constexpr RasterRounding rounding{8, 0x1p-24};
 
 struct Triangle {
     glm::dvec3 a, b, c;
@@ -72,7 +72,7 @@ struct Picture {
 
     std::vector<std::uint8_t> shadowed(const PixelRectangle& reach, Threads threads) const {
         IrregularZBuffer buffer(depths, view, view.slices.front(), view.lights.front().light, reach,
-                                subpixelBits, threads);
+                                rounding, threads);
         const Geometry& geometry = *scene.batches.front().geometry;
         const CasterRuns runs(geometry.positions, geometry.indices);
         const PlacedRuns placed{&runs, scene.batches.front().worldFromBatch};

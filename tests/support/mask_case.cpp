@@ -54,7 +54,8 @@ void expectRightByPoints(const Case& test) {
     RenderSettings settings;
     settings.shadows = ShadowMethod::irregularZBuffer;
     const Outcome outcome = run(test, settings);
-    EXPECT_EQ(outcome.wrongBeyondOnePixel, 0) << "by an irregular z-buffer:" << outcome.where;
+    // As by a primitive map.
+    EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << "by an irregular z-buffer:" << outcome.where;
     EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << "by an irregular z-buffer";
 }
 

@@ -15,6 +15,9 @@ namespace {
 /// of 22,000 they take 1.2 times as long (docs/measured/fill.md).
 constexpr std::size_t leastTriangles = 8192;
 
+/// What depths are off by, of their range: llvmpipe's as measured, and NVIDIA's.
+constexpr double softwareRounding = 0x1p-24, hardwareRounding = 0x1p-21;
+
 } // namespace
 
 bool IrregularShadowPass::isWanted(const RenderSettings& settings,
@@ -36,7 +39,9 @@ bool IrregularShadowPass::pays(std::size_t triangles) {
 }
 
 IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
-    : subpixelBits_(capabilities.subpixelBits), picture_(shaders::marked_frag) {}
+    : rounding_{capabilities.subpixelBits,
+                capabilities.isSoftware() ? softwareRounding : hardwareRounding},
+      picture_(shaders::marked_frag) {}
 
 void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
                                const DepthSlice& slice, const Light& light,
@@ -54,7 +59,7 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
             ExitStatus::unavailable,
             "A picture with several samples a pixel has no depths that could be read, which "
             "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
-    IrregularZBuffer buffer(depths_, view, slice, light, reach, subpixelBits_);
+    IrregularZBuffer buffer(depths_, view, slice, light, reach, rounding_);
     buffer.cast(castersOf(scene));
     upload(buffer.shadowed());
     glDisable(GL_DEPTH_TEST);

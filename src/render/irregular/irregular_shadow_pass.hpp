@@ -54,7 +54,7 @@ class IrregularShadowPass {
     std::vector<PlacedRuns> castersOf(const GpuScene& scene);
     void upload(const std::vector<std::uint8_t>& marked);
 
-    int subpixelBits_;
+    RasterRounding rounding_;
     WholePicture picture_;
     gl::Texture texture_;
     glm::ivec2 size_{0}; ///< the texture's

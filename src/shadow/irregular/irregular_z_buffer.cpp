@@ -7,8 +7,8 @@
 namespace edgeshade {
 namespace {
 
-/// Rounding of a depth on its way through a rasteriser's floats, mostly and at the most.
-constexpr double depthRounding = 0x1p-24, mostRounding = 0x1p-21;
+/// How far behind its own surface, of the depth range, a point may be found.
+constexpr double mostRounding = 0x1p-21;
 
 /// What rounding may do to an own coordinate of a FaceFrame, where it is 1.
 constexpr float faceRounding = 0x1p-20f;
@@ -118,10 +118,11 @@ struct IrregularZBuffer::Scratch {
 
 IrregularZBuffer::IrregularZBuffer(const DepthPicture& depths, const FrameView& view,
                                    const DepthSlice& slice, const Light& light,
-                                   const PixelRectangle& reach, int subpixelBits, Threads threads)
+                                   const PixelRectangle& reach, const RasterRounding& rounding,
+                                   Threads threads)
     : depths_(depths), space_(light, view.frustum.position()), lines_(view, slice, space_),
-      depthError_(std::ldexp(0.75, -depths.bits) + depthRounding),
-      snapError_(std::ldexp(0.5, -subpixelBits)), faces_(space_.faceCount()),
+      depthError_(std::ldexp(0.75, -depths.bits) + rounding.depth),
+      snapError_(std::ldexp(0.5, -rounding.subpixelBits)), faces_(space_.faceCount()),
       shadowed_(depths.depths.size(), 0) {
     addPoints(intersection(reach, {depths.x, depths.y, depths.width, depths.height}), threads);
 }
@@ -200,7 +201,7 @@ void IrregularZBuffer::cast(std::span<const PlacedRuns> casters, Threads threads
         first.push_back(count);
         count += of.casters->runs().size();
     }
-    constexpr std::size_t leastRuns = itemsOfThread / 4 / CasterRuns::length;
+    constexpr std::size_t leastRuns = 8; // of large triangles, with many points each
     forEachPart(partsOf(count, leastRuns, threads), [&](std::size_t, const ItemRange& range) {
         Scratch scratch;
         std::size_t b = 0;

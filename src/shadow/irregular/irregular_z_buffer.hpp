@@ -17,17 +17,23 @@ struct PlacedRuns {
     glm::dmat4 worldFromBatch{1.0};
 };
 
+/// How far off a rasteriser puts what it draws.
+struct RasterRounding {
+    int subpixelBits = 4;   ///< vertices are put on a grid of 2^-subpixelBits pixels
+    double depth = 0x1p-21; ///< of the depth range, beside what its bits leave
+};
+
 /// Which visible points of a picture a light doesn't reach, found point by point: an irregular
 /// z-buffer (Johnson et al. 2005, Aila and Laine 2004), which the processor draws casters into. A
 /// point is taken to be just before what is seen there, as it is where volumes are counted, and is
 /// in shadow if a triangle is between it and the light (docs/method.md, C46).
 class IrregularZBuffer {
   public:
-    /// Of a slice whose depth buffer this is a rectangle of, within `reach`. `subpixelBits`: of the
-    /// grid on which the rasteriser has put vertices. `depths` must outlive it.
+    /// Of a slice whose depth buffer this is a rectangle of, within `reach`. `depths` must
+    /// outlive it.
     IrregularZBuffer(const DepthPicture& depths, const FrameView& view, const DepthSlice& slice,
-                     const Light& light, const PixelRectangle& reach, int subpixelBits,
-                     Threads threads = {});
+                     const Light& light, const PixelRectangle& reach,
+                     const RasterRounding& rounding, Threads threads = {});
 
     void cast(std::span<const PlacedRuns> casters, Threads threads = {});
 
