@@ -13,13 +13,10 @@ EDGESHADE names the program.
 
 import fcntl
 import json
-import subprocess
 import sys
-import tempfile
-from functools import cache
 
 from accuracy import MAP_SIZES, NAMES, condensed
-from edgeshade_runs import (PROGRAM, RESULTS, SCENES, against, figure, machine, mean, percent, replace_between,
+from edgeshade_runs import (RESULTS, SCENES, against, figure, machine, mean, percent, replace_between,
                             report, write_results)
 
 SIZE, LARGE = "1920x1080", "3840x2160"
@@ -29,8 +26,6 @@ SUN = ("--sun", "0.4,1,0.3")
 MAPS = {f"map {size}": f"shadows=map,map-size={size}" for size in MAP_SIZES}
 RECORDS = {"published": "layout=published", "all": "silhouette=all"}
 LOOKED_UP = {"primitive map": "shadows=primitive-map"}
-BY_POINTS = {"irregular z-buffer": "shadows=irregular-z-buffer"}
-BY_POINTS_WORDS = ("--shadows", "irregular-z-buffer")
 # The first is what volumes do without any.
 MEASURES = {"ends at planes": "volume-ends=planes", "ends by cost": "volume-ends=cost",
             "ends at infinity": "volume-ends=infinity",
@@ -72,26 +67,12 @@ def flights(scene):
     of["large"] = flown(path, {}, ("--light-moves",), LARGE)
     of["processor"] = flown(path, {"published": RECORDS["published"]}, ("--light-moves",),
                             timing="processor")
-    # What the processor does counts where frames are waited for; planning is told apart.
-    for name, words in (("points", ()), ("points, sun", SUN)):
-        of[name] = flown(path, by_points() | {"map 2048": MAPS["map 2048"]},
-                         (*words, "--light-moves"), timing="finish")
     return of
 
 
-@cache
-def by_points():
-    """BY_POINTS where this GL can read depth, else nothing."""
-    with tempfile.TemporaryDirectory() as folder:
-        drawn = subprocess.run([PROGRAM, "render", SCENES / "duck.glb", f"{folder}/duck.png",
-                                "--size", "64x64", *BY_POINTS_WORDS], check=False)
-    return BY_POINTS if drawn.returncode == 0 else {}
-
-
 def compared(scene):
-    ways = RECORDS | MAPS | by_points() | LOOKED_UP
     return condensed(report("compare", SCENES / f"{scene}.glb", "--size", "960x540", "--views",
-                            VIEWS, *against(ways.values())))
+                            VIEWS, *against((RECORDS | MAPS | LOOKED_UP).values())))
 
 
 def ratio_table(results, light, ways):
@@ -163,9 +144,7 @@ def fill_table(results):
 
 
 def accuracy_table(results):
-    asked = BY_POINTS if any(len(of["compare"]) > 1 + len(RECORDS | MAPS | LOOKED_UP)
-                             for of in results.values()) else {}
-    names = ["volumes", *RECORDS, *MAPS, *asked, *LOOKED_UP]
+    names = ["volumes", *RECORDS, *MAPS, *LOOKED_UP]
     lines = ["| scene | visible pixels | " + " | ".join(names) + " | beyond 1 px, not tied: volumes "
              "| primitive map |", "|" + " --- |" * (4 + len(names))]
     for scene, of in results.items():
@@ -174,22 +153,6 @@ def accuracy_table(results):
         beyond = [runs[i]["wrong_image_beyond_1px_not_tied"] for i in (0, -1)]
         lines.append(f"| {NAMES[scene]} | {runs[0]['visible_pixels']:,} | " + " | ".join(cells)
                      + f" | {beyond[0]} | {beyond[1]} |")
-    return "\n".join(lines)
-
-
-def points_table(results):
-    """Frames that are waited for, of a light that moves, with what is planned before volumes; and of
-    asking visible points, whose time is the processor's."""
-    lines = ["| scene | lamp: volumes, ms | planning, ms | irregular z-buffer, ms | map 2048, ms | sun: "
-             "volumes, ms | planning, ms | irregular z-buffer, ms | map 2048, ms |",
-             "|" + " --- |" * 9]
-    for scene, of in results.items():
-        cells = []
-        for flight in ("points", "points, sun"):
-            runs = of[flight]["runs"]
-            cells += [runs["ours"]["frame_ms"]["median"], runs["ours"]["plan_ms"]] + [
-                runs[way]["frame_ms"]["median"] for way in (*BY_POINTS, "map 2048")]
-        lines.append(f"| {NAMES[scene]} | " + " | ".join(f"{value:.2f}" for value in cells) + " |")
     return "\n".join(lines)
 
 
@@ -235,8 +198,6 @@ def main(words):
     replace_between(page, "stages", stage_table(frames))
     replace_between(page, "measures", measure_table(frames))
     replace_between(page, "fill", fill_table(frames))
-    if all(set(BY_POINTS) <= set(of["points"]["runs"]) for of in frames.values()):
-        replace_between(page, "points", points_table(frames))
     replace_between(page, "accuracy", accuracy_table(scenes))
 
 

@@ -1,7 +1,7 @@
 #include "tests/support/headless.hpp"
 
-#include "src/gl/depth_reading.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/shadow/geometry/light_budget.hpp"
 
 #include <algorithm>
@@ -22,8 +22,9 @@ bool drawsOnProcessor() {
     return software;
 }
 
-bool canReadDepth() {
-    static const bool can = gl::canReadDepth(gl::HeadlessContext(testPicture(1, 1)).capabilities());
+bool canAskPoints() {
+    static const bool can =
+        IrregularShadowPass::isPossible(gl::HeadlessContext(testPicture(1, 1)).capabilities());
     return can;
 }
 

@@ -18,8 +18,8 @@ bool drawsOnProcessor();
 /// that ES 2.0 guarantees.
 bool hasDerivatives();
 
-/// Whether depth buffers can be read there, as asking visible points needs.
-bool canReadDepth();
+/// Whether visible points can be asked one by one there.
+bool canAskPoints();
 
 /// A picture for tests, with what the environment asks for.
 gl::HeadlessContext::Request testPicture(int width, int height, int samples = 0);

@@ -50,7 +50,7 @@ void expectRight(const Case& test) {
 }
 
 void expectRightByPoints(const Case& test) {
-    if (!canReadDepth()) return;
+    if (!canAskPoints()) return;
     RenderSettings settings;
     settings.shadows = ShadowMethod::irregularZBuffer;
     const Outcome outcome = run(test, settings);

@@ -42,7 +42,7 @@ void expectRight(const Case& test);
 /// The same by a primitive map; where some casters can't be in one, volumes are counted.
 void expectLookedUpRight(const Case& test);
 
-/// The same by an irregular z-buffer, where depth can be read.
+/// The same by an irregular z-buffer, where it is possible.
 void expectRightByPoints(const Case& test);
 
 /// The same by one method and every layout.

@@ -15,23 +15,29 @@ namespace {
 /// of 22,000 they take 1.2 times as long (docs/measured/fill.md).
 constexpr std::size_t leastTriangles = 8192;
 
-/// What depths are off by, of their range: llvmpipe's as measured, and NVIDIA's.
-constexpr double softwareRounding = 0x1p-24, hardwareRounding = 0x1p-21;
+/// What llvmpipe's depths are off by, of their range, as measured. NVIDIA's are off by more than
+/// eight times as much on some surfaces (docs/measured/gpu.md).
+constexpr double depthRounding = 0x1p-24;
 
 } // namespace
+
+bool IrregularShadowPass::isPossible(const gl::Capabilities& capabilities) {
+    return capabilities.isSoftware() && gl::canReadDepth(capabilities);
+}
 
 bool IrregularShadowPass::isWanted(const RenderSettings& settings,
                                    const gl::Capabilities& capabilities) {
     if (settings.shadows == ShadowMethod::irregularZBuffer) {
-        if (gl::canReadDepth(capabilities)) return true;
+        if (isPossible(capabilities)) return true;
         throw Error(ExitStatus::unavailable,
-                    "This GL can't read depth buffers (GL_NV_read_depth), which '--shadows "
-                    "irregular-z-buffer' needs; '--shadows volumes' does without.");
+                    "'--shadows irregular-z-buffer' needs a GL whose processor draws and whose "
+                    "depth buffers can be read (GL_NV_read_depth); '--shadows volumes' does "
+                    "without.");
     }
     const auto records = settings.records();
     return settings.shadows == ShadowMethod::automatic &&
            records->volumes == VolumeLayout::planePairs && settings.maskScale == 1 &&
-           capabilities.isSoftware() && capabilities.samples <= 1 && gl::canReadDepth(capabilities);
+           capabilities.samples <= 1 && isPossible(capabilities);
 }
 
 bool IrregularShadowPass::pays(std::size_t triangles) {
@@ -39,9 +45,7 @@ bool IrregularShadowPass::pays(std::size_t triangles) {
 }
 
 IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
-    : rounding_{capabilities.subpixelBits,
-                capabilities.isSoftware() ? softwareRounding : hardwareRounding},
-      picture_(shaders::marked_frag) {}
+    : rounding_{capabilities.subpixelBits, depthRounding}, picture_(shaders::marked_frag) {}
 
 void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
                                const DepthSlice& slice, const Light& light,

@@ -18,8 +18,11 @@ namespace edgeshade {
 /// is between it and the light: exact as volumes are, and nothing is filled (docs/method.md, C46).
 class IrregularShadowPass {
   public:
-    /// Whether the settings ask for it, or leave it open in a GL where it may pay: the processor
-    /// draws, and depth can be read. Throws Error(unavailable) where they ask for it and it can't.
+    /// Whether the processor draws, whose depths are as exact as they must be, and they can be
+    /// read.
+    static bool isPossible(const gl::Capabilities& capabilities);
+    /// Whether the settings ask for it, or leave it open where it is possible. Throws
+    /// Error(unavailable) where they ask for it and it isn't.
     static bool isWanted(const RenderSettings& settings, const gl::Capabilities& capabilities);
     /// Whether triangles are so many that it takes less than filling their volumes.
     static bool pays(std::size_t triangles);
