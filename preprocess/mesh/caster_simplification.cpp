@@ -51,8 +51,9 @@ void simplifyCasters(Scene& scene, double error) {
             continue;
         }
         if (!batch.deforms()) // else what is near in one pose is far in another
-            batch.geometry.edit().simplifiedCasters = simplified(
-                batch, castingSurfacesOf(*batch.geometry, scene.materials, false), error / longest[i]);
+            batch.geometry.edit().simplifiedCasters =
+                simplified(batch, castingSurfacesOf(*batch.geometry, scene.materials, false),
+                           error / longest[i]);
     }
 }
 

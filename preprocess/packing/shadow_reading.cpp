@@ -193,8 +193,8 @@ void readCasters(const GltfDocument& document, const ShadowHeader& header, Scene
         }
         const BatchReader reader(document, entry++);
         reader.requireNode(batch.node);
-        reader.requireHash(positionsHash(
-            batch, castingSurfacesOf(*batch.geometry, scene.materials, header.settings.castMasked)));
+        reader.requireHash(positionsHash(batch, castingSurfacesOf(*batch.geometry, scene.materials,
+                                                                  header.settings.castMasked)));
         if (header.settings.casterError > 0.0 && !batch.deforms())
             batch.geometry.edit().simplifiedCasters = reader.readSimplified(
                 batch.geometry->positions.size(), batch.geometry->indices.size() / 3);

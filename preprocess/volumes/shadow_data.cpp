@@ -13,7 +13,8 @@ void weldAndHash(const Batch& batch, const std::vector<Material>& materials, boo
                  Threads threads, BatchTopology& built) {
     inParallel(2, threads, [&](std::size_t task) {
         if (task == 0)
-            built.hash = positionsHash(batch, castingSurfacesOf(*batch.geometry, materials, castMasked));
+            built.hash =
+                positionsHash(batch, castingSurfacesOf(*batch.geometry, materials, castMasked));
         else
             built.mesh = weldCasters(batch, castersOf(batch, materials, castMasked), threads);
     });

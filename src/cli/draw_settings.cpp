@@ -304,13 +304,14 @@ bool DrawSettings::typedOfMaps(const std::string& option) const {
 }
 
 void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
-    addChoice(verb, "--shadows", settings.render.shadows, shadowNames,
-              "How shadows are made; auto: looked up exactly in a primitive map where a light "
-              "rests and it pays, else volumes, or, where the processor draws and casters are many, "
-              "an irregular z-buffer: the processor asks of each visible point whether it is in "
-              "shadow; planar: projected onto the scene's largest planes, "
-              "exact there and absent elsewhere (" +
-                  nameIn(shadowNames, settings.render.shadows) + ")");
+    addChoice(
+        verb, "--shadows", settings.render.shadows, shadowNames,
+        "How shadows are made; auto: looked up exactly in a primitive map where a light "
+        "rests and it pays, else volumes, or, where the processor draws and casters are many, "
+        "an irregular z-buffer: the processor asks of each visible point whether it is in "
+        "shadow; planar: projected onto the scene's largest planes, "
+        "exact there and absent elsewhere (" +
+            nameIn(shadowNames, settings.render.shadows) + ")");
     addMapOptions(verb, settings);
     addChoice(verb, "--multiplicity", settings.multiplicity, multiplicityNames,
               "How a triangle's facing is decided (plane; reference-edge with --layout published, "

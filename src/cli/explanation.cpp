@@ -20,8 +20,8 @@ std::string methodsOf(const Renderer& renderer, const GpuScene& scene, const Fra
             text += "looked up in a primitive map of " + std::to_string(of.bytes) +
                     " bytes, built in " + std::to_string(std::lround(of.buildMs)) + " ms\n";
         else
-            text += (of.method == "irregular-z-buffer" ? "irregular z-buffer: " : "volumes: ") + of.why +
-                    "\n";
+            text += (of.method == "irregular-z-buffer" ? "irregular z-buffer: " : "volumes: ") +
+                    of.why + "\n";
     }
     return text;
 }

@@ -11,13 +11,14 @@ using Json = nlohmann::ordered_json;
 constexpr int smallestMap = 16;
 constexpr int largestMap = 16384;
 
-constexpr Words<ShadowMethod, 7> shadowWords = {{{"auto", ShadowMethod::automatic},
-                                                 {"volumes", ShadowMethod::volumes},
-                                                 {"primitive-map", ShadowMethod::primitiveMap},
-                                                 {"irregular-z-buffer", ShadowMethod::irregularZBuffer},
-                                                 {"map", ShadowMethod::map},
-                                                 {"planar", ShadowMethod::planar},
-                                                 {"none", ShadowMethod::none}}};
+constexpr Words<ShadowMethod, 7> shadowWords = {
+    {{"auto", ShadowMethod::automatic},
+     {"volumes", ShadowMethod::volumes},
+     {"primitive-map", ShadowMethod::primitiveMap},
+     {"irregular-z-buffer", ShadowMethod::irregularZBuffer},
+     {"map", ShadowMethod::map},
+     {"planar", ShadowMethod::planar},
+     {"none", ShadowMethod::none}}};
 constexpr Words<MultiplicityMethod, 5> multiplicityWords = {
     {{"plane", MultiplicityMethod::plane},
      {"reference-edge", MultiplicityMethod::referenceEdge},

@@ -90,11 +90,11 @@ CountPlan askingPoints() {
     return plan;
 }
 
-/// Of all batches that are drawn.
+/// As Scene::triangleCount().
 [[maybe_unused]] std::size_t triangleCount(const GpuScene& scene) {
     std::size_t count = 0;
     for (const GpuBatch& batch : scene.batches)
-        if (!batch.hidden) count += batch.geometry->indices.size() / 3;
+        if (!batch.ground) count += batch.geometry->indices.size() / 3;
     return count;
 }
 
@@ -211,6 +211,11 @@ std::size_t Renderer::ambientBytes() const {
     return 0;
 }
 
+std::size_t Renderer::markBytes() const {
+    if constexpr (readsDepth) return irregular_ ? irregular_->bytes() : 0;
+    return 0;
+}
+
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
     if constexpr (readsDepth)
         asksPoints_ = irregular_ && (!volumes_ || IrregularShadowPass::pays(triangleCount(scene)));
@@ -249,10 +254,6 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
     if (marked) restoreAlpha(scene, view);
 }
 
-bool Renderer::isByPoints(const GpuScene& scene, const FrameLight& of) const {
-    return readsDepth && asksPoints_ && !primitiveMapOf(scene, of);
-}
-
 FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* clock) {
     FrameTask task{.view = view,
                    .open = gl::scissored(view.width, view.height),
@@ -277,12 +278,12 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
     if (!volumes_) return planFrame(task);
     task.groupCount = [&](std::size_t light) -> std::size_t {
         if (visibilityOf(light)) return 0;
-        if (isByPoints(scene, view.lights[light])) return 1;
         if (primitiveMapOf(scene, view.lights[light]) && !anyAnimated(scene)) return 0;
+        if (asksPoints_) return 1;
         return scene.groupCount(view.lights[light], volumes_->layout());
     };
     task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
-        if (isByPoints(scene, view.lights[light])) return askingPoints();
+        if (asksPoints_) return askingPoints();
         const bool lookedUp = primitiveMapOf(scene, view.lights[light]) != nullptr;
         return volumes_->plan(scene, {view, slice, light, group, lookedUp});
     };

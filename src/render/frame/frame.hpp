@@ -110,13 +110,16 @@ class Renderer {
     /// That of the ones that ambient light's colours are kept in.
     std::size_t ambientBytes() const;
 
+    /// That of the texture that says which visible points are in shadow.
+    std::size_t markBytes() const;
+
     /// That of the table of lights without a shadow.
     std::size_t tableBytes() const { return table_ ? table_->bytes() : 0; }
 
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() + lightBytes() + ambientBytes() + tableBytes() +
-               (volumes_ ? volumes_->bytes() : 0);
+        return mapBytes() + maskBytes() + lightBytes() + ambientBytes() + markBytes() +
+               tableBytes() + (volumes_ ? volumes_->bytes() : 0);
     }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
@@ -150,8 +153,6 @@ class Renderer {
     LightSum lightSum(const GpuScene& scene, const FrameView& view) const;
     /// Makes what the sum takes, and binds what it is made in.
     void prepareSum(const GpuScene& scene, const FrameView& view);
-    /// Whether the light's visible points are asked one by one.
-    bool isByPoints(const GpuScene& scene, const FrameLight& of) const;
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
     /// Whether nothing is counted where no surface is; published methods count everywhere.
     bool cutsToVisible() const;
@@ -224,7 +225,7 @@ class Renderer {
     std::vector<glm::dvec3> visible_;                ///< of this frame, where one is
     std::optional<PlanarShadowPass> planar_;         ///< where they are projected onto planes
     std::shared_ptr<IrregularShadowPass> irregular_; ///< where visible points may be asked
-    bool asksPoints_ = false;                        ///< they are, in this frame
+    bool asksPoints_ = false;             ///< they are in this frame, and no volumes counted
     std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
     std::optional<LinearTarget> linear_;
     /// Where ambient light's colours may be kept. It and irregular_ are shared with nobody, but

@@ -18,8 +18,9 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
             if (counts.empty() || !counts.front().byPoints) continue;
             methods[i].method = "irregular-z-buffer";
             if (renderer.volumes())
-                methods[i].why = "it has no primitive map, and filling volumes is estimated to take "
-                                 "longer";
+                methods[i].why =
+                    "it has no primitive map, and filling volumes is estimated to take "
+                    "longer";
         }
     return methods;
 }

@@ -46,6 +46,11 @@ class IrregularShadowPass {
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               const Light& light, const PixelRectangle& reach, const PixelRectangle& area);
 
+    /// On the GPU.
+    std::size_t bytes() const {
+        return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
+    }
+
   private:
     /// The casters of a geometry, as long as batches have it.
     struct Kept {
