@@ -1,7 +1,10 @@
 #include "src/viewer/view_state.hpp"
 
 #include "src/render/accumulation/subpixels.hpp"
+#include "src/scene/build_parts.hpp"
 #include "src/viewer/light_state.hpp"
+
+#include <algorithm>
 
 namespace edgeshade::viewer {
 namespace {
@@ -11,14 +14,23 @@ using Json = nlohmann::ordered_json;
 constexpr int smallestMap = 16;
 constexpr int largestMap = 16384;
 
-constexpr Words<ShadowMethod, 7> shadowWords = {
+constexpr Words<ShadowMethod, 6> shadowWordsOfPages = {
     {{"auto", ShadowMethod::automatic},
      {"volumes", ShadowMethod::volumes},
      {"primitive-map", ShadowMethod::primitiveMap},
-     {"irregular-z-buffer", ShadowMethod::irregularZBuffer},
      {"map", ShadowMethod::map},
      {"planar", ShadowMethod::planar},
      {"none", ShadowMethod::none}}};
+constexpr auto shadowWords = [] {
+    if constexpr (readsDepth) {
+        Words<ShadowMethod, 7> words{};
+        std::copy(shadowWordsOfPages.begin(), shadowWordsOfPages.end(), words.begin());
+        words.back() = {"irregular-z-buffer", ShadowMethod::irregularZBuffer};
+        return words;
+    } else {
+        return shadowWordsOfPages;
+    }
+}();
 constexpr Words<MultiplicityMethod, 5> multiplicityWords = {
     {{"plane", MultiplicityMethod::plane},
      {"reference-edge", MultiplicityMethod::referenceEdge},

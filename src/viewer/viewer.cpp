@@ -751,8 +751,11 @@ FrameStats Viewer::stats() const {
         FrameView view;
         for (const Light& light : parts.state.lights)
             view.lights.push_back({light, {}});
-        stats.lights = lightMethods(*parts.gpu->scene, view,
-                                    parts.gpu->renderers.of(parts.state.left, parts.state));
+        const Renderer& left = parts.gpu->renderers.of(parts.state.left, parts.state);
+        if constexpr (readsDepth)
+            stats.lights = lightMethods(*parts.gpu->scene, view, left);
+        else
+            stats.lights = lightMethods(*parts.gpu->scene, view, left.settings());
     }
     return stats;
 }

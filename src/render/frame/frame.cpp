@@ -130,9 +130,6 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     if constexpr (readsDepth) {
         if (IrregularShadowPass::isWanted(settings, capabilities))
             irregular_ = std::make_shared<IrregularShadowPass>(capabilities);
-    } else if (settings.shadows == ShadowMethod::irregularZBuffer) {
-        throw Error(ExitStatus::unavailable, "This build has no irregular z-buffer: pages can't "
-                                             "read depth.");
     }
     if (maps_ && settings.map.kind == MapKind::warped) places_.emplace(capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
