@@ -124,8 +124,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         if constexpr (hasRivals)
             planar_.emplace();
         else
-            throw Error(ExitStatus::unavailable,
-                        "This build has no planar shadows, which are there to be compared with.");
+            throw Error(ExitStatus::unavailable, "This build has no planar shadows.");
     }
     if constexpr (readsDepth) {
         if (IrregularShadowPass::isWanted(settings, capabilities))

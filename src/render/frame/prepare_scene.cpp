@@ -85,7 +85,7 @@ const char* nameOf(ShadowMethod method) {
     case ShadowMethod::map:
         return "map";
     case ShadowMethod::irregularZBuffer:
-        return "irregular-z-buffer";
+        return readsDepth ? "irregular-z-buffer" : "";
     case ShadowMethod::planar:
         return "planar";
     case ShadowMethod::none:

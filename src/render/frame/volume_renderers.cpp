@@ -23,8 +23,7 @@ std::unique_ptr<VolumeRenderer> makeVolumeRenderer(const RenderSettings& setting
         if constexpr (hasRivals)
             return std::make_unique<TriangleVolumes>(settings.count, settings.layout,
                                                      capabilities.instancing, tints);
-        throw Error(ExitStatus::unavailable,
-                    "This build has no brute-force volumes, which are there to be compared with.");
+        throw Error(ExitStatus::unavailable, "This build has no brute-force volumes.");
     }
     return std::make_unique<PlanePairVolumes>(settings, capabilities, tints);
 }
