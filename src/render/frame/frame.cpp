@@ -582,7 +582,8 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
     if constexpr (readsDepth)
         if (plan.byPoints) {
             irregular_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light,
-                             pass.plan.lights[light].reach, pass.plan.reach);
+                             pass.plan.lights[light].reach, pass.plan.reach,
+                             primitiveMapOf(pass.scene, pass.view.lights[light]) != nullptr);
             return;
         }
     counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});

@@ -16,6 +16,7 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
         for (std::size_t i = 0; i < std::min(methods.size(), slice.lights.size()); ++i) {
             const std::vector<CountPlan>& counts = slice.lights[i].counts;
             if (counts.empty() || !counts.front().byPoints) continue;
+            if (methods[i].method == "primitive-map") continue; // what moves alone is asked about
             methods[i].method = "irregular-z-buffer";
             if (renderer.volumes())
                 methods[i].why =

@@ -49,7 +49,8 @@ IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
 
 void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
                                const DepthSlice& slice, const Light& light,
-                               const PixelRectangle& reach, const PixelRectangle& area) {
+                               const PixelRectangle& reach, const PixelRectangle& area,
+                               bool animatedAlone) {
     if (!known_) {
         depths_.x = area.x;
         depths_.y = area.y;
@@ -64,7 +65,7 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
             "A picture with several samples a pixel has no depths that could be read, which "
             "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
     IrregularZBuffer buffer(depths_, view, slice, light, reach, rounding_);
-    buffer.cast(castersOf(scene));
+    buffer.cast(castersOf(scene, animatedAlone));
     upload(buffer.shadowed());
     glDisable(GL_DEPTH_TEST);
     glStencilFunc(GL_ALWAYS, 1, 0xFF);
@@ -78,24 +79,26 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
     glEnable(GL_DEPTH_TEST);
 }
 
-std::vector<PlacedRuns> IrregularShadowPass::castersOf(const GpuScene& scene) {
+std::vector<PlacedRuns> IrregularShadowPass::castersOf(const GpuScene& scene, bool animatedAlone) {
     for (auto& [geometry, kept] : kept_)
         kept.used = false;
     std::vector<PlacedRuns> placed;
     for (const GpuBatch& batch : scene.batches) {
-        if (batch.hidden) continue;
         const Geometry& geometry = *batch.geometry;
-        const auto [found, isNew] =
-            kept_.try_emplace(&geometry, Kept{batch.geometry, scene.identity});
-        Kept& kept = found->second;
-        if (isNew || kept.scene != scene.identity) {
-            kept.scene = scene.identity;
-            kept.casters = CasterRuns(
+        auto found = kept_.find(&geometry);
+        const bool casts = !batch.hidden && (batch.animated || !animatedAlone);
+        if (casts && (found == kept_.end() || found->second.scene != scene.identity)) {
+            CasterRuns runs(
                 geometry.positions,
                 edgeshade::castersOf(geometry, scene.materials, scene.castMasked).indices);
+            found = kept_
+                        .insert_or_assign(&geometry,
+                                          Kept{batch.geometry, scene.identity, std::move(runs)})
+                        .first;
         }
-        kept.used = true;
-        placed.push_back({&kept.casters, batch.worldFromBatch});
+        if (found == kept_.end()) continue;
+        found->second.used = true;
+        if (casts) placed.push_back({&found->second.casters, batch.worldFromBatch});
     }
     std::erase_if(kept_, [](const auto& entry) { return !entry.second.used; });
     return placed;

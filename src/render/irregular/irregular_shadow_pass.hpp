@@ -43,8 +43,10 @@ class IrregularShadowPass {
     /// are the viewport, the picture's, and the scissor, which is `reach`. `area`: the same for any
     /// light of the slice, and around `reach`. Leaves the depth test on, the stencil's test on.
     /// Throws Error(unavailable) where the framebuffer's depth can't be read.
+    /// `animatedAlone`: casters that no animation moves are looked up elsewhere.
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
-              const Light& light, const PixelRectangle& reach, const PixelRectangle& area);
+              const Light& light, const PixelRectangle& reach, const PixelRectangle& area,
+              bool animatedAlone);
 
     /// On the GPU.
     std::size_t bytes() const {
@@ -59,7 +61,7 @@ class IrregularShadowPass {
         CasterRuns casters{};
         bool used = true;
     };
-    std::vector<PlacedRuns> castersOf(const GpuScene& scene);
+    std::vector<PlacedRuns> castersOf(const GpuScene& scene, bool animatedAlone);
     void upload(const std::vector<std::uint8_t>& marked);
 
     RasterRounding rounding_;
