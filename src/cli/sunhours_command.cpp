@@ -88,8 +88,6 @@ LitCounts countLit(const SunHoursOptions& options, const LoadedScene& loaded,
     const gl::HeadlessContext context({request.width, request.height, 0, options.glLimits});
     DrawSettings draw;
     draw.render.shading = Shading::base;
-    // No position is worth a map.
-    draw.render.shadows = ShadowMethod::automatic;
     resolve(draw);
     draw.render.layout = layoutFor(InstancingChoice::automatic, context.capabilities());
     Renderer renderer(draw.render, context.capabilities());

@@ -1,7 +1,6 @@
 #include "src/render/accumulation/direction_counts.hpp"
 
 #include "src/render/accumulation/direction_masks.hpp"
-#include "src/render/irregular/irregular_shadow_pass.hpp"
 
 #include <algorithm>
 
@@ -24,14 +23,12 @@ LitCounts countDirections(const LoadedScene& loaded, const FrameRequest& request
         counts.lights = 0;
         return counts;
     }
-    const bool layers = !IrregularShadowPass::serves(renderer.settings(), capabilities,
-                                                     loaded.scene.triangleCount());
     constexpr std::size_t most = 32; // of which plans are held at once
     const std::size_t atOnce = std::min(LitCounter::lightsAtOnce(scene), most);
     for (std::size_t first = 0; first < directions.size();) {
         const std::size_t count = std::min(directions.size() - first, atOnce);
         counter.add(renderer, scene, loaded,
-                    directionMasks(seen, loaded, directions.subspan(first, count), layers));
+                    directionMasks(seen, loaded, directions.subspan(first, count)));
         first += count;
         progress(static_cast<double>(first) / static_cast<double>(directions.size()));
     }

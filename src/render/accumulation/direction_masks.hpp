@@ -9,8 +9,8 @@ namespace edgeshade {
 
 /// A view whose picture is the sum of the lit masks of directional lights, towards which these
 /// point, at most mostSummed; else as `seen`. BLEND surfaces, which take no part in shadows, are
-/// left out. `layers`: whether they are bounded, as volumes need.
+/// left out.
 FrameView directionMasks(const FrameView& seen, const LoadedScene& loaded,
-                         std::span<const glm::dvec3> directions, bool layers = true);
+                         std::span<const glm::dvec3> directions);
 
 } // namespace edgeshade
