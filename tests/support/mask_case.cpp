@@ -41,6 +41,19 @@ Outcome run(const Case& test, RenderSettings settings, bool nearDiscard, bool cu
                             test.light, maskWidth, maskHeight, test.near, test.castMasked));
 }
 
+namespace {
+
+void expectNearlyRight(const Case& test, ShadowMethod method, const char* by) {
+    RenderSettings settings;
+    settings.shadows = method;
+    const Outcome outcome = run(test, settings);
+    // Points at contacts, nearer than floats place them, may be seen on either side.
+    EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << by << ":" << outcome.where;
+    EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << by;
+}
+
+} // namespace
+
 void expectRight(const Case& test) {
     for (const auto method : {MultiplicityMethod::plane, MultiplicityMethod::referenceEdge,
                               MultiplicityMethod::threeEdge})
@@ -49,23 +62,13 @@ void expectRight(const Case& test) {
     expectRightByPoints(test);
 }
 
-void expectRightByPoints(const Case& test) {
-    if (!canAskPoints()) return;
-    RenderSettings settings;
-    settings.shadows = ShadowMethod::irregularZBuffer;
-    const Outcome outcome = run(test, settings);
-    // As by a primitive map.
-    EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << "by an irregular z-buffer:" << outcome.where;
-    EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << "by an irregular z-buffer";
+void expectLookedUpRight(const Case& test) {
+    expectNearlyRight(test, ShadowMethod::primitiveMap, "by a primitive map");
 }
 
-void expectLookedUpRight(const Case& test) {
-    RenderSettings settings;
-    settings.shadows = ShadowMethod::primitiveMap;
-    const Outcome outcome = run(test, settings);
-    // Points at contacts, nearer than floats place them, may be seen on either side.
-    EXPECT_LE(outcome.wrongBeyondOnePixel, 1) << "by a primitive map:" << outcome.where;
-    EXPECT_LE(outcome.wrong, maskWidth * maskHeight / 500) << "by a primitive map";
+void expectRightByPoints(const Case& test) {
+    if (canAskPoints())
+        expectNearlyRight(test, ShadowMethod::irregularZBuffer, "by an irregular z-buffer");
 }
 
 void expectRight(const Case& test, MultiplicityMethod method) {

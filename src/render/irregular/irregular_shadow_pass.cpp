@@ -4,7 +4,6 @@
 #include "preprocess/mesh/topology.hpp"
 #include "shaders_es2.hpp"
 #include "src/gl/depth_reading.hpp"
-#include "src/shadow/irregular/irregular_z_buffer.hpp"
 
 #include <GLES2/gl2.h>
 
@@ -107,16 +106,7 @@ std::vector<PlacedRuns> IrregularShadowPass::castersOf(const GpuScene& scene, bo
 void IrregularShadowPass::upload(const std::vector<std::uint8_t>& marked) {
     const glm::ivec2 size(depths_.width, depths_.height);
     glActiveTexture(GL_TEXTURE0);
-    if (texture_.name() == 0) {
-        GLuint name = 0;
-        glGenTextures(1, &name);
-        texture_ = gl::Texture(name);
-        glBindTexture(GL_TEXTURE_2D, name);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    }
+    if (texture_.name() == 0) texture_ = gl::nearestTexture();
     glBindTexture(GL_TEXTURE_2D, texture_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (size_ == size)

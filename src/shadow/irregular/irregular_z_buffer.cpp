@@ -322,7 +322,6 @@ IrregularZBuffer::Corners IrregularZBuffer::cornersOf(const Triangle& triangle) 
     corners.behind = light > 0.0 ? -1.0 : light < 0.0 ? 1.0 : 0.0;
     corners.eyeSide = lines_.eyeSideOf(corners.plane);
     corners.litSideSeen = corners.eyeSide != 0 && (light > 0.0) == (corners.eyeSide > 0);
-    corners.isSeen = false;
     return corners;
 }
 

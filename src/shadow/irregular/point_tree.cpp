@@ -1,7 +1,5 @@
 #include "src/shadow/irregular/point_tree.hpp"
 
-#include "preprocess/base/parallel.hpp"
-
 #include <algorithm>
 #include <utility>
 

@@ -65,7 +65,7 @@ struct HalfSpace {
 /// its plane.
 using CasterPlanes = std::array<HalfSpace, 4>;
 
-/// Eight boxes in a FaceFrame, and which of them hold points that weren't found.
+/// Eight boxes in a FaceFrame.
 struct PointBoxes {
     static constexpr std::size_t count = 8, parts = count / laneCount;
     std::array<Lanes, parts> u0, u1, v0, v1, h0, h1;
@@ -74,8 +74,9 @@ struct PointBoxes {
     void set(std::size_t i, const glm::vec3& low, const glm::vec3& high);
     glm::vec3 lowOf(std::size_t i) const;
     glm::vec3 highOf(std::size_t i) const;
+    /// A bit for each that may hold points which a caster within the box keeps light from.
     unsigned meeting(const CasterBox& box) const;
-    /// Of those, the ones that have something on the positive side of each plane.
+    /// Those that have something on the positive side of each plane.
     unsigned meeting(const CasterPlanes& planes) const;
 };
 

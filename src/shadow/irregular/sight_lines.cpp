@@ -1,7 +1,5 @@
 #include "src/shadow/irregular/sight_lines.hpp"
 
-#include "src/shadow/geometry/box_plane.hpp"
-
 #include <algorithm>
 
 namespace edgeshade {
@@ -42,8 +40,7 @@ SeenPlane SightLines::seen(const SpacePlane& plane) const {
 
 bool SightLines::meets(int x, int y, const std::array<glm::dvec3, 3>& corners,
                        double pixels) const {
-    const glm::dvec3 aside =
-        first_ + static_cast<double>(x) * column_ + static_cast<double>(y) * row_;
+    const glm::dvec3 aside = acrossAt(x, y);
     bool left = true, right = true;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 &a = corners[i], &b = corners[(i + 1) % 3];

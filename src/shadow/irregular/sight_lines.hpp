@@ -33,8 +33,7 @@ class SightLines {
     /// What is seen in a pixel, of which so much is left; not 0.
     glm::dvec3 placeOf(int x, int y, double left) const {
         const double depth = depthOf(left);
-        const glm::dvec3 aside =
-            first_ + static_cast<double>(x) * column_ + static_cast<double>(y) * row_;
+        const glm::dvec3 aside = acrossAt(x, y);
         return perspective_ ? eye_ + depth * (forward_ + aside) : eye_ + depth * forward_ + aside;
     }
     /// How far, in pixels, floats may have put vertices aside at a depth.
@@ -54,6 +53,9 @@ class SightLines {
     bool meets(int x, int y, const std::array<glm::dvec3, 3>& corners, double pixels) const;
 
   private:
+    glm::dvec3 acrossAt(int x, int y) const {
+        return first_ + static_cast<double>(x) * column_ + static_cast<double>(y) * row_;
+    }
     double depthOf(double left) const {
         return perspective_ ? perLeft_ / left : ofNone_ + perLeft_ * left;
     }
