@@ -13,6 +13,7 @@ attribute vec3 a_capC;
 attribute vec4 a_plane;
 
 uniform vec4 u_light;   // in object space
+uniform float u_reach;  // see planeSide()
 uniform vec2 u_counted; // see countedSide()
 #ifdef CULLED
 uniform vec4 u_eye; // in object space, homogeneous
@@ -23,9 +24,9 @@ uniform vec4 u_eye; // in object space, homogeneous
 #endif
 
 void main() {
-    float facing = countedSide(a_plane, u_light, u_counted);
+    float facing = countedSide(a_plane, u_light, u_reach, u_counted);
 #ifdef CULLED
-    if (planeSide(a_plane, u_eye) >= 0.0) facing = 0.0;
+    if (planeSide(a_plane, u_eye, 0.0) >= 0.0) facing = 0.0;
 #endif
 #ifdef PROBE
     emitProbe(facing);

@@ -17,6 +17,7 @@ attribute vec4 a_plane1;
 #endif
 
 uniform vec4 u_light;   // in object space
+uniform float u_reach;  // see planeSide()
 uniform vec2 u_counted; // see countedSide()
 uniform float u_times;  // 1 or 2: sides that count so often are drawn, and no others
 uniform vec4 u_end;     // where volumes end, see pushedTo()
@@ -32,9 +33,9 @@ uniform float u_degenerate;
 invariant gl_Position;
 
 float recordMultiplicity() {
-    float m = countedSide(a_plane0, u_light, u_counted);
+    float m = countedSide(a_plane0, u_light, u_reach, u_counted);
 #ifdef PAIR
-    m -= countedSide(a_plane1, u_light, u_counted);
+    m -= countedSide(a_plane1, u_light, u_reach, u_counted);
 #endif
     return m;
 }

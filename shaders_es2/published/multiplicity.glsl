@@ -1,6 +1,8 @@
 // Signs and multiplicities: docs/method.md, Terms. Written in the common part of GLSL ES 1.00 and
 // C++ with GLM, so that the tests run these very lines on the CPU.
 //
+// CONTACT: the light touches casters, and is taken to be in planes no farther than u_reach (C47).
+//
 // One evaluation order everywhere: dot and cross products are spelled out, since the built-in ones
 // may be summed in any order. MULTIPLICITY_THREE_EDGE and MULTIPLICITY_SINGLE_EDGE choose the
 // older methods; without them the reference edge decides.
@@ -16,10 +18,19 @@ vec3 towardsLight(vec3 p, vec4 light) {
     return vec3(light.x - p.x * light.w, light.y - p.y * light.w, light.z - p.z * light.w);
 }
 
+#ifdef CONTACT
+uniform float u_reach;
+#endif
+
 // On which side of the light plane (the plane through the edge a-b and the light) p lies:
 // -1, 0 or 1. Equals the facing of the triangle (a, p, b).
 float lightPlaneSide(vec3 a, vec3 b, vec3 p, vec4 light) {
-    return sign(orderedDot(orderedCross(b - a, towardsLight(a, light)), p - a));
+    float side = orderedDot(orderedCross(b - a, towardsLight(a, light)), p - a);
+#ifdef CONTACT
+    vec3 normal = orderedCross(b - a, p - a);
+    if (side * side <= u_reach * u_reach * orderedDot(normal, normal)) return 0.0;
+#endif
+    return sign(side);
 }
 
 // The sign of a triangle a < b < c: 1 if the light sees it counter-clockwise, -1 if clockwise, 0

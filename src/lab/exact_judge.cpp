@@ -78,12 +78,13 @@ int signOf(const Rational& value) {
 
 /// Whether anything but the surface stands between the point and the light.
 bool isBlocked(const Oracle& oracle, std::uint32_t own, const ExactTriangle& surface,
-               const Vector& point, const glm::dvec3& roundedPoint, const glm::dvec4& light) {
+               const Vector& point, const glm::dvec3& roundedPoint, std::size_t lightIndex) {
+    const glm::dvec4 light = oracle.lightFromEye(lightIndex);
     const Rational w(light.w);
     const Vector towards = Vector(glm::dvec3(light)) - w * point;
     const glm::dvec3 roundedTowards = glm::dvec3(light) - roundedPoint * light.w;
     for (const std::uint32_t j : oracle.candidates(roundedPoint, roundedTowards, light.w != 0.0)) {
-        if (j == own || !oracle.triangles()[j].casts) continue;
+        if (j == own || !oracle.blocks(j, lightIndex)) continue;
         const ExactTriangle other(oracle.triangles()[j]);
         const auto hit = intersect(other, point, towards);
         if (!hit || hit->t <= 0 || (light.w != 0.0 && hit->t >= 1)) continue;
@@ -143,7 +144,8 @@ Verdict judgeExactly(const Oracle& oracle, double x, double y) {
             if (!isInCone(*cone, point - Vector(glm::dvec3(light)))) continue;
         if (lightSide == 0) verdict.coincident = true;
         const bool turnedAway = oracle.triangles()[own].casts && eyeSide * lightSide < 0;
-        if (!turnedAway && !isBlocked(oracle, own, surface, point, roundedPoint, light))
+        if (!turnedAway && !oracle.isGrazed(own, i) &&
+            !isBlocked(oracle, own, surface, point, roundedPoint, i))
             verdict.answer.lit.add(i);
     }
     return verdict;

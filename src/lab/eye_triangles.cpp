@@ -16,6 +16,14 @@ bool isSeenFromBehind(const EyeTriangle& triangle, const glm::dvec4& eye, bool m
 
 } // namespace
 
+std::array<glm::dvec3, 3> cornersInBatch(const Scene& scene, const EyeTriangle& triangle) {
+    const Geometry& geometry = *scene.batches[triangle.batch].geometry;
+    const auto corner = [&](std::uint32_t i) {
+        return glm::dvec3(geometry.positions[geometry.indices[triangle.firstIndex + i]]);
+    };
+    return {corner(0), corner(1), corner(2)};
+}
+
 std::vector<EyeTriangle> eyeTriangles(const Scene& scene, const Frustum& frustum, bool castMasked,
                                       bool cutoutsCast) {
     std::vector<EyeTriangle> triangles;

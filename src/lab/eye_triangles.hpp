@@ -3,6 +3,7 @@
 #include "preprocess/scene/scene.hpp"
 #include "src/shadow/geometry/frustum.hpp"
 
+#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct EyeTriangle {
     bool casts = true;   ///< blocks light
     bool visible = true; ///< can be seen: everything but BLEND and backs that the scene culls
 };
+
+/// Its corners in its batch's space: the floats at hand.
+std::array<glm::dvec3, 3> cornersInBatch(const Scene& scene, const EyeTriangle& triangle);
 
 /// Its normal, by the order of its corners; as long as twice its area.
 inline glm::dvec3 normalOf(const EyeTriangle& triangle) {

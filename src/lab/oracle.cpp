@@ -1,6 +1,7 @@
 #include "src/lab/oracle.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "src/shadow/geometry/light_contact.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -192,7 +193,35 @@ Oracle::Oracle(const Question& question, const AlphaLookup& alpha)
       eye_(fromPosition(question.frustum.eye())), alpha_(alpha),
       triangles_(eyeTriangles(*question.scene, question.frustum, question.castMasked,
                               question.cutoutsCast)),
-      tree_(std::make_unique<Tree>(triangles_)) {}
+      tree_(std::make_unique<Tree>(triangles_)) {
+    findTouched();
+}
+
+void Oracle::findTouched() {
+    const std::vector<Batch>& batches = question_.scene->batches;
+    std::vector<Box> bounds(batches.size());
+    for (std::size_t b = 0; b < batches.size(); ++b)
+        for (const glm::vec3& position : batches[b].geometry->positions)
+            bounds[b].add(glm::dvec3(position));
+    for (const Light& light : question_.lights) {
+        std::vector<glm::dvec4>& places = lightInBatch_.emplace_back();
+        std::vector<bool> reached;
+        for (const Batch& batch : batches) {
+            places.push_back(placeInObject(light, batch.worldFromBatch));
+            const Geometry& geometry = *batch.geometry;
+            reached.push_back(mayTouch(bounds[places.size() - 1], places.back()) &&
+                              contactReachOf(geometry.positions, geometry.indices, places.back()) >
+                                  0.0);
+        }
+        std::vector<std::uint32_t>& touched = touched_.emplace_back();
+        for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+            const std::uint32_t batch = triangles_[i].batch;
+            if (reached[batch] &&
+                touches(cornersInBatch(*question_.scene, triangles_[i]), places[batch]))
+                touched.push_back(i);
+        }
+    }
+}
 
 Oracle::~Oracle() = default;
 
@@ -206,6 +235,16 @@ glm::dvec4 Oracle::lightFromEye(std::size_t light) const {
 
 double Oracle::eyeSide(const EyeTriangle& triangle) const {
     return glm::dot(normalOf(triangle), glm::dvec3(eye_) - triangle.a * eye_.w);
+}
+
+bool Oracle::blocks(std::uint32_t triangle, std::size_t light) const {
+    return triangles_[triangle].casts && !std::ranges::binary_search(touched_[light], triangle);
+}
+
+bool Oracle::isGrazed(std::uint32_t triangle, std::size_t light) const {
+    const EyeTriangle& surface = triangles_[triangle];
+    return contactOf(cornersInBatch(*question_.scene, surface), lightInBatch_[light][surface.batch])
+        .grazes;
 }
 
 double Oracle::rangeOf(std::size_t light) const {
@@ -313,21 +352,23 @@ Oracle::Checked Oracle::checkedOn(const Hit& hit, double x, double y) const {
             if (within <= 0.0) continue;
         }
         const bool turnedAway = surface.casts && eyeSide * lightSide < 0.0;
-        if (!turnedAway && !isBlocked(hit.triangle, point, pointError, light, checked.certain))
+        if (!turnedAway && !isGrazed(hit.triangle, i) &&
+            !isBlocked(hit.triangle, point, pointError, i, checked.certain))
             checked.answer.lit.add(i);
     }
     return checked;
 }
 
 bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError,
-                       const glm::dvec4& light, bool& certain) const {
+                       std::size_t lightIndex, bool& certain) const {
+    const glm::dvec4 light = lightFromEye(lightIndex);
     const glm::dvec3 towards = glm::dvec3(light) - point * light.w;
     const bool isDirectional = light.w == 0.0;
     const double directionError = isDirectional ? 0.0 : rounding * magnitude(glm::dvec3(light));
     bool blocked = false, surelyBlocked = false, sure = true;
     tree_->traverse(point, towards, isDirectional ? infinity : 1.0, [&](std::uint32_t i) {
         const EyeTriangle& other = triangles_[i];
-        if (i == own || !other.casts) return false;
+        if (i == own || !blocks(i, lightIndex)) return false;
         const Meeting meeting = intersect(other, point, pointError + directionError, towards);
         const bool between = meeting.t > 0.0 && (isDirectional || meeting.t < 1.0);
         const bool surelyPlaced = std::abs(meeting.t) > meeting.tError &&

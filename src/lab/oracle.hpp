@@ -114,6 +114,12 @@ class Oracle {
     /// at `depth` at the farthest.
     bool isCutOutByFilter(const EyeTriangle& triangle, double x, double y, double depth) const;
 
+    /// Whether a triangle blocks that light: it casts, and the light doesn't touch it
+    /// (docs/method.md, C47).
+    bool blocks(std::uint32_t triangle, std::size_t light) const;
+    /// Whether the light doesn't light that surface because it touches or grazes it.
+    bool isGrazed(std::uint32_t triangle, std::size_t light) const;
+
     /// The light relative to the camera's position, homogeneous.
     glm::dvec4 lightFromEye(std::size_t light) const;
     /// Where lines of sight come from, likewise: Frustum::eye().
@@ -132,8 +138,9 @@ class Oracle {
     void visitSurfaces(const PixelRay& ray,
                        const std::function<void(const Hit&, bool certain)>& visit) const;
     Checked checkedOn(const Hit& hit, double x, double y) const;
-    bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError,
-                   const glm::dvec4& light, bool& certain) const;
+    bool isBlocked(std::uint32_t own, const glm::dvec3& point, double pointError, std::size_t light,
+                   bool& certain) const;
+    void findTouched();
 
     /// A homogeneous point of the world relative to the camera's position.
     glm::dvec4 fromPosition(const glm::dvec4& point) const;
@@ -144,6 +151,8 @@ class Oracle {
     AlphaLookup alpha_;
     std::vector<EyeTriangle> triangles_;
     std::unique_ptr<Tree> tree_;
+    std::vector<std::vector<glm::dvec4>> lightInBatch_; ///< by light and batch
+    std::vector<std::vector<std::uint32_t>> touched_;   ///< by light, ascending
 };
 
 /// Answers at all pixel centres, rows top to bottom, on all cores. `progress` is called with the

@@ -231,6 +231,7 @@ const gl::Program& PlanePairVolumes::sidesProgram(const VolumeDraw& draw,
     const gl::Program& program = sides_.at(variantOf(draw));
     program.use();
     program.set("u_light", batch.plan.light);
+    program.set("u_reach", batch.plan.reach);
     program.set("u_end", draw.end);
     program.set("u_counted", rangeOf(draw.counted));
     program.set("u_times", static_cast<float>(draw.times));
@@ -289,6 +290,7 @@ void PlanePairVolumes::drawCaps(const VolumeDraw& draw, const DrawnBatch& batch)
     const gl::Program& program = caps_.at(capsVariantOf(draw));
     program.use();
     program.set("u_light", batch.plan.light);
+    program.set("u_reach", batch.plan.reach);
     program.set("u_counted", rangeOf(draw.counted));
     program.set("u_clipFromObject", batch.clipFromObject);
     if (draw.culled) program.set("u_eye", batch.plan.eye);

@@ -10,6 +10,7 @@ namespace edgeshade {
 struct LightBall {
     glm::vec4 center{0.0f};
     float radius = 0.0f;
+    float reach = 0.0f; ///< the shaders take lights so near a plane to be in it: ContactCaps'
 
     bool holds(const glm::vec4& light) const;
     bool operator==(const LightBall&) const = default;

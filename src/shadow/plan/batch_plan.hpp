@@ -13,6 +13,7 @@ struct BatchPlan {
     glm::dmat4 worldFromBatch{1.0};
     glm::vec4 light{0.0f}; ///< in its space
     glm::vec4 eye{0.0f};   ///< likewise, homogeneous
+    float reach = 0.0f;    ///< ContactCaps'
     std::shared_ptr<const PlanePairShadow> shadow = nullptr;
     VolumePlan volumes = {}; ///< which clusters are drawn, which are left out, how and why
     std::vector<glm::dvec4> ends = {}; ///< where volumes may end: PlanView's

@@ -35,12 +35,15 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         }
         places.push_back(
             planView(seen, slice, source, caster.worldFromBatch, settings.mantissaBits));
+        places.back().contact =
+            contactCapsOf(*caster.shadow, places.back().light, settings.mantissaBits);
         std::span<const std::uint8_t> solids;
         if (view.culls && settings.solids) solids = settings.solids->of(caster.shadow);
         plan.batches.push_back({.batch = caster.batch,
                                 .worldFromBatch = caster.worldFromBatch,
                                 .light = glm::vec4(places.back().light),
                                 .eye = glm::vec4(places.back().eye),
+                                .reach = places.back().contact.reach,
                                 .shadow = caster.shadow,
                                 .volumes = planClusters(*caster.shadow, places.back(), solids),
                                 .ends = places.back().ends});
@@ -63,6 +66,7 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         if (settings.silhouettes) {
             SilhouetteKey key{of.shadow, of.batch, light};
             key.range = places[i].range;
+            key.reach = of.reach;
             if (const auto& among = view.lights[light].among) {
                 key.light = among->light;
                 key.around = ballInObject(among->region, casters[i].worldFromBatch);

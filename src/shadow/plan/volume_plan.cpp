@@ -72,6 +72,8 @@ bool mayBeCulled(const ShadowCluster& cluster, const PlanePairShadow& shadow, co
 std::optional<Counted> countedOf(const ShadowCluster& cluster, const PlanePairShadow& shadow,
                                  const PlanView& view, const Touched& touched, bool culled) {
     if (!cluster.closed || anyCapTouches(view.beforeNearest, cluster, shadow)) return Counted::all;
+    // A light on the surface itself has no winding number.
+    if (view.contact.anyOf(cluster.caps)) return Counted::all;
     const Counted half = culled ? Counted::facingAway : Counted::lightFacing;
     if (touched.caps.empty() || areOutside(cluster, view)) return half;
     if (touched.tooMany) return Counted::all;
@@ -98,7 +100,7 @@ void decideCaps(const ShadowCluster& cluster, const PlanePairShadow& shadow, con
     draw.caps = CapsNeeded::no;
     if (touched.caps.empty()) return;
     draw.caps = CapsNeeded::uncertain;
-    if (touched.tooMany) return;
+    if (touched.tooMany || view.contact.reach > 0.0f) return;
     switch (evennessOf(view.fromNear, touched.caps, shadow, view.rounding)) {
     case Evenness::uncertain:
         return;

@@ -4,6 +4,7 @@
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/geometry/view_planes.hpp"
+#include "src/shadow/plan/contact_caps.hpp"
 #include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/silhouette/light_facings.hpp"
 
@@ -97,6 +98,7 @@ struct PlanView {
     /// is 1 and they are 0 high: dot(plane, light) = 1. See pushedTo() of the shaders.
     std::vector<glm::dvec4> ends;
     double rounding = dotRounding(23); ///< of the shaders' dot products with the light
+    ContactCaps contact;               ///< what the light touches; planView() leaves it empty
     bool culls = false;                ///< see Scene
 };
 

@@ -1,6 +1,7 @@
 #include "src/shadow/primitive_map/footprint.hpp"
 
 #include "preprocess/mesh/components.hpp"
+#include "src/shadow/geometry/light_contact.hpp"
 #include "src/shadow/geometry/light_range.hpp"
 #include "src/shadow/geometry/polygon.hpp"
 #include "src/shadow/primitive_map/tile_spread.hpp"
@@ -90,7 +91,7 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
             mesh.positions[triangle[0]], mesh.positions[triangle[1]], mesh.positions[triangle[2]]};
         middles[t] = lightSideOf(corners, local);
         sides[t] = tiles.shape ? sideOfAll(corners, shape) : middles[t];
-        if (areBeyond(corners, glm::dvec3(local), range)) sides[t] = 0;
+        if (areBeyond(corners, glm::dvec3(local), range) || touches(corners, local)) sides[t] = 0;
     }
     const std::vector<std::uint8_t> contours = contoursOf(*placed.casters, sides);
     for (std::size_t t = 0; t < sides.size(); ++t) {

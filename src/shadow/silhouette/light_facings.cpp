@@ -58,8 +58,8 @@ void LightFacings::find(const LightBall& ball, int mantissaBits,
     const Floats lightX = all(light.x), lightY = all(light.y), lightZ = all(light.z),
                  lightW = all(light.w);
     // Other lights of the ball have terms that are larger by so much together.
-    const Floats margin =
-        all(ball.radius * longestNormal * (1.0f + 2.0f * share) + dotUnderflow(mantissaBits));
+    const Floats margin = all((ball.radius * longestNormal + ball.reach) * (1.0f + 2.0f * share) +
+                              dotUnderflow(mantissaBits));
     for (std::size_t i = 0; i < x_.size(); i += lanes) {
         const Floats x = load(x_, i) * lightX, y = load(y_, i) * lightY, z = load(z_, i) * lightZ,
                      w = load(w_, i) * lightW;

@@ -50,13 +50,16 @@ const SilhouetteList& PotentialSilhouettes::of(const SilhouetteKey& key, const g
     if (entry.lastFrame == frame_ && !key.around) return list;
     entry.lastFrame = frame_;
     const bool moved = key.around ? entry.track.take(*key.around) : entry.track.follow(light);
-    if (moved || entry.range != key.range) {
+    if (moved || entry.range != key.range || entry.reach != key.reach) {
         entry.range = key.range;
-        listSilhouettes(shadow, source.facings, entry.track.ball(), mantissaBits_, list, key.range);
+        entry.reach = key.reach;
+        LightBall ball = entry.track.ball();
+        ball.reach = key.reach;
+        listSilhouettes(shadow, source.facings, ball, mantissaBits_, list, key.range);
         list.identity = std::make_shared<const int>(0);
         ++made_;
     }
-    list.lightInPlane = isInSomePlane(shadow, list.uncertain, light, mantissaBits_);
+    list.lightInPlane = isInSomePlane(shadow, list.uncertain, light, key.reach, mantissaBits_);
     return list;
 }
 

@@ -18,6 +18,7 @@ struct SilhouetteKey {
     /// Of a light's points: holds all of them, in the batch's space. The list serves them all.
     std::optional<LightBall> around{};
     double range = std::numeric_limits<double>::infinity(); ///< as rangeInObject() has it
+    float reach = 0.0f; ///< ContactCaps', of the light
 };
 
 /// Keeps the lists of potential silhouettes for lights and batches from frame to frame, and makes
@@ -55,6 +56,7 @@ class PotentialSilhouettes {
         LightTrack track;
         SilhouetteList list;
         double range = 0.0;
+        float reach = 0.0f;
         std::size_t lastFrame = 0;
     };
 

@@ -14,13 +14,13 @@ int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
 }
 
 /// Whether planeSide() may be 0; judged in floats as LightFacings does, where what overflows may.
-bool mayBeIn(const glm::vec4& plane, const glm::vec4& light, int mantissaBits) {
+bool mayBeIn(const glm::vec4& plane, const glm::vec4& light, float reach, int mantissaBits) {
     const glm::vec4 terms = plane * light;
     const glm::vec4 sizes = glm::abs(terms);
     const float side = terms.x + terms.y + terms.z + terms.w;
     const float size = sizes.x + sizes.y + sizes.z + sizes.w;
     const float share = static_cast<float>(dotRounding(mantissaBits));
-    return !(std::abs(side) > dotUnderflow(mantissaBits) + share * size);
+    return !(std::abs(side) > reach * (1.0f + share) + dotUnderflow(mantissaBits) + share * size);
 }
 
 /// Appends to a list without a branch to mispredict: what is written is written over by the next
@@ -58,10 +58,10 @@ void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
 }
 
 bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
-                   int mantissaBits) {
+                   float reach, int mantissaBits) {
     return std::any_of(list.pairs.begin(), list.pairs.end(), [&](std::uint32_t pair) {
-        return mayBeIn(shadow.pairs[pair].plane0, light, mantissaBits) ||
-               mayBeIn(shadow.pairs[pair].plane1, light, mantissaBits);
+        return mayBeIn(shadow.pairs[pair].plane0, light, reach, mantissaBits) ||
+               mayBeIn(shadow.pairs[pair].plane1, light, reach, mantissaBits);
     });
 }
 

@@ -32,10 +32,10 @@ struct SilhouetteList {
 void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records);
 
-/// Whether the light may be in the plane of a listed triangle, as floats of so many mantissa bits
-/// round. If not, every listed pair of which both triangles cast has multiplicity 0 or ±2.
+/// Whether the light may be in the plane of a listed triangle, or within `reach` of it, as floats of
+/// so many mantissa bits round. If not, every listed pair of which both triangles cast has multiplicity 0 or ±2.
 bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
-                   int mantissaBits);
+                   float reach, int mantissaBits);
 
 /// How many caps of a cluster may face the light.
 std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster);

@@ -53,7 +53,7 @@ CountPlan TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice&
         const GpuBatch& batch = scene.batches[i];
         if (!casters.counts(batch)) continue;
         const Light& light = casters.source().light;
-        plan.batches.push_back({.batch = i, .light = lightInObject(light, batch.worldFromBatch)});
+        plan.batches.push_back(cornerRecordPlan(batch, i, light));
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
         appendTriangleDraws(volumes.triangles->groups, plan.batches.size() - 1,
                             {.zFail = zFail,
@@ -64,8 +64,9 @@ CountPlan TriangleVolumes::plan(const GpuScene& scene, const CasterGroupInSlice&
     return plan;
 }
 
-TriangleVolumes::Variant TriangleVolumes::variantOf(const VolumeDraw& draw) {
-    return {draw.shape == Shape::nearCaps, draw.nearDiscard, draw.alphaTested.has_value()};
+TriangleVolumes::Variant TriangleVolumes::variantOf(const VolumeDraw& draw, const BatchPlan& plan) {
+    return {draw.shape == Shape::nearCaps, draw.nearDiscard, draw.alphaTested.has_value(),
+            isInContact(plan)};
 }
 
 TriangleVolumes::Vertices TriangleVolumes::verticesOf(const VolumeDraw& draw,
@@ -88,6 +89,7 @@ gl::Program TriangleVolumes::makeProgram(const Variant& variant) const {
         attributes.insert(attributes.begin(), "a_corner");
     }
     if (variant.nearDiscard) defines.push_back("NEAR_DISCARD");
+    if (variant.contact) defines.push_back("CONTACT");
     if (variant.alphaTest) {
         defines.push_back("ALPHA_TEST");
         attributes.insert(attributes.end(), {"a_alphaCornerA", "a_alphaCornerB", "a_alphaCornerC"});
@@ -104,16 +106,18 @@ gl::Program TriangleVolumes::makeProgram(const Variant& variant) const {
 
 void TriangleVolumes::prepare(const CountPlan& plan, GpuScene&, const CasterGroupInSlice&) {
     for (const VolumeDraw& draw : plan.draws.once)
-        if (const Variant variant = variantOf(draw); !programs_.contains(variant))
+        if (const Variant variant = variantOf(draw, plan.batches[draw.batch]);
+            !programs_.contains(variant))
             programs_.emplace(variant, makeProgram(variant));
 }
 
 void TriangleVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
-    const gl::Program& program = programs_.at(variantOf(draw));
+    const gl::Program& program = programs_.at(variantOf(draw, batch.plan));
     const ShadowBuffers& triangles = *batch.volumes.triangles;
     const glm::vec4& light = batch.plan.light;
     program.use();
     program.set("u_light", light);
+    program.set("u_reach", batch.plan.reach);
     program.set("u_clipFromObject", batch.clipFromObject);
     if (tints_) program.set("u_tint", tints_->of(draw));
     if (draw.shape == Shape::nearCaps) {

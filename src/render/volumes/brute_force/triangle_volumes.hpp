@@ -33,7 +33,7 @@ class TriangleVolumes : public VolumeRenderer {
 
   private:
     struct Variant {
-        bool nearCaps, nearDiscard, alphaTest;
+        bool nearCaps, nearDiscard, alphaTest, contact;
 
         auto operator<=>(const Variant&) const = default;
     };
@@ -42,7 +42,7 @@ class TriangleVolumes : public VolumeRenderer {
         int first, count;
     };
 
-    static Variant variantOf(const VolumeDraw& draw);
+    static Variant variantOf(const VolumeDraw& draw, const BatchPlan& plan);
     static Vertices verticesOf(const VolumeDraw& draw, const DrawnBatch& batch);
     gl::Program makeProgram(const Variant& variant) const;
     void drawRecords(const gl::Program& program, const ShadowBuffers& triangles,

@@ -5,9 +5,11 @@
 namespace edgeshade {
 namespace {
 
-std::vector<std::string> definesOf(const std::optional<VolumeTints>& tints) {
-    if (!tints) return {};
-    return {"UNIFORM_TINT", "TINT u_tint"};
+std::vector<std::string> definesOf(const std::optional<VolumeTints>& tints, bool contact) {
+    std::vector<std::string> defines;
+    if (tints) defines = {"UNIFORM_TINT", "TINT u_tint"};
+    if (contact) defines.push_back("CONTACT");
+    return defines;
 }
 
 CapsVariant variantOf(const VolumeDraw& draw) {
@@ -19,16 +21,20 @@ CapsVariant variantOf(const VolumeDraw& draw) {
 OppositeVertexVolumes::OppositeVertexVolumes(MultiplicityMethod method, SidesLayout layout,
                                              std::optional<gl::Instancing> instancing,
                                              std::optional<VolumeTints> tints)
-    : tints_(tints), sides_(method, layout, instancing, definesOf(tints)),
-      caps_(method, layout, instancing, definesOf(tints)) {}
+    : tints_(tints) {
+    for (const bool contact : {false, true}) {
+        const std::vector<std::string> defines = definesOf(tints, contact);
+        passes_.push_back(
+            {{method, layout, instancing, defines}, {method, layout, instancing, defines}});
+    }
+}
 
 CountPlan OppositeVertexVolumes::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
     CountPlan plan;
     for (std::size_t i = 0; i < scene.batches.size(); ++i) {
         const GpuBatch& batch = scene.batches[i];
         if (!casters.counts(batch)) continue;
-        plan.batches.push_back(
-            {.batch = i, .light = lightInObject(casters.source().light, batch.worldFromBatch)});
+        plan.batches.push_back(cornerRecordPlan(batch, i, casters.source().light));
         const BatchVolumes& volumes = scene.volumesOf(i, casters.source(), layout(), casters.group);
         appendOppositeVertexDraws(volumes.oppositeVertices->records(), plan.batches.size() - 1,
                                   casters.view.nearestDepths[i] <= casters.slice.near,
@@ -42,36 +48,39 @@ void OppositeVertexVolumes::prepare(const CountPlan& plan, GpuScene& scene,
     for (const VolumeDraw& draw : plan.draws.once) {
         const std::size_t batch = plan.batches[draw.batch].batch;
         if (draw.shape == VolumeDraw::Shape::caps)
-            caps_.prepare(variantOf(draw));
+            passes_[isInContact(plan.batches[draw.batch])].caps.prepare(variantOf(draw));
         else
-            sides_.prepare(scene.volumesOf(batch, casters.source(), layout(), casters.group)
-                               .oppositeVertices->maxMultiplicity);
+            passes_[isInContact(plan.batches[draw.batch])].sides.prepare(
+                scene.volumesOf(batch, casters.source(), layout(), casters.group)
+                    .oppositeVertices->maxMultiplicity);
     }
 }
 
 void OppositeVertexVolumes::draw(const VolumeDraw& draw, const DrawnBatch& batch) const {
     const ShadowBuffers& shadow = *batch.volumes.oppositeVertices;
+    const auto& [sides, caps] = passes_[isInContact(batch.plan)];
     if (draw.shape == VolumeDraw::Shape::sides) {
-        setCommon(sides_.use(shadow.maxMultiplicity), draw, batch);
-        sides_.draw(shadow);
+        setCommon(sides.use(shadow.maxMultiplicity), draw, batch);
+        sides.draw(shadow);
         return;
     }
-    const gl::Program& program = caps_.use(variantOf(draw));
+    const gl::Program& program = caps.use(variantOf(draw));
     setCommon(program, draw, batch);
     if (!draw.alphaTested) {
-        caps_.draw(shadow, draw.range, false);
+        caps.draw(shadow, draw.range, false);
         return;
     }
     setCapAlphaTest(program, *batch.scene, batch.plan.batch, *draw.alphaTested);
     for (const float atInfinity : {1.0f, 0.0f}) {
         program.set("u_frontCapAtInfinity", atInfinity);
-        caps_.draw(shadow, draw.range, true);
+        caps.draw(shadow, draw.range, true);
     }
 }
 
 void OppositeVertexVolumes::setCommon(const gl::Program& program, const VolumeDraw& draw,
                                       const DrawnBatch& batch) const {
     program.set("u_light", batch.plan.light);
+    program.set("u_reach", batch.plan.reach);
     program.set("u_clipFromObject", batch.clipFromObject);
     if (tints_) program.set("u_tint", tints_->of(draw));
 }

@@ -25,9 +25,13 @@ class OppositeVertexVolumes : public VolumeRenderer {
     void setCommon(const gl::Program& program, const VolumeDraw& draw,
                    const DrawnBatch& batch) const;
 
+    struct Passes {
+        SidesPass sides;
+        CapsPass caps;
+    };
+
     std::optional<VolumeTints> tints_;
-    SidesPass sides_;
-    CapsPass caps_;
+    std::vector<Passes> passes_; ///< two: by isInContact()
 };
 
 } // namespace edgeshade

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "preprocess/volumes/plane_pair_data.hpp"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace edgeshade {
+
+/// The caps of a batch that a point light touches, which cast nothing (docs/method.md, C47).
+struct ContactCaps {
+    std::vector<std::uint32_t> caps; ///< ascending; empty for nearly all lights
+    /// The shaders take a light no farther than this from a plane to be in it; 0 where it touches
+    /// nothing.
+    float reach = 0.0f;
+
+    bool anyOf(const RecordRange& range) const;
+};
+
+/// `light`: in the batch's space. `mantissaBits`: of the vertex shader's floats.
+ContactCaps contactCapsOf(const PlanePairShadow& shadow, const glm::dvec4& light, int mantissaBits);
+
+} // namespace edgeshade
