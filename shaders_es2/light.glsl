@@ -27,7 +27,8 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #ifdef PRIMITIVE_MAP_POINTS
 #include "primitive_map_points.glsl"
 #endif
-// The light is on the front (1) or the back (-1) of this caster; 0: the surface is no caster.
+// The light is on the front (1) or the back (-1) of this caster, or grazes it (2) and doesn't light it;
+// 0: the surface is no caster.
 // SIDED: some triangles of the surface face the light and others don't.
 #ifdef SIDED
 varying float v_lightSide;
@@ -54,6 +55,7 @@ void findMapPoint() {
     highp vec3 reach = abs(mapPoint);
     pointError = (64.0 / 16777216.0) * max(1.0, max(max(reach.x, reach.y), reach.z));
 #endif
+    primitiveMoved = 0.0;
 #ifdef DERIVATIVES
     highp vec3 along = dFdx(mapPoint), up = dFdy(mapPoint);
     highp vec3 terms = abs(along) * gl_FragCoord.x + abs(up) * gl_FragCoord.y;
@@ -67,11 +69,13 @@ void findMapPoint() {
 #ifdef PRIMITIVE_MAP_DIRECTIONAL
     if (abs(normal.z) < 0.01 * size) mapPoint.xy += aside * normal.xy;
     mapPoint.z -= error;
+    primitiveMoved = error;
 #else
     highp vec3 place = abs(mapPoint);
     highp float depth = max(max(place.x, place.y), place.z);
     if (abs(dot(normal, mapPoint)) < 0.01 * depth * size) mapPoint += aside * depth * normal;
-    mapPoint *= 1.0 - min(error / depth, 0.5);
+    primitiveMoved = min(error / depth, 0.5);
+    mapPoint *= 1.0 - primitiveMoved;
 #endif
 #endif
 #endif
@@ -79,7 +83,7 @@ void findMapPoint() {
 
 // 1 or 0; with PRIMITIVE_MAP_POINTS how many places.
 float litByPrimitives() {
-    if (facing() * LIGHT_SIDE < 0.0) return 0.0;
+    if (facing() * LIGHT_SIDE < 0.0 || LIGHT_SIDE > 1.5) return 0.0;
 #ifdef PRIMITIVE_MAP_POINTS
     return placesSeen(mapPoint, LIGHT_SIDE > 0.0);
 #else

@@ -38,18 +38,28 @@ uniform highp float u_primitiveSize; // texels along a tile's edge
 // inverse, as a share of the point's.
 highp float primitiveBehind;
 
-// Whether the triangle lies between the light and the point; `ray` is (x, y, 1) of a directional
-// light, else the point.
-bool primitiveBlocks(highp float record, highp vec3 ray, highp vec3 point) {
+// How far the point is behind that plane: a depth of a directional light, else a share of its own.
+highp float primitiveHeight;
+
+// How far behind it rounding may put a point of the plane.
+highp float primitiveTolerance;
+
+// How much nearer to the light than it is the point was moved, in the same units.
+highp float primitiveMoved;
+
+// Whether the ray meets the triangle; `ray` is (x, y, 1) of a directional light, else the point.
+bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     highp vec4 a = primitiveRecord(3.0 * record);
     highp vec4 b = primitiveRecord(3.0 * record + 1.0);
     highp vec4 c = primitiveRecord(3.0 * record + 2.0);
     primitiveBehind = a.w * ray.x + b.w * ray.y + c.w * ray.z;
+    primitiveHeight = PRIMITIVE_DIRECTIONAL ? point.z - primitiveBehind : primitiveBehind - 1.0;
+    // What transforming, interpolating and evaluating a point may add up to.
+    primitiveTolerance = (64.0 / 16777216.0) * (1.0 + abs(a.w) + abs(b.w) + abs(c.w));
     // Both neighbours compute the same products, but for their sign.
     return a.x * ray.x + a.y * ray.y + a.z * ray.z >= 0.0 &&
            b.x * ray.x + b.y * ray.y + b.z * ray.z >= 0.0 &&
-           c.x * ray.x + c.y * ray.y + c.z * ray.z >= 0.0 &&
-           (PRIMITIVE_DIRECTIONAL ? point.z > primitiveBehind : primitiveBehind > 1.0);
+           c.x * ray.x + c.y * ray.y + c.z * ray.z >= 0.0;
 }
 
 #ifdef PRIMITIVE_MAP_CUTOUTS
@@ -84,7 +94,7 @@ highp float cutoutAlpha(highp vec2 uv, highp vec4 rectangle, highp vec4 how) {
     return mix(mix(a, b, share.x), mix(c, d, share.x), share.y);
 }
 
-// Whether the ray, which primitiveBlocks() said meets the alpha-tested triangle, meets what its alpha
+// Whether the ray, which primitiveMeets() said meets the alpha-tested triangle, meets what its alpha
 // leaves of it.
 bool primitiveIsSolid(highp float record, highp vec3 ray) {
     highp vec4 u = primitiveRecord(3.0 * record + 3.0);
@@ -170,28 +180,46 @@ float primitiveListLength(bool casts) {
 }
 #endif
 
-// Whether the light reaches the point. `casts`: see primitiveListIsEmpty().
+// Whether the light reaches the point. `casts`: see primitiveListIsEmpty(). What is behind a plane by
+// more than rounding is in shadow. Of planes that a point of a caster is on, as far as rounding tells,
+// the nearest is its own, and it is in shadow where another of them is before that: planes are told
+// apart better than points (docs/method.md, C35).
 bool primitiveMapLights(highp vec3 point, bool casts) {
     if (!findPrimitiveTexel(point)) return true;
     if (primitiveDepth > primitiveHeader.x) return false;
     if (primitiveListIsEmpty(casts)) return true;
     highp float list = floor(primitiveHeader.w);
+    highp float own = 0.0;        // height over the nearest plane
+    highp float distance = 1e30;  // that without its sign
+    highp float foremost = -1e30; // height over the plane that is nearest to the light
+    highp float apart = 0.0;      // how well planes are told apart
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
         highp vec4 entry = primitiveEntry(list + float(i));
         highp float record = floor(entry.x);
 #ifdef PRIMITIVE_MAP_CUTOUTS
         bool hasAlpha = entry.x < 0.0;
         if (hasAlpha) record = -1.0 - record;
-        if (primitiveBlocks(record, primitiveRay, point) &&
-            (!hasAlpha || primitiveIsSolid(record, primitiveRay)))
-            return false;
+        bool meets = primitiveMeets(record, primitiveRay, point) &&
+                     (!hasAlpha || primitiveIsSolid(record, primitiveRay));
 #else
-        if (primitiveBlocks(record, primitiveRay, point)) return false;
+        bool meets = primitiveMeets(record, primitiveRay, point);
 #endif
+        if (meets) {
+            if (primitiveHeight > primitiveTolerance) return false;
+            highp float height = primitiveHeight + primitiveMoved;
+            if (abs(height) <= primitiveTolerance + primitiveMoved) {
+                foremost = max(foremost, height);
+                apart = max(apart, 0.125 * primitiveTolerance);
+                if (abs(height) < distance) {
+                    distance = abs(height);
+                    own = height;
+                }
+            }
+        }
         // Here rather than before the next one is asked: where pixels are shaded in step, as in
         // software, a turn of the loop costs what it costs whoever leaves it early.
         if (primitiveDepth <= entry.w) break; // all further ones are deeper
         if (casts && entry.x > floor(entry.x)) break; // or are asked by others alone
     }
-    return true;
+    return !casts || foremost <= own + apart;
 }

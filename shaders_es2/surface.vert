@@ -55,6 +55,10 @@ uniform mat4 u_coneFromObject;      // see coneFromWorld()
 #if defined(MAP) || defined(PRIMITIVE_MAP)
 uniform mat4 u_mapFromObject;       // see ShadowMapView, LightTiles
 #endif
+#ifdef PRIMITIVE_MAP
+uniform vec3 u_mapOrigin;     // what it maps to 0: of a point light where that is
+uniform vec3 u_mapOriginRest; // what rounding took of that
+#endif
 
 invariant gl_Position;
 
@@ -133,7 +137,11 @@ void main() {
 #ifdef SPOT
     v_cone = clipPosition(u_coneFromObject, vec4(a_position, 1.0)).xyz;
 #endif
-#if defined(MAP) || defined(PRIMITIVE_MAP)
+#ifdef PRIMITIVE_MAP
+    // Near the origin nothing cancels.
+    vec3 fromOrigin = (a_position - u_mapOrigin) - u_mapOriginRest;
+    v_mapPosition = clipPosition(u_mapFromObject, vec4(fromOrigin, 0.0)).xyz;
+#elif defined(MAP)
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
 #endif
 #ifdef SIDED

@@ -31,6 +31,7 @@ bool primitiveLitOn(highp vec3 position, highp vec3 towardsEye, highp vec3 norma
     bool away = lightSide * eyeSide < 0.0;
     if (away && casts) return false;
     if (lightSide < 0.0) across = -across;
+    primitiveMoved = 0.0;
     point += across * (away ? -256.0 * primitiveUnit - 2.0 * off : off);
     return primitiveMapLights(point, casts);
 }

@@ -2,7 +2,41 @@
 
 #include "src/lab/draw.hpp"
 
+#include <array>
+
 namespace edgeshade::lab {
+namespace {
+
+struct CloseUp {
+    std::string kind;
+    glm::dvec3 from{0.0}, to{0.0};
+    Light light;
+};
+
+/// A hundredth, a thousandth and a ten-thousandth of the scene's size from a surface in turn, by a
+/// lamp between eye and surface and by a sun in turn.
+CloseUp closeUpOf(const Scene& scene, std::size_t number, Draw& draw) {
+    constexpr std::array<double, 3> shares = {1e-2, 1e-3, 1e-4};
+    constexpr std::array<const char*, 3> names = {"1e-2", "1e-3", "1e-4"};
+    const std::size_t which = number % shares.size();
+    const SurfacePoint at = surfacePoint(scene, draw);
+    const double away = shares[which] * worldBounds(scene).diagonal();
+    const auto aside = [&](double share) {
+        return glm::normalize(at.normal + share * draw.direction(-1.0, 1.0));
+    };
+    CloseUp view;
+    view.from = at.point + away * aside(0.7);
+    view.to = at.point + 0.3 * away * draw.direction(-1.0, 1.0);
+    const bool lamp = number % 2 == 0;
+    view.light.position =
+        lamp ? glm::dvec4(at.point + 0.5 * away * aside(0.9), 1.0) : glm::dvec4(aside(0.9), 0.0);
+    view.kind = std::string(names[which]) + " of the scene from a surface, " +
+                (lamp ? "lamp between" : "sun");
+    return view;
+}
+
+} // namespace
+
 std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovDegrees,
                               double aspect, std::optional<double> height) {
     const Box box = worldBounds(scene);
@@ -27,7 +61,7 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
         LabView view;
         Camera camera{outside(draw.between(0.6, 1.1)), center, fovDegrees};
         std::string kind;
-        switch (i % 6) {
+        switch (i % 8) {
         case 0:
             kind = "outside, point light above";
             view.light = point(center + size * draw.between(0.5, 1.5) * draw.direction(0.5, 0.95));
@@ -54,13 +88,20 @@ std::vector<LabView> labViews(const Scene& scene, std::size_t count, double fovD
             camera.to = inBox();
             view.light = sun(draw.direction(0.3, 0.9));
             break;
-        default: {
+        case 5: {
             kind = "close to a surface, point light outside";
             const SurfacePoint surface = surfacePoint(scene, draw);
             camera.from = surface.point + 0.05 * size * surface.normal;
             camera.to = surface.point + 0.02 * size * draw.direction(-1.0, 1.0);
             view.light = point(center + size * draw.between(0.5, 1.5) * draw.direction(0.2, 0.9));
             break;
+        }
+        default: {
+            const CloseUp closeUp = closeUpOf(scene, i / 8 * 2 + i % 8 - 6, draw);
+            kind = closeUp.kind;
+            camera.from = closeUp.from;
+            camera.to = closeUp.to;
+            view.light = closeUp.light;
         }
         }
         view.name = std::to_string(i) + ": " + kind;

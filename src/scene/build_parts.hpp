@@ -28,6 +28,9 @@ inline constexpr bool cullsMeanwhile = !isForPages;
 /// Whether it counts volumes around what is visible of their shadows alone: pages can't read depth.
 inline constexpr bool readsDepth = !isForPages;
 
+/// Whether surfaces that a light grazes are marked dark: in pages no one looks at bare masks.
+inline constexpr bool marksGrazed = !isForPages;
+
 /// Whether it may keep the colours that ambient light leaves: pages are mostly drawn by GPUs.
 inline constexpr bool keepsAmbient = !isForPages;
 

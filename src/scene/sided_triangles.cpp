@@ -1,6 +1,7 @@
 #include "src/scene/sided_triangles.hpp"
 
 #include "src/scene/surface_parts.hpp"
+#include "src/shadow/geometry/light_contact.hpp"
 #include "src/shadow/geometry/light_range.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
 
@@ -10,6 +11,8 @@
 
 namespace edgeshade {
 namespace {
+
+constexpr int grazedSide = 2; ///< SidedVertex::lightSide
 
 /// SidedVertex::lightSide of each triangle; those out of the range say what the one before them
 /// does.
@@ -28,15 +31,16 @@ std::vector<int> sidesOf(const Batch& batch, const SurfacePart& part, const Ligh
             sides.push_back(sides.empty() ? 1 : sides.back());
             continue;
         }
-        sides.push_back(extended                                 ? sideOfAll(corners, light)
-                        : lightSideOf(corners, light.center) > 0 ? 1
-                                                                 : -1);
+        sides.push_back(extended                                  ? sideOfAll(corners, light)
+                        : contactOf(corners, light.center).grazes ? grazedSide
+                        : lightSideOf(corners, light.center) > 0  ? 1
+                                                                  : -1);
     }
     if (unasked < sides.size()) std::fill_n(sides.begin(), unasked, sides[unasked]);
     return sides;
 }
 
-/// Numbers a part's vertices anew, apart for each side; three times as many as a part has fit 16
+/// Numbers a part's vertices anew, apart for each side; four times as many as a part has fit 16
 /// bits.
 class SidedVertices {
   public:
@@ -64,7 +68,7 @@ class SidedVertices {
 
     const Batch& batch_;
     const SurfacePart& part_;
-    std::array<std::vector<std::uint16_t>, 3> numbers_; ///< turned away, neither, facing
+    std::array<std::vector<std::uint16_t>, 4> numbers_; ///< turned away, neither, facing, grazed
     std::vector<SidedVertex> vertices_;
     std::vector<std::uint32_t> sources_;
 };

@@ -10,8 +10,8 @@ namespace edgeshade {
 /// A vertex whose triangles all have a light on the same side; 40 bytes.
 struct SidedVertex {
     SurfaceVertex vertex;
-    /// 1: the light sees them counter-clockwise; -1: clockwise, or not at all; 0: some of a light
-    /// with an extent sees them so, or neither
+    /// 1: the light sees them counter-clockwise; -1: clockwise, or not at all; 2: it grazes them;
+    /// 0: some of a light with an extent sees them so, or neither
     float lightSide;
 };
 

@@ -1,5 +1,5 @@
-// Points asked one by one whether a light reaches them (docs/method.md, C46), without a GL: depth
-// buffers are made up of what rays meet.
+// Points asked one by one whether a light reaches them (docs/method.md, C46), without a GL: pictures
+// are made up of what rays meet.
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -15,7 +15,7 @@ using test::Random;
 constexpr int width = 93, height = 61; // no whole blocks
 constexpr double aspect = static_cast<double>(width) / height;
 constexpr PixelRectangle whole{0, 0, width, height};
-constexpr RasterRounding rounding{8, 0x1p-24};
+constexpr std::uint32_t firstNumber = 7;
 
 struct Triangle {
     glm::dvec3 a, b, c;
@@ -57,22 +57,25 @@ struct Picture {
     Scene scene;
     FrameView view;
     std::vector<Triangle> triangles;
-    DepthPicture depths{width, height, 24, std::vector<std::uint32_t>(width* height, ~0u)};
+    SeenTriangles shown{whole, std::vector<std::uint32_t>(width* height, 0), {}};
+    std::vector<std::uint8_t> casts;
     std::vector<Seen> seen{width * height};
 
     Picture(const Scene& of, const Frustum& frustum, const Light& light)
         : scene(of),
           view(makeFrameView(scene, false, {frustum, width, height, {light}, {std::nullopt, 1}})),
-          triangles(trianglesOf(of)) {
+          triangles(trianglesOf(of)), casts(triangles.size(), 1) {
         view.divide(1);
+        const Batch& batch = scene.batches.front();
+        shown.surfaces = {{batch.geometry->positions, batch.geometry->indices, casts,
+                           batch.worldFromBatch, firstNumber}};
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x)
                 look(x, y);
     }
 
     std::vector<std::uint8_t> shadowed(const PixelRectangle& reach, Threads threads) const {
-        IrregularZBuffer buffer(depths, view, view.slices.front(), view.lights.front().light, reach,
-                                rounding, threads);
+        IrregularZBuffer buffer(shown, view, view.lights.front().light, reach, threads);
         const Geometry& geometry = *scene.batches.front().geometry;
         const CasterRuns runs(geometry.positions, geometry.indices);
         const PlacedRuns placed{&runs, scene.batches.front().worldFromBatch};
@@ -132,12 +135,8 @@ struct Picture {
             of = {static_cast<int>(i), from + met.t * way};
         }
         if (of.triangle < 0) return;
-        const glm::dmat4 clip = view.clipFromView(view.slices.front());
-        const glm::dvec4 inClip = clip * glm::dvec4(0, 0, -nearest, 1);
-        const auto bits = static_cast<std::uint32_t>(
-            std::clamp((0.5 + 0.5 * inClip.z / inClip.w) * 16777215.0 + 0.5, 0.0, 16777214.0));
         const auto pixel = static_cast<std::size_t>(y * width + x);
-        depths.depths[pixel] = bits << 8 | bits >> 16;
+        shown.numbers[pixel] = firstNumber + static_cast<std::uint32_t>(of.triangle);
         if (sure) seen[pixel] = of;
     }
 };

@@ -14,6 +14,8 @@ struct BatchView {
     glm::mat4 eyeOffsetFromObject{1.0f}; ///< world axes, origin at the eye
     glm::mat3 normalFromObject{1.0f};
     glm::mat4 mapFromObject{1.0f};  ///< see ShadowMapView, LightTiles; used where there is a map
+    glm::vec3 mapOrigin{0.0f};      ///< what the latter maps to 0, where a primitive map is
+    glm::vec3 mapOriginRest{0.0f};  ///< what rounding took of that
     glm::mat4 coneFromObject{1.0f}; ///< see coneFromWorld(); used where the light is a spot
     /// In its space, of a light that is added to what is there: chunks out of its range get
     /// nothing.

@@ -3,6 +3,7 @@
 #include "preprocess/base/error.hpp"
 #include "src/environment/neutral.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/frame/grazed_surfaces.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/irregular/irregular_shadow_pass.hpp"
@@ -18,9 +19,6 @@
 
 namespace edgeshade {
 namespace {
-
-/// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them.
-constexpr double sliceOverlap = 1.0001;
 
 /// Whether volumes are drawn from records of what the scene requires.
 bool areAdapted(const RenderSettings& settings) {
@@ -141,6 +139,7 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
     if constexpr (readsDepth)
         if (ScissorPass::isWanted(settings, capabilities))
             scissors_.emplace(settings, capabilities);
+    if constexpr (marksGrazed) grazed_ = std::make_shared<GrazedSurfaces>();
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
 }
@@ -226,7 +225,7 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
         drawDepthAndAmbient(pass);
         if constexpr (readsDepth)
-            if (irregular_) irregular_->forgetDepths();
+            if (irregular_) irregular_->forgetSurfaces();
         if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
         if constexpr (readsDepth)
             if (scissors_)
@@ -588,6 +587,8 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
         }
     counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});
     vertexRuns_ += plan.vertexRuns();
+    if constexpr (marksGrazed)
+        if (!coarse_ && group == 0) grazed_->mark(pass.scene, pass.view, pass.slice, light);
 }
 
 std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_t light) {

@@ -23,6 +23,7 @@
 
 namespace edgeshade {
 
+class GrazedSurfaces;
 class IrregularShadowPass;
 
 /// Draws frames by the three passes of docs/method.md, A frame: ambient light and depth; for each
@@ -220,10 +221,11 @@ class Renderer {
     LightSum sum_;                             ///< likewise
     SurfacePass surfaces_;
     ShadowMark mark_;
-    std::optional<ShadowMapPass> maps_;              ///< where shadows are maps
-    std::optional<VisiblePlaces> places_;            ///< where they are warped
-    std::vector<glm::dvec3> visible_;                ///< of this frame, where one is
-    std::optional<PlanarShadowPass> planar_;         ///< where they are projected onto planes
+    std::optional<ShadowMapPass> maps_;      ///< where shadows are maps
+    std::optional<VisiblePlaces> places_;    ///< where they are warped
+    std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
+    std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
+    std::shared_ptr<GrazedSurfaces> grazed_; ///< null where nobody asks for what lights graze
     std::shared_ptr<IrregularShadowPass> irregular_; ///< where visible points may be asked
     bool asksPoints_ = false;             ///< they are in this frame, and no volumes counted
     std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone

@@ -132,6 +132,8 @@ void setPrimitiveMap(gl::Program& program, const GpuPrimitiveMap& map, const Bat
     }
     program.set("u_lightSide", lightSide);
     program.set("u_mapFromObject", view.mapFromObject);
+    program.set("u_mapOrigin", view.mapOrigin);
+    program.set("u_mapOriginRest", view.mapOriginRest);
 }
 
 /// See shaders_es2/primitive_map_points.glsl.
@@ -288,7 +290,11 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
     if (shading.map)
         result.mapFromObject = glm::mat4(shading.map->mapFromWorld * batch.worldFromBatch);
     if (shading.primitives) {
-        result.mapFromObject = glm::mat4(shading.primitives->mapFromWorld * batch.worldFromBatch);
+        const glm::dmat4 mapFromObject = shading.primitives->mapFromWorld * batch.worldFromBatch;
+        const glm::dvec3 origin(glm::inverse(mapFromObject)[3]);
+        result.mapFromObject = glm::mat4(mapFromObject);
+        result.mapOrigin = glm::vec3(origin);
+        result.mapOriginRest = glm::vec3(origin - glm::dvec3(result.mapOrigin));
         result.sided = &shading.primitives->sided[number];
     }
     return result;

@@ -3,7 +3,6 @@
 #include "preprocess/base/error.hpp"
 #include "preprocess/mesh/topology.hpp"
 #include "shaders_es2.hpp"
-#include "src/gl/depth_reading.hpp"
 
 #include <GLES2/gl2.h>
 
@@ -14,14 +13,10 @@ namespace {
 /// of 22,000 they take 1.2 times as long (docs/measured/fill.md).
 constexpr std::size_t leastTriangles = 8192;
 
-/// What llvmpipe's depths are off by, of their range, as measured. NVIDIA's are off by more than
-/// eight times as much on some surfaces (docs/measured/gpu.md).
-constexpr double depthRounding = 0x1p-24;
-
 } // namespace
 
 bool IrregularShadowPass::isPossible(const gl::Capabilities& capabilities) {
-    return capabilities.isSoftware() && gl::canReadDepth(capabilities);
+    return capabilities.isSoftware() && capabilities.samples <= 1;
 }
 
 bool IrregularShadowPass::isWanted(const RenderSettings& settings,
@@ -29,14 +24,13 @@ bool IrregularShadowPass::isWanted(const RenderSettings& settings,
     if (settings.shadows == ShadowMethod::irregularZBuffer) {
         if (isPossible(capabilities)) return true;
         throw Error(ExitStatus::unavailable,
-                    "'--shadows irregular-z-buffer' needs a GL whose processor draws and whose "
-                    "depth buffers can be read (GL_NV_read_depth); '--shadows volumes' does "
-                    "without.");
+                    "'--shadows irregular-z-buffer' needs a GL whose processor draws, with one "
+                    "sample a pixel; '--shadows volumes' does without.");
     }
     const auto records = settings.records();
     return settings.shadows == ShadowMethod::automatic &&
            records->volumes == VolumeLayout::planePairs && settings.maskScale == 1 &&
-           capabilities.samples <= 1 && isPossible(capabilities);
+           isPossible(capabilities);
 }
 
 bool IrregularShadowPass::pays(std::size_t triangles) {
@@ -44,26 +38,20 @@ bool IrregularShadowPass::pays(std::size_t triangles) {
 }
 
 IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
-    : rounding_{capabilities.subpixelBits, depthRounding}, picture_(shaders::marked_frag) {}
+    : numbers_(capabilities), picture_(shaders::marked_frag) {}
 
 void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
                                const DepthSlice& slice, const Light& light,
                                const PixelRectangle& reach, const PixelRectangle& area,
                                bool animatedAlone) {
     if (!known_) {
-        depths_.x = area.x;
-        depths_.y = area.y;
-        depths_.width = area.width;
-        depths_.height = area.height;
-        depths_.bits = gl::readDepth(area, depths_.depths);
-        known_ = depths_.bits > 0;
+        numbers_.find(scene, view, slice, area, seen_);
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+        glDepthMask(GL_FALSE);
+        glEnable(GL_STENCIL_TEST);
+        known_ = true;
     }
-    if (!known_)
-        throw Error(
-            ExitStatus::unavailable,
-            "A picture with several samples a pixel has no depths that could be read, which "
-            "'--shadows irregular-z-buffer' needs; '--shadows volumes' does without.");
-    IrregularZBuffer buffer(depths_, view, slice, light, reach, rounding_);
+    IrregularZBuffer buffer(seen_, view, light, reach);
     buffer.cast(castersOf(scene, animatedAlone));
     upload(buffer.shadowed());
     glDisable(GL_DEPTH_TEST);
@@ -72,7 +60,7 @@ void IrregularShadowPass::mark(const GpuScene& scene, const FrameView& view,
     const gl::Program& used = picture_.use();
     used.setSampler("u_marked", 0);
     const glm::vec2 texel = 1.0f / glm::vec2(size_);
-    used.set("u_texelFromPixel", glm::vec4(texel, -texel * glm::vec2(depths_.x, depths_.y)));
+    used.set("u_texelFromPixel", glm::vec4(texel, -texel * glm::vec2(seen_.area.x, seen_.area.y)));
     picture_.draw();
     glBindTexture(GL_TEXTURE_2D, 0);
     glEnable(GL_DEPTH_TEST);
@@ -104,7 +92,7 @@ std::vector<PlacedRuns> IrregularShadowPass::castersOf(const GpuScene& scene, bo
 }
 
 void IrregularShadowPass::upload(const std::vector<std::uint8_t>& marked) {
-    const glm::ivec2 size(depths_.width, depths_.height);
+    const glm::ivec2 size(seen_.area.width, seen_.area.height);
     glActiveTexture(GL_TEXTURE0);
     if (texture_.name() == 0) texture_ = gl::nearestTexture();
     glBindTexture(GL_TEXTURE_2D, texture_.name());

@@ -3,12 +3,12 @@
 #include "src/gl/capabilities.hpp"
 #include "src/gl/objects.hpp"
 #include "src/render/drawing/whole_picture.hpp"
+#include "src/render/irregular/surface_numbers.hpp"
 #include "src/render/volumes/render_settings.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
-#include "src/shadow/scissors/depth_picture.hpp"
 
 #include <map>
 
@@ -18,8 +18,7 @@ namespace edgeshade {
 /// is between it and the light: exact as volumes are, and nothing is filled (docs/method.md, C46).
 class IrregularShadowPass {
   public:
-    /// Whether the processor draws, whose depths are as exact as they must be, and they can be
-    /// read.
+    /// Whether the processor draws, with one sample a pixel.
     static bool isPossible(const gl::Capabilities& capabilities);
     /// Whether the settings ask for it, or leave it open where it is possible. Throws
     /// Error(unavailable) where they ask for it and it isn't.
@@ -35,14 +34,14 @@ class IrregularShadowPass {
 
     explicit IrregularShadowPass(const gl::Capabilities& capabilities);
 
-    /// The framebuffer's depths are others from now on.
-    void forgetDepths() { known_ = false; }
+    /// The framebuffer shows other surfaces from now on.
+    void forgetSurfaces() { known_ = false; }
 
     /// Marks what of a slice's surfaces in the current framebuffer is in the light's shadow: the
     /// stencil, which must be 0, is not 0 there. Colour and depth masks are the caller's state, as
     /// are the viewport, the picture's, and the scissor, which is `reach`. `area`: the same for any
     /// light of the slice, and around `reach`. Leaves the depth test on, the stencil's test on.
-    /// Throws Error(unavailable) where the framebuffer's depth can't be read.
+    /// Throws Error(unavailable) where the GL can't tell what each pixel shows.
     /// `animatedAlone`: casters that no animation moves are looked up elsewhere.
     void mark(const GpuScene& scene, const FrameView& view, const DepthSlice& slice,
               const Light& light, const PixelRectangle& reach, const PixelRectangle& area,
@@ -50,7 +49,8 @@ class IrregularShadowPass {
 
     /// On the GPU.
     std::size_t bytes() const {
-        return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
+        return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) +
+               numbers_.bytes();
     }
 
   private:
@@ -64,12 +64,12 @@ class IrregularShadowPass {
     std::vector<PlacedRuns> castersOf(const GpuScene& scene, bool animatedAlone);
     void upload(const std::vector<std::uint8_t>& marked);
 
-    RasterRounding rounding_;
+    SurfaceNumbers numbers_;
     WholePicture picture_;
     gl::Texture texture_;
     glm::ivec2 size_{0}; ///< the texture's
-    DepthPicture depths_;
-    bool known_ = false; ///< they are the framebuffer's
+    SeenTriangles seen_;
+    bool known_ = false; ///< it is what the framebuffer shows
     std::map<const Geometry*, Kept> kept_;
 };
 

@@ -10,6 +10,10 @@
 
 namespace edgeshade {
 
+/// Neighbouring slices share a thin layer of surfaces, so that rounding leaves no gap between them:
+/// up to so many times the far depth.
+inline constexpr double sliceOverlap = 1.0001;
+
 /// A part of the view by distance along the viewing direction, drawn with a depth range of its own:
 /// what a depth buffer of n bits resolves at z is z^2 / (near * 2^n) (docs/method.md, C26 and C27).
 struct DepthSlice {

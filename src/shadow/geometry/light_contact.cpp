@@ -11,9 +11,11 @@ double roundingUnit(int mantissaBits) {
     return std::ldexp(0.5, -mantissaBits);
 }
 
-/// Units of the coordinates by which rounding a vertex and the light moves them apart, and of the
-/// terms of dot(plane, light) by which evaluating it may err (docs/method.md, C24).
-constexpr double placingUnits = 4.0, dotUnits = 8.0;
+/// Units of the coordinates by which rounding moves a vertex and the light apart, and of the terms
+/// of dot(plane, light) by which a device may evaluate it wrongly, of floats as they are; of three
+/// products and three sums, and one unit more for planes that neighbours share (docs/method.md, C4
+/// and C24).
+constexpr double placingUnits = 4.0, dotUnits = 7.0;
 
 double largestOf(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -35,9 +37,10 @@ double distanceTo(const Box& box, const glm::dvec3& point) {
 
 /// The most that rounding may move a light and a triangle of such coordinates apart.
 double mostRoom(double coordinates, int mantissaBits) {
-    // Of a unit normal three terms and the plane's own offset are at most that long.
+    // Of a unit normal three terms and the plane's own offset are at most that long; as they are
+    // rounded, dot products may be off by two units more.
     constexpr double mostTerms = 2.0 * 1.7320508075688772;
-    return roundingUnit(mantissaBits) * coordinates * (placingUnits + dotUnits * mostTerms);
+    return roundingUnit(mantissaBits) * coordinates * (placingUnits + (dotUnits + 2.0) * mostTerms);
 }
 
 /// Whether a point of the plane is within the triangle, or beside it by no more than `room`.
@@ -49,6 +52,19 @@ bool isWithin(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal
         if (inwards < -room * glm::length(edge)) return false;
     }
     return true;
+}
+
+/// dot(plane, light) as it is of floats, and the sum of its terms without their signs.
+struct Evaluated {
+    double value, terms;
+};
+
+Evaluated evaluated(const glm::dvec3& normal, double offset, const glm::dvec3& light) {
+    const glm::dvec3 products = glm::dvec3(glm::vec3(normal)) * glm::dvec3(glm::vec3(light));
+    const double constant = static_cast<float>(offset);
+    return {products.x + products.y + products.z + constant,
+            std::abs(products.x) + std::abs(products.y) + std::abs(products.z) +
+                std::abs(constant)};
 }
 
 } // namespace
@@ -74,15 +90,21 @@ LightContact contactOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec
         return contact;
     }
     const glm::dvec3 place = glm::dvec3(light) / light.w;
-    const double height = std::abs(glm::dot(normal, place - corners[0]));
+    const double height = glm::dot(normal, place - corners[0]);
     const double coordinates = std::max(largestOf(place), largestOf(corners));
-    const glm::dvec3 terms = glm::abs(normal * place);
-    const double all = terms.x + terms.y + terms.z + std::abs(glm::dot(normal, corners[0]));
-    const double room = roundingUnit(mantissaBits) * (placingUnits * coordinates + dotUnits * all);
-    contact.touches = height <= room && isWithin(corners, normal, place, room);
-    if (contact.touches) contact.reach = 2.0 * room;
-    contact.grazes = contact.touches ||
-                     height <= LightContact::grazingSine * distanceTo(boxAround(corners), place);
+    if (std::abs(height) <= mostRoom(coordinates, mantissaBits)) {
+        const double unit = roundingUnit(mantissaBits);
+        const Evaluated seen = evaluated(normal, -glm::dot(normal, corners[0]), place);
+        const double rounding = dotUnits * unit * seen.terms;
+        const bool told = std::abs(seen.value) > rounding && seen.value * height > 0.0;
+        const double room = std::max(unit * placingUnits * coordinates, told ? 0.0 : rounding);
+        contact.touches = (std::abs(height) <= unit * placingUnits * coordinates || !told) &&
+                          isWithin(corners, normal, place, room);
+        if (contact.touches) contact.reach = std::abs(seen.value) + 2.0 * rounding;
+    }
+    contact.grazes =
+        contact.touches ||
+        std::abs(height) <= LightContact::grazingSine * distanceTo(boxAround(corners), place);
     return contact;
 }
 

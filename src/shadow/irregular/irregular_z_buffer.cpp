@@ -1,5 +1,7 @@
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
 
+#include "src/shadow/geometry/light_contact.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -7,8 +9,8 @@
 namespace edgeshade {
 namespace {
 
-/// How far behind its own surface, of the depth range, a point may be found.
-constexpr double mostRounding = 0x1p-21;
+/// What doubles may put a height over a plane off by, as a share of its terms.
+constexpr double heightRounding = 0x1p-48;
 
 /// What rounding may do to an own coordinate of a FaceFrame, where it is 1.
 constexpr float faceRounding = 0x1p-20f;
@@ -101,12 +103,17 @@ struct Extent {
 struct IrregularZBuffer::Corners {
     std::array<glm::dvec3, 3> places;
     SpacePlane plane;
-    double behind;       ///< times a height over the plane: above 0 where the light isn't
-    int eyeSide;         ///< SightLines::eyeSideOf()
-    bool litSideSeen;    ///< eye and light are on one side
-    bool isSeen = false; ///< the following is known
-    SeenPlane seen;
-    double perPixel; ///< of what is left: how steep the plane is
+    double behind;   ///< times a height over the plane: above 0 where the light isn't
+    double rounding; ///< of heights, and beside it what `perPlace` is times a place's coordinates
+    double perPlace;
+};
+
+/// A triangle that is seen.
+struct IrregularZBuffer::OwnTriangle {
+    std::uint32_t number = 0;
+    std::array<glm::dvec3, 3> corners{};
+    SpacePlane plane{};
+    bool dark = false; ///< the light grazes it, or it casts and is turned away from the light
 };
 
 /// What a thread works with.
@@ -116,15 +123,61 @@ struct IrregularZBuffer::Scratch {
     std::array<Vertex, 3 * CasterRuns::length> vertices;
 };
 
-IrregularZBuffer::IrregularZBuffer(const DepthPicture& depths, const FrameView& view,
-                                   const DepthSlice& slice, const Light& light,
-                                   const PixelRectangle& reach, const RasterRounding& rounding,
-                                   Threads threads)
-    : depths_(depths), space_(light, view.frustum.position()), lines_(view, slice, space_),
-      depthError_(std::ldexp(0.75, -depths.bits) + rounding.depth),
-      snapError_(std::ldexp(0.5, -rounding.subpixelBits)), faces_(space_.faceCount()),
-      shadowed_(depths.depths.size(), 0) {
-    addPoints(intersection(reach, {depths.x, depths.y, depths.width, depths.height}), threads);
+struct IrregularZBuffer::PlacedInLight {
+    const CasterRuns* casters;
+    glm::dmat4 lightFromBatch;
+    glm::dvec4 lightInBatch;
+};
+
+IrregularZBuffer::IrregularZBuffer(const SeenTriangles& seen, const FrameView& view,
+                                   const Light& light, const PixelRectangle& reach, Threads threads)
+    : seen_(seen), light_(light), space_(light, view.frustum.position()), lines_(view, space_),
+      places_(seen.numbers.size()), faces_(space_.faceCount()), shadowed_(seen.numbers.size(), 0) {
+    const PixelRectangle within = intersection(reach, seen.area);
+    findPlaces(within, threads);
+    addPoints(within, threads);
+}
+
+IrregularZBuffer::OwnTriangle IrregularZBuffer::ownTriangle(std::uint32_t number) const {
+    const auto after =
+        std::upper_bound(seen_.surfaces.begin(), seen_.surfaces.end(), number,
+                         [](std::uint32_t n, const PlacedSurfaces& of) { return n < of.first; });
+    const PlacedSurfaces& of = *(after - 1);
+    const std::size_t triangle = number - of.first;
+    const glm::dmat4 lightFromBatch = space_.fromBatch(of.worldFromBatch);
+    std::array<glm::dvec3, 3> inBatch;
+    OwnTriangle own{.number = number};
+    for (std::size_t c = 0; c < 3; ++c) {
+        inBatch[c] = of.positions[of.indices[3 * triangle + c]];
+        own.corners[c] = glm::dvec3(lightFromBatch * glm::dvec4(inBatch[c], 1.0));
+    }
+    own.plane = SpacePlane::through(own.corners);
+    const double light = space_.directional() ? -own.plane.normal.z : own.plane.offset;
+    const int eyeSide = lines_.eyeSideOf(own.plane);
+    own.dark = (of.casts[triangle] != 0 && light * eyeSide < 0.0) ||
+               contactOf(inBatch, placeInObject(light_, of.worldFromBatch)).grazes;
+    return own;
+}
+
+void IrregularZBuffer::findPlaces(const PixelRectangle& within, Threads threads) {
+    constexpr std::size_t leastRows = 32, kept = 64; // triangles: neighbours show the same
+    const auto parts = partsOf(static_cast<std::size_t>(within.height), leastRows, threads);
+    forEachPart(parts, [&](std::size_t, const ItemRange& rows) {
+        std::array<OwnTriangle, kept> known{};
+        for (int y = within.y + static_cast<int>(rows.first);
+             y < within.y + static_cast<int>(rows.end); ++y)
+            for (int x = within.x; x < within.x + within.width; ++x) {
+                const std::size_t i = indexOf(Pixel(x - seen_.area.x, y - seen_.area.y));
+                const std::uint32_t number = seen_.numbers[i];
+                if (number == 0) continue;
+                OwnTriangle& own = known[number % kept];
+                if (own.number != number) own = ownTriangle(number);
+                if (own.dark)
+                    shadowed_[i] = 255;
+                else
+                    places_[i] = lines_.placeOn(own.corners, own.plane, x, y);
+            }
+    });
 }
 
 template <class Use>
@@ -135,9 +188,10 @@ void IrregularZBuffer::forEachPoint(const PixelRectangle& of, int step, Use use)
         for (int x0 = of.x; x0 < right; x0 += block)
             for (int y = y0; y < std::min(y0 + block, top); y += step)
                 for (int x = x0; x < std::min(x0 + block, right); x += step) {
-                    const Pixel pixel(x - depths_.x, y - depths_.y);
-                    if (isEmpty(pixel)) continue;
-                    const glm::dvec3 place = lines_.placeOf(x, y, leftOf(pixel));
+                    const Pixel pixel(x - seen_.area.x, y - seen_.area.y);
+                    const std::size_t i = indexOf(pixel);
+                    if (seen_.numbers[i] == 0 || shadowed_[i] != 0) continue;
+                    const glm::dvec3& place = places_[i];
                     const std::size_t face = space_.directional() ? 0 : faceAlong(place);
                     use(pixel, face, space_.directional() ? raysOn(place) : raysOn(face, place));
                 }
@@ -196,10 +250,13 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
 
 void IrregularZBuffer::cast(std::span<const PlacedRuns> casters, Threads threads) {
     std::vector<std::size_t> first;
+    std::vector<PlacedInLight> placed;
     std::size_t count = 0;
     for (const PlacedRuns& of : casters) {
         first.push_back(count);
         count += of.casters->runs().size();
+        placed.push_back({of.casters, space_.fromBatch(of.worldFromBatch),
+                          placeInObject(light_, of.worldFromBatch)});
     }
     constexpr std::size_t leastRuns = 8; // of large triangles, with many points each
     forEachPart(partsOf(count, leastRuns, threads), [&](std::size_t, const ItemRange& range) {
@@ -208,17 +265,15 @@ void IrregularZBuffer::cast(std::span<const PlacedRuns> casters, Threads threads
         for (std::size_t run = range.first; run < range.end; ++run) {
             while (b + 1 < first.size() && first[b + 1] <= run)
                 ++b;
-            const PlacedRuns& of = casters[b];
-            castRun(*of.casters, of.casters->runs()[run - first[b]], of.worldFromBatch, scratch);
+            castRun(placed[b], placed[b].casters->runs()[run - first[b]], scratch);
         }
     });
 }
 
-bool IrregularZBuffer::gatherFor(const Box& bounds, const glm::dmat4& worldFromBatch,
+bool IrregularZBuffer::gatherFor(const Box& bounds, const glm::dmat4& lightFromBatch,
                                  Scratch& scratch) const {
-    const glm::dmat3 turn = space_.turn() * glm::dmat3(worldFromBatch);
-    const glm::dvec3 middle =
-        space_.of(glm::dvec3(worldFromBatch * glm::dvec4(bounds.center(), 1.0)));
+    const glm::dmat3 turn(lightFromBatch);
+    const glm::dvec3 middle(lightFromBatch * glm::dvec4(bounds.center(), 1.0));
     const glm::dvec3 half = 0.5 * (bounds.high - bounds.low);
     const glm::dvec3 reach =
         glm::abs(turn[0]) * half.x + glm::abs(turn[1]) * half.y + glm::abs(turn[2]) * half.z;
@@ -244,22 +299,27 @@ bool IrregularZBuffer::gatherFor(const Box& bounds, const glm::dmat4& worldFromB
     return any;
 }
 
-IrregularZBuffer::Vertex IrregularZBuffer::vertexAt(const glm::dvec3& world) const {
+IrregularZBuffer::Vertex IrregularZBuffer::vertexAt(const glm::dvec3& place) const {
     Vertex vertex;
-    vertex.place = space_.of(world);
+    vertex.place = place;
     if (!space_.directional()) vertex.face = faceAlong(vertex.place);
     vertex.own = glm::vec3(faces_[vertex.face].frame().of(
         space_.directional() ? raysOn(vertex.place) : raysOn(vertex.face, vertex.place)));
     return vertex;
 }
 
-void IrregularZBuffer::castRun(const CasterRuns& casters, const CasterRuns::Run& run,
-                               const glm::dmat4& worldFromBatch, Scratch& scratch) {
-    if (!gatherFor(run.bounds, worldFromBatch, scratch)) return;
-    std::size_t i = 0;
-    for (const glm::vec3& place : casters.verticesOf(run))
-        scratch.vertices[i++] = vertexAt(glm::dvec3(worldFromBatch * glm::dvec4(place, 1.0)));
-    for (const CasterRuns::Triangle& of : casters.trianglesOf(run)) {
+void IrregularZBuffer::castRun(const PlacedInLight& placed, const CasterRuns::Run& run,
+                               Scratch& scratch) {
+    if (!gatherFor(run.bounds, placed.lightFromBatch, scratch)) return;
+    const auto vertices = placed.casters->verticesOf(run);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        scratch.vertices[i] =
+            vertexAt(glm::dvec3(placed.lightFromBatch * glm::dvec4(vertices[i], 1.0)));
+    const bool nearLight = mayTouch(run.bounds, placed.lightInBatch);
+    for (const CasterRuns::Triangle& of : placed.casters->trianglesOf(run)) {
+        if (nearLight &&
+            touches({vertices[of[0]], vertices[of[1]], vertices[of[2]]}, placed.lightInBatch))
+            continue;
         const Triangle triangle{scratch.vertices[of[0]], scratch.vertices[of[1]],
                                 scratch.vertices[of[2]]};
         if (triangle.onOneFace()) {
@@ -294,10 +354,7 @@ void IrregularZBuffer::cast(const Triangle& triangle, std::size_t face, Scratch&
             if (!alone) know();
             return planes;
         },
-        [&](Pixel pixel) {
-            if (!corners.isSeen) see(corners);
-            return isShadowed(corners, pixel);
-        },
+        [&](Pixel pixel) { return isShadowed(corners, pixel); },
         [&](Pixel pixel) { shadowed_[indexOf(pixel)] = 255; });
 }
 
@@ -315,13 +372,11 @@ CasterBox IrregularZBuffer::boxOn(std::size_t face, const Triangle& triangle) co
 IrregularZBuffer::Corners IrregularZBuffer::cornersOf(const Triangle& triangle) const {
     Corners corners;
     corners.places = {triangle.a.place, triangle.b.place, triangle.c.place};
-    const auto& [a, b, c] = corners.places;
-    corners.plane.normal = glm::cross(b - a, c - a);
-    corners.plane.offset = -glm::dot(corners.plane.normal, a);
+    corners.plane = SpacePlane::through(corners.places);
     const double light = space_.directional() ? -corners.plane.normal.z : corners.plane.offset;
     corners.behind = light > 0.0 ? -1.0 : light < 0.0 ? 1.0 : 0.0;
-    corners.eyeSide = lines_.eyeSideOf(corners.plane);
-    corners.litSideSeen = corners.eyeSide != 0 && (light > 0.0) == (corners.eyeSide > 0);
+    corners.perPlace = heightRounding * glm::length(corners.plane.normal);
+    corners.rounding = corners.perPlace * glm::length(corners.places[0]);
     return corners;
 }
 
@@ -345,11 +400,8 @@ CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners
             planes[i] = inFrame(frame, {normal.x, normal.y, 0.0}, normal.z);
         }
     }
-    // Where the lit side isn't seen, points that are taken to be before the plane may be behind it.
     const SpacePlane& plane = corners.plane;
-    if (!corners.litSideSeen) {
-        planes[3] = {0.0f, 0.0f, 0.0f, 1.0f};
-    } else if (directional) {
+    if (directional) {
         const glm::dvec3 normal(plane.normal.x, plane.normal.y, -plane.normal.z);
         planes[3] = inFrame(frame, corners.behind * normal, corners.behind * plane.offset);
     } else {
@@ -360,28 +412,11 @@ CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners
     return planes;
 }
 
-void IrregularZBuffer::see(Corners& corners) const {
-    corners.isSeen = true;
-    if (corners.eyeSide == 0) return;
-    corners.seen = lines_.seen(corners.plane);
-    corners.perPixel = std::abs(corners.seen.perColumn) + std::abs(corners.seen.perRow);
-}
-
 bool IrregularZBuffer::isShadowed(const Corners& corners, Pixel pixel) const {
-    const int x = depths_.x + pixel.column, y = depths_.y + pixel.row;
-    const double left = leftOf(pixel);
-    if (corners.eyeSide != 0) {
-        const double behind = corners.seen.leftAt(x, y) - left;
-        bool before = behind <= 0.0;
-        if (!before) {
-            const double aside = snapError_ + lines_.asideAt(left);
-            before = behind <= mostRounding + aside * corners.perPixel &&
-                     lines_.meets(x, y, corners.places, aside);
-        }
-        if (before == corners.litSideSeen) return false;
-    }
-    const glm::dvec3 place = lines_.placeOf(x, y, left);
-    if (corners.eyeSide == 0 && corners.behind * corners.plane.heightOf(place) <= 0.0) return false;
+    const glm::dvec3& place = places_[indexOf(pixel)];
+    const double behind = corners.behind * corners.plane.heightOf(place);
+    // What is in the plane of a point's own triangle, and that itself, is not before it.
+    if (!(behind > corners.rounding + corners.perPlace * glm::length(place))) return false;
     const auto& [a, b, c] = corners.places;
     const bool directional = space_.directional();
     return corners.behind * edgeSide(a, b, place, directional) >= 0.0 &&

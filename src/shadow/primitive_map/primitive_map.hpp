@@ -37,7 +37,7 @@ struct PrimitiveMap {
     /// number; and a half more if light-facing casters need none behind it.
     std::vector<glm::vec2> entries;
     /// Three texels a triangle: in xyz an edge each (Occluder::edges), in the fourth components the
-    /// plane, moved away from the light by what rounding may place points behind it. Of an
+    /// plane. Of an
     /// alpha-tested one three more: CutoutPlanes' u, v, alpha, and with u the record that says what
     /// it is cut out by: (place, size) in the atlas, (cutoff, wrap along u, along v, linear or
     /// not).

@@ -39,18 +39,8 @@ float roundedDown(double value) {
     return rounded > value ? std::nextafter(rounded, -neverDark) : rounded;
 }
 
-/// What transforming, interpolating and evaluating a point may add up to.
-constexpr double planeError = 2.0 * mapRounding;
-
-/// The plane as far from the light as points on it may be placed by rounding.
-glm::dvec3 tolerantPlane(const glm::dvec3& plane, bool directional) {
-    const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
-    if (directional) return plane + glm::dvec3(0.0, 0.0, planeError * (1.0 + terms));
-    return plane / (1.0 + planeError * (1.0 + terms));
-}
-
-void addRecord(const Occluder& occluder, bool directional, std::vector<glm::vec4>& records) {
-    const glm::vec3 plane(tolerantPlane(occluder.plane, directional));
+void addRecord(const Occluder& occluder, std::vector<glm::vec4>& records) {
+    const glm::vec3 plane(occluder.plane);
     for (std::size_t i = 0; i < 3; ++i)
         records.emplace_back(glm::vec3(occluder.edges[i]), plane[static_cast<glm::length_t>(i)]);
 }
@@ -83,7 +73,7 @@ class Records {
             if (map_.extended)
                 addCorners(of, map_.records);
             else
-                addRecord(of, map_.tiles.directional, map_.records);
+                addRecord(of, map_.records);
             if (texture != none) addCutout(occluders_.cutouts[of.cutout], texture);
         }
         const auto name = static_cast<float>(record);

@@ -11,6 +11,10 @@ constexpr std::size_t mostPairs = 64;
 /// A depth before all others that floats hold.
 constexpr double nowhere = 1e30;
 
+/// The most that planes' tolerances join depths by: beyond, of steep ones, lists would be longer
+/// than what is told apart is worth.
+constexpr double mostTolerance = 32.0 * mapRounding;
+
 struct Touching {
     std::uint32_t print;
     Interval depths; ///< in the square
@@ -118,6 +122,16 @@ std::optional<Interval> depthsMet(const Footprint& print, const TileFootprints& 
     return print.depthsIn(met, tile.directional);
 }
 
+/// How far apart depths have to be for lookups to tell them apart: points may be off by rounding,
+/// and what is behind a plane by no more than its tolerance may be on it
+/// (primitive_map_lookup.glsl).
+double roomOf(const Footprint& print, const Interval& depths, bool directional) {
+    const double terms =
+        std::abs(print.plane.x) + std::abs(print.plane.y) + std::abs(print.plane.z);
+    const double tolerance = std::min(2.0 * mapRounding * (1.0 + terms), mostTolerance);
+    return mapRounding + (directional ? tolerance : tolerance * std::min(depths.high, 1.0));
+}
+
 /// Lists what may have holes: no ray is known to be blocked by it.
 void addCutouts(std::span<const Touching> cutouts, TexelOccluders& result) {
     const std::size_t solid = result.listed.size();
@@ -148,8 +162,9 @@ void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> ca
         const Footprint& print = tile.prints[candidate];
         const std::optional<Interval> depths = depthsMet(print, tile, square);
         if (!depths) continue;
+        const double room = roomOf(print, *depths, tile.directional);
         (tile.occluders[print.occluder].isSolid() ? touching : cutouts)
-            .push_back({candidate, {depths->low - mapRounding, depths->high + mapRounding}});
+            .push_back({candidate, {depths->low - room, depths->high + room}});
     }
     std::sort(touching.begin(), touching.end(), [](const Touching& a, const Touching& b) {
         return a.depths.low != b.depths.low ? a.depths.low < b.depths.low : a.print < b.print;

@@ -29,6 +29,12 @@ LightSpace::LightSpace(const Light& light, const glm::dvec3& near)
     turn_ = glm::transpose(glm::dmat3(across[0], across[1], away));
 }
 
+glm::dmat4 LightSpace::fromBatch(const glm::dmat4& worldFromBatch) const {
+    glm::dmat4 near = worldFromBatch;
+    near[3] -= glm::dvec4(origin_, 0.0);
+    return glm::dmat4(turn_) * near;
+}
+
 FaceExtent LightSpace::extentIn(std::size_t face, const LightBox& box) const {
     if (box.empty()) return {};
     if (directional_) return {glm::vec2(box.low), glm::vec2(box.high), box.low.z, box.high.z};

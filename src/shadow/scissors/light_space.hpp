@@ -51,6 +51,8 @@ class LightSpace {
     /// Of the world's directions, and of a place in it.
     const glm::dmat3& turn() const { return turn_; }
     glm::dvec3 of(const glm::dvec3& place) const { return turn_ * (place - origin_); }
+    /// Of a batch's positions: what is far from the world's origin loses nothing by it.
+    glm::dmat4 fromBatch(const glm::dmat4& worldFromBatch) const;
     /// Of what lies in the box. Nothing of it is left out.
     FaceExtent extentIn(std::size_t face, const LightBox& box) const;
 

@@ -1,0 +1,31 @@
+// See surface_number.vert.
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+
+#ifdef ALPHA_TEST
+uniform sampler2D u_texture;
+uniform vec4 u_alphaChannel; // 1 in the one that has alpha
+uniform float u_alphaScale;
+uniform float u_alphaCutoff;
+varying vec2 v_texcoord;
+varying float v_alpha;
+#endif
+#ifdef SLICED
+uniform float u_farthest;
+varying float v_depth;
+#endif
+varying vec3 v_number;
+
+void main() {
+#ifdef SLICED
+    if (v_depth > u_farthest) discard;
+#endif
+#ifdef ALPHA_TEST
+    if (u_alphaScale * v_alpha * dot(texture2D(u_texture, v_texcoord), u_alphaChannel) < u_alphaCutoff)
+        discard;
+#endif
+    gl_FragColor = vec4(v_number, 1.0);
+}
