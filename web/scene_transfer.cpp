@@ -31,13 +31,13 @@ void transfer(Archive& archive, Maybe<DeformedPart> auto& part) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<Deformation> auto& deformation) {
-    archive(deformation.meshes, deformation.joints, deformation.parts);
+    archive(deformation.meshes, deformation.joints, deformation.place, deformation.parts);
 }
 
 /// All but its geometry.
 template <class Archive>
 void transfer(Archive& archive, Maybe<Batch> auto& batch) {
-    archive(batch.node, batch.worldFromBatch, batch.nodeFromBatch, batch.deformation,
+    archive(batch.node, batch.worldFromBatch, batch.nodeFromBatch, batch.hidden, batch.deformation,
             batch.shape.batchFromMesh, batch.shape.weights);
 }
 

@@ -23,33 +23,42 @@ void checkAnimationTarget(const JsonField& target, std::size_t nodeCount) {
     if (!target.find("extensions")) path.oneOf({"translation", "rotation", "scale", "weights"});
 }
 
-void checkAnimation(const JsonField& animation, std::size_t nodeCount, std::size_t accessorCount) {
-    const std::size_t samplerCount = animation.countOf("samplers");
-    animation.ifPresent("samplers", [&](const JsonField& samplers) {
-        samplers.forEachItem(
-            [&](const JsonField& sampler) { checkAnimationSampler(sampler, accessorCount); });
-    });
-    animation.ifPresent("channels", [&](const JsonField& channels) {
-        channels.forEachItem([&](const JsonField& channel) {
-            channel.member("sampler").indexInto(samplerCount, "samplers");
-            channel.ifPresent("target", [&](const JsonField& target) {
-                checkAnimationTarget(target, nodeCount);
-            });
-        });
-    });
+/// `animation`: whose channel it is.
+void checkChannel(const JsonField& channel, const JsonField& animation, std::size_t nodeCount,
+                  std::size_t accessorCount) {
+    const int sampler =
+        channel.member("sampler").indexInto(animation.countOf("samplers"), "samplers");
+    checkAnimationSampler(animation.member("samplers").item(static_cast<std::size_t>(sampler)),
+                          accessorCount);
+    channel.ifPresent("target",
+                      [&](const JsonField& target) { checkAnimationTarget(target, nodeCount); });
 }
 
 } // namespace
 
-std::set<std::size_t> findBrokenAnimations(const nlohmann::ordered_json& json,
-                                           const std::filesystem::path& path, Warnings& warnings) {
+BrokenAnimations findBrokenAnimations(const nlohmann::ordered_json& json,
+                                      const std::filesystem::path& path, Warnings& warnings) {
     const JsonField root(path, json);
     const std::size_t nodeCount = root.countOf("nodes"), accessorCount = root.countOf("accessors");
-    std::set<std::size_t> broken;
-    forEachSoundItem(
-        root, "animations", "animation", warnings,
-        [&](const JsonField& animation) { checkAnimation(animation, nodeCount, accessorCount); },
-        [&](std::size_t index) { broken.insert(index); });
+    BrokenAnimations broken;
+    std::size_t index = 0;
+    const auto checkAnimation = [&](const JsonField& animation) {
+        const std::size_t at = index++;
+        animation.ifPresent("samplers", [](const JsonField& all) { all.requireArray(); });
+        const auto channels = animation.find("channels");
+        if (!channels) return;
+        std::size_t number = 0;
+        channels->forEachItem([&](const JsonField& channel) {
+            const auto check = [&] {
+                checkChannel(channel, animation, nodeCount, accessorCount);
+            };
+            if (!readOrWarn(warnings, "the channel is left out", check))
+                broken.channels.insert({at, number});
+            ++number;
+        });
+    };
+    forEachSoundItem(root, "animations", "animation", warnings, checkAnimation,
+                     [&](std::size_t at) { broken.whole.insert(at); });
     return broken;
 }
 

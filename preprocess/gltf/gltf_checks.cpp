@@ -194,7 +194,10 @@ void checkNode(const JsonField& node, std::size_t accessorCount) {
     checkNumbers(node, "weights", 0);
     node.ifPresent("children", checkIntegers);
     node.ifExtension("EXT_mesh_gpu_instancing", [&](const JsonField& instancing) {
-        checkAttributes(instancing.member("attributes"), accessorCount);
+        instancing.requireObject();
+        instancing.ifPresent("attributes", [&](const JsonField& attributes) {
+            checkAttributes(attributes, accessorCount);
+        });
     });
     node.ifExtension("KHR_node_visibility", [](const JsonField& visibility) {
         visibility.ifPresent("visible", [](const JsonField& flag) { flag.boolean(); });

@@ -12,14 +12,22 @@
 namespace edgeshade {
 namespace {
 
-/// Whether the decoded uri says a place in its folder or below: no root, no way up, and no
-/// character that means more than a name on some system.
-bool namesPlaceInside(const std::string& decoded) {
-    constexpr std::string_view special("\\:\0", 3);
-    const std::filesystem::path relative = decoded;
-    return !decoded.empty() && relative.is_relative() &&
-           decoded.find_first_of(special) == std::string::npos &&
-           std::find(relative.begin(), relative.end(), "..") == relative.end();
+/// The place that a decoded uri says, without the detours of "." and "..". A backslash parts names,
+/// too: exporters on Windows write it, and nobody means a name that has one.
+std::filesystem::path placeOf(std::string decoded) {
+    std::replace(decoded.begin(), decoded.end(), '\\', '/');
+    return std::filesystem::path(decoded).lexically_normal();
+}
+
+/// Whether it lies in the folder that it is relative to, or below.
+bool isInside(const std::filesystem::path& place) {
+    return !place.empty() && place.is_relative() && *place.begin() != "..";
+}
+
+/// Whether a colon follows the first name of a decoded uri, as behind a scheme or a drive.
+bool hasScheme(const std::string& decoded) {
+    const std::size_t end = decoded.find_first_of("/\\:");
+    return end != std::string::npos && decoded[end] == ':';
 }
 
 /// Where `uri` lies, links followed, if that is inside the asset's folder.
@@ -27,9 +35,13 @@ std::filesystem::path pathOfUri(const GltfDocument& document, const std::string&
                                 const std::string& uri) {
     const std::string said = document.where(field) + " is '" + uri.substr(0, 80) + "', but ";
     const std::string decoded = percentDecoded(uri);
-    if (!namesPlaceInside(decoded))
+    const std::filesystem::path place = placeOf(decoded);
+    if (hasScheme(decoded) || !isInside(place))
         throw InputError(said + "only files in the asset's own folder and data URIs are read.");
-    const std::filesystem::path path = document.path.parent_path() / decoded;
+    if (decoded.find_first_of(std::string_view(":\0", 2)) != std::string::npos)
+        throw InputError(said + "no name with a colon or a zero byte is read, which means more than "
+                                "a name on some systems.");
+    const std::filesystem::path path = document.path.parent_path() / place;
     std::error_code missing;
     const auto file = std::filesystem::canonical(path, missing);
     if (missing) return path; // reading it says what is wrong

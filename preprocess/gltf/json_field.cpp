@@ -24,8 +24,12 @@ std::string JsonField::name() const {
     return parent.empty() ? key_ : parent + "." + key_;
 }
 
+std::string JsonField::where() const {
+    return "'" + file_.string() + "': " + name();
+}
+
 void JsonField::fail(const std::string& what) const {
-    throw InputError("'" + file_.string() + "': " + name() + what + ".");
+    throw InputError(where() + what + ".");
 }
 
 void JsonField::failKind(const std::string& wanted) const {

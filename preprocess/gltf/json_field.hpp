@@ -28,7 +28,8 @@ class JsonField {
 
     const Json& value() const { return value_; }
     std::string name() const;                              ///< "accessors[3].count"
-    [[noreturn]] void fail(const std::string& what) const; ///< "'file': name" + what + "."
+    std::string where() const;                             ///< "'file': name"
+    [[noreturn]] void fail(const std::string& what) const; ///< where() + what + "."
 
     /// The member, which must be there.
     JsonField member(const char* key) const;

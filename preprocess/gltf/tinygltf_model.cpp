@@ -101,35 +101,52 @@ Json keptSkins(const Json& source, std::vector<std::size_t>& standIns) {
     return skins;
 }
 
-/// It wants every animation channel to move a node, which those of extensions need not.
-Json keptAnimation(const Json& source) {
+/// Those that move nodes. It wants every animation channel to do that, which those of extensions
+/// need not.
+Json keptChannels(const Json& source, std::size_t animation, const BrokenAnimations& broken) {
+    Json moving = Json::array();
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        if (broken.channels.contains({animation, i})) continue;
+        const Json& channel = source[i];
+        if (channel.contains("target") && channel["target"].contains("node"))
+            moving.push_back({{"sampler", channel["sampler"]},
+                              {"target", only(channel["target"], {"node", "path"})}});
+    }
+    return moving;
+}
+
+/// Those that no channel has may be broken: something else stands in their places.
+Json keptSamplers(const Json& source, const Json& channels) {
+    Json samplers = Json::array();
+    samplers.get_ref<Json::array_t&>().resize(
+        source.size(), Json{{"input", 0}, {"output", 0}});
+    for (const Json& channel : channels) {
+        const auto index = channel["sampler"].get<std::size_t>();
+        samplers[index] = only(source[index], {"input", "output", "interpolation"});
+    }
+    return samplers;
+}
+
+Json keptAnimation(const Json& source, std::size_t index, const BrokenAnimations& broken) {
     Json animation = only(source, {"channels", "samplers"});
-    keepOf(animation, "samplers", [](const Json& samplers) {
-        return kept(samplers, [](const Json& sampler) {
-            return only(sampler, {"input", "output", "interpolation"});
-        });
-    });
-    keepOf(animation, "channels", [](const Json& channels) {
-        Json moving = Json::array();
-        for (const Json& channel : channels)
-            if (channel.contains("target") && channel["target"].contains("node"))
-                moving.push_back({{"sampler", channel["sampler"]},
-                                  {"target", only(channel["target"], {"node", "path"})}});
-        return moving;
+    keepOf(animation, "channels",
+           [&](const Json& channels) { return keptChannels(channels, index, broken); });
+    keepOf(animation, "samplers", [&](const Json& samplers) {
+        return keptSamplers(samplers, animation.value("channels", Json::array()));
     });
     return animation;
 }
 
-Json keptAnimations(const Json& source, const std::set<std::size_t>& broken) {
+Json keptAnimations(const Json& source, const BrokenAnimations& broken) {
     Json animations = Json::array();
     if (!source.is_array()) return animations; // a warning was given
     for (std::size_t i = 0; i < source.size(); ++i)
-        animations.push_back(broken.contains(i) ? Json::object() : keptAnimation(source[i]));
+        animations.push_back(broken.whole.contains(i) ? Json::object()
+                                                      : keptAnimation(source[i], i, broken));
     return animations;
 }
 
-Json keptJson(const Json& source, const std::set<std::size_t>& brokenAnimations,
-              StandIns& standIns) {
+Json keptJson(const Json& source, const BrokenAnimations& brokenAnimations, StandIns& standIns) {
     Json json =
         only(source, {"asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews",
                       "buffers", "materials", "textures", "samplers", "skins", "animations"});
@@ -166,7 +183,7 @@ Json keptJson(const Json& source, const std::set<std::size_t>& brokenAnimations,
 
 } // namespace
 
-tinygltf::Model typedModel(const Json& json, const std::set<std::size_t>& brokenAnimations,
+tinygltf::Model typedModel(const Json& json, const BrokenAnimations& brokenAnimations,
                            const std::filesystem::path& path) {
     StandIns standIns;
     const std::string text = keptJson(json, brokenAnimations, standIns).dump();

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "preprocess/gltf/animation_checks.hpp"
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <tiny_gltf.h>
 
 namespace edgeshade {
@@ -12,7 +13,7 @@ namespace edgeshade {
 /// `brokenAnimations`. tinygltf refuses some assets that glTF allows; it gets a copy with stand-ins
 /// there, and no trace of them is left in what is returned. Throws InputError naming `path`.
 tinygltf::Model typedModel(const nlohmann::ordered_json& json,
-                           const std::set<std::size_t>& brokenAnimations,
+                           const BrokenAnimations& brokenAnimations,
                            const std::filesystem::path& path);
 
 } // namespace edgeshade

@@ -191,7 +191,7 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& wanted, bo
     const auto fileBytes = std::filesystem::file_size(input.document.path, error);
     report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
     report.variants = variantNames(input.document);
-    report.animations = animationTitles(input.document);
+    report.animations = playedAnimations(input.document, input.scene.warnings);
     report.cameras = input.scene.cameras;
     report.lights = input.scene.lights;
     report.warnings = input.scene.warnings.sentences();

@@ -61,44 +61,69 @@ std::optional<Keyframes>& keyframesOf(NodeMotion& motion, const std::string& pat
 /// through once, so that a small file can't ask for endless work.
 class AnimationReader {
   public:
-    explicit AnimationReader(const GltfDocument& document)
-        : document_(document), memory_(document.memory) {}
+    AnimationReader(const GltfDocument& document, Warnings& warnings)
+        : document_(document), warnings_(warnings), memory_(document.memory) {}
 
-    Animation read(std::size_t index) {
+    /// The channels that can be played; nothing if there are others alone.
+    std::optional<Animation> read(std::size_t index) {
         const tinygltf::Animation& source = document_.model->animations[index];
         const std::string field = "animations[" + std::to_string(index) + "]";
         Animation animation;
+        bool leftOut = false, played = false;
         for (const tinygltf::AnimationChannel& channel : source.channels) {
-            const bool ofWeights = movesWeights(document_, channel);
-            if (!ofWeights && !movesNode(channel)) continue;
-            const int node = channel.target_node;
-            const std::string& path = channel.target_path;
-            std::optional<Keyframes>& keyframes =
-                ofWeights ? animation.weights[node]
-                          : keyframesOf(motionOf(animation, node, field), path);
-            if (keyframes)
-                throw InputError(document_.where(field) + " moves nodes[" + std::to_string(node) +
-                                 "]." + path + " by two channels.");
-            const std::string samplerField =
-                field + ".samplers[" + std::to_string(channel.sampler) + "]";
-            const tinygltf::AnimationSampler& sampler = source.samplers.at(channel.sampler);
-            keyframes = ofWeights ? readWeights(sampler, node, samplerField)
-                                  : readSampler(sampler, path == "rotation", samplerField);
-            animation.duration =
-                std::max(animation.duration, static_cast<double>(keyframes->times->back()));
+            if (!movesWeights(document_, channel) && !movesNode(channel)) continue;
+            const bool sound = readOrWarn(warnings_, "the channel is left out",
+                                          [&] { readChannel(source, channel, field, animation); });
+            (sound ? played : leftOut) = true;
         }
+        if (leftOut && !played) return std::nullopt;
         return animation;
     }
 
   private:
-    NodeMotion& motionOf(Animation& animation, int index, const std::string& field) const {
+    void readChannel(const tinygltf::Animation& source, const tinygltf::AnimationChannel& channel,
+                     const std::string& field, Animation& animation) {
+        const int node = channel.target_node;
+        const std::string& path = channel.target_path;
+        const std::string samplerField =
+            field + ".samplers[" + std::to_string(channel.sampler) + "]";
+        const tinygltf::AnimationSampler& sampler = source.samplers.at(channel.sampler);
+        const auto put = [&](std::optional<Keyframes>& to, const auto& read) {
+            if (to)
+                throw InputError(document_.where(field) + " moves nodes[" + std::to_string(node) +
+                                 "]." + path + " by two channels.");
+            to = read();
+            animation.duration =
+                std::max(animation.duration, static_cast<double>(to->times->back()));
+        };
+        if (path != "weights")
+            return put(keyframesOf(motionOf(animation, node, field), path),
+                       [&] { return readSampler(sampler, path == "rotation", samplerField); });
+        std::optional<Keyframes> keyframes;
+        if (const auto known = animation.weights.find(node); known != animation.weights.end())
+            keyframes = known->second;
+        put(keyframes, [&] { return readWeights(sampler, node, samplerField); });
+        animation.weights[node] = std::move(keyframes);
+    }
+
+    NodeMotion& motionOf(Animation& animation, int index, const std::string& field) {
+        const auto known = animation.motions.find(index);
+        if (known != animation.motions.end()) return known->second;
+        const NodeTransform rest = restOf(index, field);
+        return animation.motions.emplace(index, NodeMotion{rest, {}, {}, {}}).first->second;
+    }
+
+    /// What of the node stays as it is where a channel moves the rest. A matrix must not be moved
+    /// (glTF 2.0, 3.5.3); one that a translation, a rotation and a scale make is read as these.
+    NodeTransform restOf(int index, const std::string& field) {
         const tinygltf::Node& node = document_.model->nodes.at(index);
-        if (hasMatrix(node)) // (glTF 2.0, 3.5.3)
-            throw InputError(document_.where("nodes[") + std::to_string(index) +
-                             "].matrix can't be moved by " + field +
-                             "; translation, rotation and scale can.");
-        return animation.motions.try_emplace(index, NodeMotion{restTransform(node), {}, {}, {}})
-            .first->second;
+        if (!hasMatrix(node)) return restTransform(node);
+        const std::string matrix =
+            document_.where("nodes[") + std::to_string(index) + "].matrix can't be moved by " + field;
+        const auto parts = partsOf(restMatrix(node));
+        if (!parts) throw InputError(matrix + "; translation, rotation and scale can.");
+        warnings_.add(matrix + "; the translation, rotation and scale that make it are moved.");
+        return *parts;
     }
 
     Keyframes readSampler(const tinygltf::AnimationSampler& sampler, bool isRotation,
@@ -124,14 +149,16 @@ class AnimationReader {
                             const std::string& field) {
         Keyframes keyframes;
         keyframes.interpolation = interpolationOf(sampler);
-        const bool isSpline = keyframes.interpolation == Interpolation::cubicSpline;
         keyframes.times = readTimes(sampler.input, field + ".input");
         const std::size_t count = keyframes.times->size();
-        if (isSpline && count < 2)
-            throw InputError(document_.where(field) + ".input has 1 element, but a CUBICSPLINE "
-                                                      "needs 2 or more.");
-        const std::size_t wanted = (isSpline ? 3 * count : count) * elements;
         const std::size_t found = elementCount(document_, sampler.output, field + ".output");
+        if (keyframes.interpolation == Interpolation::cubicSpline && count == 1) {
+            warnings_.add(document_.where(field) + ".input has 1 element, but a CUBICSPLINE needs 2 "
+                                                   "or more; it has its value all the time.");
+            if (found == elements) keyframes.interpolation = Interpolation::step; // no tangents
+        }
+        const bool isSpline = keyframes.interpolation == Interpolation::cubicSpline;
+        const std::size_t wanted = (isSpline ? 3 * count : count) * elements;
         if (found != wanted)
             throw InputError(document_.where(field) + ".output has " + std::to_string(found) +
                              " elements, but " + sampler.interpolation + " of " +
@@ -149,13 +176,16 @@ class AnimationReader {
         requireFinite(document_, array, field);
         if (array.values.empty()) throw InputError(document_.where(field) + " has no elements.");
         if (array.values[0] < 0.0f)
-            throw InputError(document_.where(field) + " starts at " + shown(array.values[0]) +
-                             " seconds, but must not be negative.");
-        for (std::size_t i = 1; i < array.values.size(); ++i)
-            if (array.values[i] <= array.values[i - 1])
-                throw InputError(document_.where(field) + " holds " + shown(array.values[i]) +
-                                 " at element " + std::to_string(i) + " after " +
-                                 shown(array.values[i - 1]) + ", but times must increase.");
+            warnings_.add(document_.where(field) + " starts at " + shown(array.values[0]) +
+                          " seconds, but must not be negative; it is played from 0 on.");
+        for (std::size_t i = 1; i < array.values.size(); ++i) {
+            if (array.values[i] > array.values[i - 1]) continue;
+            const std::string order = document_.where(field) + " holds " + shown(array.values[i]) +
+                                      " at element " + std::to_string(i) + " after " +
+                                      shown(array.values[i - 1]) + ", but times must increase";
+            if (array.values[i] < array.values[i - 1]) throw InputError(order + ".");
+            warnings_.add(order + "; there is a step there.");
+        }
         return times = std::make_shared<const std::vector<float>>(array.values);
     }
 
@@ -195,6 +225,7 @@ class AnimationReader {
     }
 
     const GltfDocument& document_;
+    Warnings& warnings_;
     MemoryBudget memory_;
     std::map<int, Floats> times_;
     std::map<int, Floats> weights_;
@@ -232,19 +263,19 @@ const AnimationTitle* findAnimation(const std::vector<AnimationTitle>& titles,
 
 std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings,
                                        std::optional<std::size_t> index) {
-    std::optional<Animation> animation;
-    AnimationReader reader(document);
-    const auto read = [&](std::size_t which) {
-        return readOrWarn(warnings, "the animation is left out",
-                          [&] { animation = reader.read(which); });
-    };
-    if (index) {
-        read(*index);
-        return animation;
-    }
+    AnimationReader reader(document, warnings);
+    if (index) return reader.read(*index);
     for (const AnimationTitle& title : animationTitles(document))
-        if (read(title.index)) break;
-    return animation;
+        if (auto animation = reader.read(title.index)) return animation;
+    return std::nullopt;
+}
+
+std::vector<AnimationTitle> playedAnimations(const GltfDocument& document, Warnings& warnings) {
+    AnimationReader reader(document, warnings);
+    std::vector<AnimationTitle> titles = animationTitles(document);
+    std::erase_if(titles,
+                  [&](const AnimationTitle& title) { return !reader.read(title.index); });
+    return titles;
 }
 
 std::size_t morphTargetCount(const GltfDocument& document, int mesh) {

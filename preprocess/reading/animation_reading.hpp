@@ -24,10 +24,13 @@ std::vector<AnimationTitle> animationTitles(const GltfDocument& document);
 const AnimationTitle* findAnimation(const std::vector<AnimationTitle>& titles,
                                     const std::string& nameOrIndex);
 
-/// Reads the animation with that index in the file, or the first of animationTitles() that is sound
-/// (glTF 2.0, 3.11): nodes and morph weights. Null if there is none. Channels of extensions, and of
-/// weights that no mesh has, are left aside; a broken animation is left out with a warning that
-/// names the field and its value. Safe on untrusted input.
+/// Those of them of which anything can be played; what of the others can't gets its warnings.
+std::vector<AnimationTitle> playedAnimations(const GltfDocument& document, Warnings& warnings);
+
+/// Reads the animation with that index in the file, or the first of animationTitles() that can be
+/// played (glTF 2.0, 3.11): nodes and morph weights. Null if there is none. Channels of extensions,
+/// and of weights that no mesh has, are left aside; a broken channel is left out, and one that is
+/// mended is played, with a warning that names the field and its value. Safe on untrusted input.
 std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& warnings,
                                        std::optional<std::size_t> index = {});
 

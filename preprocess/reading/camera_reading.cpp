@@ -53,7 +53,8 @@ std::vector<SceneCamera> readCameras(const GltfDocument& document, const NodeWal
             SceneCamera camera = *lens;
             camera.nodeName = nameOf(node);
             camera.place = placed->place;
-            camera.worldFromCamera = rigidPlaceOf(reference, walk.worldFromNode[placed->node]);
+            camera.worldFromCamera = rigidPlaceOf(reference, walk.worldFromNode[placed->node],
+                                                  walk.unflattened[placed->node]);
             cameras.push_back(camera);
         });
     });

@@ -23,15 +23,19 @@ glm::dvec3 transformed(const glm::dmat4& matrix, const glm::vec3& point) {
     return glm::dvec3(matrix * glm::dvec4(point, 1.0));
 }
 
-/// The local origin: 0 where the geometry lies around it anyway, else the middle of its box.
+/// The local origin: 0 where the geometry lies around it anyway, else the middle of its box. What
+/// joints scale to nothing at rest is taken to be as large as its mesh.
 glm::dvec3 localOrigin(const std::vector<Piece>& pieces) {
-    Box box;
+    Box box, ofMeshes;
     for (const Piece& piece : pieces)
-        for (std::size_t v = 0; v < piece.primitive->positions.size(); ++v)
+        for (std::size_t v = 0; v < piece.primitive->positions.size(); ++v) {
             box.add(transformed(matrixOf(piece, v), piece.primitive->positions[v]));
+            ofMeshes.add(glm::dvec3(piece.primitive->positions[v]));
+        }
+    const double diagonal = box.diagonal() > 0.0 ? box.diagonal() : ofMeshes.diagonal();
     const glm::dvec3 center = box.center();
     const double distance = std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
-    return distance > 2.0 * box.diagonal() ? center : glm::dvec3(0.0);
+    return distance > 2.0 * diagonal ? center : glm::dvec3(0.0);
 }
 
 /// Appends a piece's vertices and triangles to the batch.
@@ -45,7 +49,8 @@ class PieceAppender {
     /// their own; else they are the primitive's, and nothing is returned.
     std::vector<std::uint32_t> append(const Piece& piece) {
         const Primitive& primitive = *piece.primitive;
-        const bool mirrored = glm::determinant(glm::dmat3(matrixOf(piece, 0))) < 0.0;
+        const bool mirrored =
+            piece.skin ? piece.turnedOver : glm::determinant(glm::dmat3(piece.batchFromMesh)) < 0.0;
         if (geometry_.positions.size() + primitive.indices.size() > 0xFFFFFFF0u)
             throw InputError("'" + document_.path.string() + "' has too many vertices.");
         if (primitive.normals.empty()) return appendFlat(piece, mirrored);
@@ -146,7 +151,10 @@ class DeformationBuilder {
             made_.meshes.push_back({primitive.positions, primitive.normals, primitive.tangents,
                                     primitive.targets,
                                     piece.skin ? primitive.influences : Influences()});
-        if (piece.skin) made_.joints = piece.skin->joints;
+        if (piece.skin) {
+            made_.joints = piece.skin->joints;
+            made_.place = piece.place;
+        }
         made_.parts.push_back({known->second, piece.batchFromMesh, piece.node, piece.restWeights,
                                static_cast<std::uint32_t>(firstVertex), std::move(corners)});
     }
@@ -239,13 +247,33 @@ void appendShared(const GltfDocument& document, const NodeWalk& walk, SharedMesh
     }
 }
 
-/// What deforms takes its place at rest as any other pose.
+bool isFlat(const glm::dmat4& matrix) {
+    return glm::determinant(glm::dmat3(matrix)) == 0.0;
+}
+
+/// What a node scales to nothing at rest waits where the node is, as large as the mesh has it:
+/// there, all can be asked of it that can be asked of others.
+void hide(Batch& batch) {
+    const glm::dvec3 place(batch.worldFromBatch[3]);
+    batch.hidden = true;
+    batch.worldFromBatch = glm::translate(glm::dmat4(1.0), place);
+}
+
+/// What deforms takes its place at rest as any other pose, and what there is nothing of then is
+/// hidden.
 void poseAtRest(const GltfDocument& document, Scene& scene) {
     const Pose rest = poseAt(Animation(), scene, 0.0);
-    for (std::size_t b = 0; b < scene.batches.size(); ++b)
-        if (scene.batches[b].deforms() && !poseBatch(scene.batches[b], rest.shapes[b]))
+    for (std::size_t b = 0; b < scene.batches.size(); ++b) {
+        Batch& batch = scene.batches[b];
+        if (!rest.worldFromBatch[b])
+            hide(batch);
+        else if (batch.node < 0 || isFlat(batch.worldFromBatch))
+            batch.worldFromBatch = *rest.worldFromBatch[b];
+        // Others are where walking the nodes found them.
+        if (batch.deforms() && !poseBatch(batch, rest.shapes[b]))
             throw InputError("'" + document.path.string() +
                              "': skins or morph targets move vertices out of the range of floats.");
+    }
 }
 
 } // namespace
@@ -257,7 +285,7 @@ Scene flattenScene(const GltfDocument& document, double weldTolerance, const Loo
     scene.materials = readMaterials(document, scene.warnings);
     if (looks.shading == Shading::base)
         std::for_each(scene.materials.begin(), scene.materials.end(), keepBase);
-    const NodeWalk walk = walkNodes(document, scene.warnings);
+    const NodeWalk walk = walkNodes(document);
     scene.animatedNodes = walk.animatedNodes;
     scene.cameras = readCameras(document, walk, scene.warnings);
     scene.lights = readLights(document, walk, scene.warnings);

@@ -19,8 +19,7 @@ std::size_t countInstances(const GltfDocument& document, const JsonField& attrib
         if (!count) first = attribute.key();
         count = found;
     });
-    if (!count) attributes.fail(" is empty, so that nobody knows how many instances there are");
-    return *count;
+    return count.value_or(1); // withAttributes() gives none that are empty
 }
 
 /// The attribute's values; none where it isn't there.
@@ -75,14 +74,26 @@ std::vector<glm::dmat4> readMatrices(const GltfDocument& document, const JsonFie
     return matrices;
 }
 
-/// Calls use(attributes) for those of a node's instances, if it has any.
+/// Calls use(extension) with what the node says of instances, if it does.
 template <class Use>
-void withAttributes(const GltfDocument& document, int node, Use use) {
+void withExtension(const GltfDocument& document, int node, Use use) {
     const auto index = static_cast<std::size_t>(node);
     const std::string name = "nodes[" + std::to_string(node) + "]";
     const JsonField field(document.path, document.json.at("nodes").at(index), name.c_str());
-    field.ifExtension("EXT_mesh_gpu_instancing",
-                      [&](const JsonField& extension) { use(extension.member("attributes")); });
+    field.ifExtension("EXT_mesh_gpu_instancing", use);
+}
+
+bool hasAttributes(const JsonField& extension) {
+    const auto attributes = extension.find("attributes");
+    return attributes && !attributes->value().empty();
+}
+
+/// Calls use(attributes) for those of a node's instances, if it has any.
+template <class Use>
+void withAttributes(const GltfDocument& document, int node, Use use) {
+    withExtension(document, node, [&](const JsonField& extension) {
+        if (hasAttributes(extension)) use(extension.member("attributes"));
+    });
 }
 
 } // namespace
@@ -93,6 +104,15 @@ std::size_t instanceCount(const GltfDocument& document, int node) {
         count = countInstances(document, attributes);
     });
     return count;
+}
+
+void warnOfNoAttributes(const GltfDocument& document, int node, Warnings& warnings) {
+    withExtension(document, node, [&](const JsonField& extension) {
+        if (!hasAttributes(extension))
+            warnings.add(extension.where() +
+                         ".attributes is empty, so that nobody knows how many instances there are; "
+                         "the mesh is drawn once.");
+    });
 }
 
 std::vector<glm::dmat4> readInstances(const GltfDocument& document, int node,

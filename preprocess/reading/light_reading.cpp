@@ -44,8 +44,28 @@ void readCone(const JsonField& spot, SceneLight& light) {
     light.innerCone = std::min(light.innerCone, light.outerCone);
 }
 
+/// Where its light ends (KHR_lights_punctual), for points and spots; nothing: nowhere. Older
+/// exporters write 0 for that.
+std::optional<double> rangeOf(const JsonField& range, SceneLight::Kind kind, Warnings& warnings) {
+    const bool isZero = range.value().is_number() && range.number() == 0.0;
+    if (kind == SceneLight::Kind::directional) {
+        if (isZero)
+            warnings.add(range.where() + " is 0, but directional lights have no range; it is "
+                                         "left aside.");
+        return std::nullopt;
+    }
+    if (isZero) {
+        warnings.add(range.where() + " is 0, but must be positive; it is read as no limit.");
+        return std::nullopt;
+    }
+    const double value = range.positive();
+    if (value < smallestLength)
+        range.fail(" is " + range.value().dump() + ", but must be at least 1e-12");
+    return value <= farthestPlace ? std::optional(value) : std::nullopt;
+}
+
 /// All but the place.
-SceneLight lampOf(const JsonField& light) {
+SceneLight lampOf(const JsonField& light, Warnings& warnings) {
     SceneLight read;
     read.kind = kindOf(light);
     read.name = nameOf(light);
@@ -57,20 +77,19 @@ SceneLight lampOf(const JsonField& light) {
             intensity.fail(" is " + intensity.value().dump() + ", which is brighter than 1e12");
     });
     light.ifPresent("range", [&](const JsonField& range) {
-        const double value = range.positive();
-        if (value < smallestLength)
-            range.fail(" is " + range.value().dump() + ", but must be at least 1e-12");
-        const bool ends = read.kind != SceneLight::Kind::directional && value <= farthestPlace;
-        if (ends) read.range = value;
+        if (const auto ends = rangeOf(range, read.kind, warnings)) read.range = *ends;
     });
     if (read.kind == SceneLight::Kind::spot) readCone(light.member("spot"), read);
     return read;
 }
 
-void place(SceneLight& light, const JsonField& reference, const glm::dmat4& worldFromNode) {
+void place(SceneLight& light, const JsonField& reference, const glm::dmat4& worldFromNode,
+           const glm::dmat4& unflattened) {
     light.position = placeOf(reference, worldFromNode);
-    if (light.kind != SceneLight::Kind::point)
-        light.direction = -glm::dvec3(rigidPlaceOf(reference, worldFromNode)[2]);
+    if (light.kind == SceneLight::Kind::point) return;
+    const auto forward = forwardOf(worldFromNode, unflattened);
+    if (!forward) reference.fail(" is placed by a node that is scaled to nothing");
+    light.direction = *forward;
 }
 
 } // namespace
@@ -82,7 +101,8 @@ std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk&
     root.ifExtension(extensionName, [&](const JsonField& extension) {
         if (!readOrWarn(warnings, "the lights are left out", [&] { extension.requireObject(); }))
             return;
-        lamps = soundItems(extension, "lights", "light", warnings, lampOf);
+        lamps = soundItems(extension, "lights", "light", warnings,
+                           [&](const JsonField& light) { return lampOf(light, warnings); });
     });
     std::vector<SceneLight> lights;
     forEachNode(document, walk, "light", warnings, [&](const JsonField& node, const auto* placed) {
@@ -94,7 +114,8 @@ std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk&
             SceneLight light = *lamp;
             light.nodeName = nameOf(node);
             light.place = placed->place;
-            place(light, reference, walk.worldFromNode[placed->node]);
+            place(light, reference, walk.worldFromNode[placed->node],
+                  walk.unflattened[placed->node]);
             lights.push_back(light);
         });
     });

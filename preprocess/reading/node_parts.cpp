@@ -23,8 +23,9 @@ glm::dvec3 placeOf(const JsonField& reference, const glm::dmat4& worldFromNode) 
     return *place;
 }
 
-glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode) {
-    const auto turn = turnOf(worldFromNode);
+glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode,
+                        const glm::dmat4& unflattened) {
+    const auto turn = turnOf(worldFromNode, unflattened);
     if (!turn) reference.fail(" is placed by a node that is scaled to nothing");
     glm::dmat4 rigid(*turn);
     rigid[3] = glm::dvec4(placeOf(reference, worldFromNode), 1.0);

@@ -19,8 +19,9 @@ double numberIn(const JsonField& number, double least, double most);
 glm::dvec3 placeOf(const JsonField& reference, const glm::dmat4& worldFromNode);
 
 /// How it is turned and moved, without scale and mirroring. Throws InputError if it has no turn,
-/// too.
-glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode);
+/// too. `unflattened`: the same as if no node scaled by 0.
+glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode,
+                        const glm::dmat4& unflattened);
 
 /// Calls read(JsonField node, const PlacedNode*) for all nodes: those of the scene in the walk's
 /// order, then the others, with null. What it refuses gets a warning that `thing` is left out.

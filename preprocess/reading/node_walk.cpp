@@ -29,6 +29,15 @@ std::set<int> animatedNodes(const GltfDocument& document) {
     return nodes;
 }
 
+/// Those that change their sizes, and their handedness with them.
+std::set<int> scaledNodes(const GltfDocument& document) {
+    std::set<int> nodes;
+    for (const auto& animation : document.model->animations)
+        for (const auto& channel : animation.channels)
+            if (channel.target_path == "scale") nodes.insert(channel.target_node);
+    return nodes;
+}
+
 std::vector<int> rootNodes(const GltfDocument& document) {
     const tinygltf::Model& model = *document.model;
     if (!model.scenes.empty()) {
@@ -79,36 +88,63 @@ bool isVisible(const GltfDocument& document, int node) {
     return visible;
 }
 
+/// Where a node's children are.
+struct Hanging {
+    NodePlace place;
+    glm::dmat4 worldFromParent{1.0};
+    glm::dmat4 worldFromParentUnflattened{1.0};
+    Handedness hand;
+    bool visible = true;     ///< all nodes above are
+    std::uint64_t depth = 0; ///< of the parent; 1: a root
+};
+
 struct Visit {
     int node;
-    int animatedNode;
-    bool visible;        ///< all nodes above it are
-    std::uint64_t depth; ///< 1: a root
-    glm::dmat4 animatedFromParent;
-    glm::dmat4 worldFromParent;
+    Hanging from; ///< the parent
 };
+
+/// What scales by 0 where a matrix has columns of zeros: it makes the unflattened one flat again.
+glm::dmat4 flatteningOf(const glm::dmat4& local) {
+    glm::dmat4 flattening(1.0);
+    for (glm::length_t c = 0; c < 3; ++c)
+        if (glm::dvec3(local[c]) == glm::dvec3(0.0)) flattening[c][c] = 0.0;
+    return flattening;
+}
+
+/// The same with what a node does to it.
+Handedness handOf(Handedness above, int node, const glm::dmat4& local, bool scaled) {
+    const double sign = glm::determinant(glm::dmat3(local));
+    const auto with = [sign](bool mirrored) { return sign != 0.0 && mirrored != (sign < 0.0); };
+    above.atRest = with(above.atRest);
+    if (scaled)
+        above = {node, false, above.atRest};
+    else
+        above.mirrored = with(above.mirrored);
+    return above;
+}
 
 } // namespace
 
-NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
+NodeWalk walkNodes(const GltfDocument& document) {
     const auto& nodes = document.model->nodes;
-    const std::set<int> animated = animatedNodes(document);
+    const std::set<int> animated = animatedNodes(document), scaled = scaledNodes(document);
     NodeWalk walk;
     walk.worldFromNode.assign(nodes.size(), glm::dmat4(1.0));
+    walk.unflattened = walk.worldFromNode;
     std::vector<bool> reached(nodes.size(), false);
     std::vector<Visit> open;
-    const auto openAll = [&open](const std::vector<int>& children, int animatedNode, bool visible,
-                                 std::uint64_t depth, const glm::dmat4& animatedFrom,
-                                 const glm::dmat4& worldFrom) {
+    const auto openAll = [&open](const std::vector<int>& children, const Hanging& from) {
         for (auto child = children.rbegin(); child != children.rend(); ++child)
-            open.push_back({*child, animatedNode, visible, depth, animatedFrom, worldFrom});
+            open.push_back({*child, from});
     };
     const std::uint64_t deepest = document.memory.limits().nodeDepth;
     const glm::dmat4 worldFromAsset = glm::translate(glm::dmat4(1.0), centerOf(document));
-    openAll(rootNodes(document), -1, true, 1, worldFromAsset, worldFromAsset);
+    openAll(rootNodes(document),
+            {{-1, worldFromAsset, worldFromAsset}, worldFromAsset, worldFromAsset, {}, true, 0});
     while (!open.empty()) {
         const Visit visit = open.back();
         open.pop_back();
+        const Hanging& from = visit.from;
         const std::string field = "nodes[" + std::to_string(visit.node) + "]";
         if (visit.node < 0 || static_cast<std::size_t>(visit.node) >= nodes.size())
             throw InputError(document.where(field) + " is referred to, but there are " +
@@ -116,35 +152,36 @@ NodeWalk walkNodes(const GltfDocument& document, Warnings& warnings) {
         if (reached[visit.node])
             throw InputError(document.where(field) +
                              " is reached twice; the nodes must be a tree.");
-        if (visit.depth > deepest)
-            throw InputError(document.where(field) + " lies on level " +
-                             std::to_string(visit.depth) + " of the nodes, but the limit is " +
-                             std::to_string(deepest) + ".");
+        const std::uint64_t depth = from.depth + 1;
+        if (depth > deepest)
+            throw InputError(document.where(field) + " lies on level " + std::to_string(depth) +
+                             " of the nodes, but the limit is " + std::to_string(deepest) + ".");
         reached[visit.node] = true;
 
         const tinygltf::Node& node = nodes[visit.node];
-        const glm::dmat4 local = restMatrix(node);
-        const glm::dmat4 worldFromNode = visit.worldFromParent * local;
+        const glm::dmat4 local = restMatrix(node), unflattened = unflattenedRestMatrix(node);
+        const glm::dmat4 worldFromNode = from.worldFromParent * local;
         if (!isFinite(worldFromNode))
             throw InputError(document.where(field) + " has a transform that is not finite.");
         walk.worldFromNode[visit.node] = worldFromNode;
 
-        int animatedNode = visit.animatedNode;
-        glm::dmat4 animatedFromNode = visit.animatedFromParent * local;
+        walk.unflattened[visit.node] = from.worldFromParentUnflattened * unflattened;
+
+        NodePlace place{from.place.animatedNode, from.place.animatedFromNode * local,
+                        from.place.unflattened * unflattened};
         if (animated.contains(visit.node)) {
-            if (glm::determinant(glm::dmat3(worldFromNode)) != 0.0) {
-                walk.animatedNodes.push_back(
-                    {visit.node, visit.animatedNode, visit.animatedFromParent, local});
-                animatedNode = visit.node;
-                animatedFromNode = glm::dmat4(1.0);
-            } else {
-                warnings.add("An animated node that is scaled to nothing at rest stays static.");
-            }
+            // What no animation scales is flat for good: flat triangles are moved, not flattened.
+            const bool flat = local != unflattened && !scaled.contains(visit.node);
+            walk.animatedNodes.push_back({visit.node, from.place.animatedNode,
+                                          from.place.animatedFromNode, flat ? unflattened : local,
+                                          from.place.unflattened, unflattened});
+            place = {visit.node, flat ? flatteningOf(local) : glm::dmat4(1.0), glm::dmat4(1.0)};
         }
-        const bool visible = visit.visible && isVisible(document, visit.node);
-        walk.nodes.push_back({visit.node, {animatedNode, animatedFromNode}, visible});
-        openAll(node.children, animatedNode, visible, visit.depth + 1, animatedFromNode,
-                worldFromNode);
+        const bool visible = from.visible && isVisible(document, visit.node);
+        const Handedness hand = handOf(from.hand, visit.node, local, scaled.contains(visit.node));
+        walk.nodes.push_back({visit.node, place, visible, hand});
+        openAll(node.children,
+                {place, worldFromNode, walk.unflattened[visit.node], hand, visible, depth});
     }
     requireAllReached(document, reached);
     return walk;

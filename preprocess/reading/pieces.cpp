@@ -27,7 +27,7 @@ class Skins {
     Skins(const GltfDocument& document, const NodeWalk& walk, MemoryBudget& memory)
         : document_(document), walk_(walk), memory_(memory) {
         for (const glm::dmat4& worldFromNode : walk.worldFromNode)
-            placeOf_.push_back({-1, worldFromNode});
+            placeOf_.push_back({-1, worldFromNode, glm::dmat4(1.0)});
         for (const PlacedNode& node : walk.nodes)
             if (node.place.animatedNode >= 0) placeOf_[node.node] = node.place;
     }
@@ -195,6 +195,7 @@ class PieceGatherer {
             throw InputError(document_.where("nodes[") + std::to_string(visit.node) + "].mesh is " +
                              std::to_string(node.mesh) + ", but there are " +
                              std::to_string(document_.model->meshes.size()) + " meshes.");
+        warnOfNoAttributes(document_, visit.node, scene_.warnings);
         MeshUse& use = uses_.emplace_back();
         use.visit = &visit;
         use.morphs = morphing_.contains(visit.node);
@@ -241,7 +242,7 @@ class PieceGatherer {
             const glm::dmat4 animatedFromMesh = place.animatedFromNode * nodeFromInstance;
             if (isWellPlaced(animatedFromMesh)) {
                 gathered_.shared[at->second].places.push_back(
-                    {place.animatedNode, animatedFromMesh});
+                    {place.animatedNode, animatedFromMesh, glm::dmat4(1.0)});
                 gathered_.shared[at->second].nodes.push_back(use.visit->node);
                 continue;
             }
@@ -265,15 +266,23 @@ class PieceGatherer {
             const Primitive& primitive = *piece.primitive;
             const bool moves = use.morphs && !primitive.targets.empty();
             if (moves) piece.restWeights = use.weights;
-            if (moves || (isSkinned(primitive) && use.skin->moves))
-                counter_.countSource(primitive, visit.node);
-            // A skin's joints place it in the world; its own node's transforms do not count.
+            const bool deforms =
+                moves || (isSkinned(primitive) && (use.skin->moves || visit.hand.scaledNode >= 0));
+            if (deforms) counter_.countSource(primitive, visit.node);
+            // A skin's joints place it in the world; of its own node's transforms counts alone
+            // whether they mirror.
             if (isSkinned(primitive)) {
                 requireJoints(document_, primitive, use.skin->joints.size());
                 piece.skin = use.skin;
+                piece.place = visit.place;
+                piece.turnedOver = !deforms && visit.hand.atRest;
                 Mover mover;
-                mover.deforms = use.skin->moves || moves;
-                if (mover.deforms) mover.skin = document_.model->nodes[visit.node].skin;
+                mover.deforms = deforms;
+                if (deforms) {
+                    mover.skin = document_.model->nodes[visit.node].skin;
+                    mover.scaledNode = visit.hand.scaledNode;
+                    mover.mirrored = visit.hand.mirrored;
+                }
                 gathered_.byMover[mover].push_back(std::move(piece));
                 continue;
             }

@@ -27,6 +27,8 @@ struct Piece {
     std::shared_ptr<const Skin> skin; ///< null: not skinned
     int node = -1;
     std::vector<double> restWeights = {}; ///< of the primitive's morph targets
+    NodePlace place = {};                 ///< of a skinned piece's node
+    bool turnedOver = false; ///< a skinned piece's triangles are, and nothing else will see to it
 };
 
 /// What moves the pieces of a batch together.
@@ -35,6 +37,8 @@ struct Mover {
     int animatedNode = -1; ///< -1: none
     int skin = -1;         ///< that deforms them
     int morphing = -1;     ///< node whose morph weights do
+    int scaledNode = -1;   ///< of what joints deform, see Handedness
+    bool mirrored = false; ///< likewise
 
     auto operator<=>(const Mover&) const = default;
 };

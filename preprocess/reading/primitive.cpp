@@ -138,8 +138,11 @@ class TargetReader {
     MemoryBudget& memory_;
 };
 
-/// One vertex's influences of all sets: joints ascending, each once, none without weight.
+/// One vertex's influences of all sets: joints ascending, each once, none without weight. Where
+/// there is no weight at all, the first joint has it, as everywhere else: nothing skinned stays
+/// where the mesh has it.
 std::vector<Influence> sortedInfluences(std::vector<Influence> given) {
+    const std::uint32_t first = given.front().joint;
     std::stable_sort(given.begin(), given.end(),
                      [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
     std::vector<Influence> sorted;
@@ -150,6 +153,7 @@ std::vector<Influence> sortedInfluences(std::vector<Influence> given) {
         else
             sorted.push_back(influence);
     }
+    if (totalWeight(sorted) == 0.0) return {{first, 1.0f}};
     return sorted;
 }
 

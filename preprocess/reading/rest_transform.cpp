@@ -2,6 +2,8 @@
 
 #include "preprocess/gltf/tinygltf_model.hpp"
 
+#include <cmath>
+
 namespace edgeshade {
 
 NodeTransform restTransform(const tinygltf::Node& node) {
@@ -25,6 +27,26 @@ glm::dmat4 restMatrix(const tinygltf::Node& node) {
     for (glm::length_t i = 0; i < 16; ++i)
         matrix[i / 4][i % 4] = node.matrix[i];
     return matrix;
+}
+
+glm::dmat4 unflattenedRestMatrix(const tinygltf::Node& node) {
+    return hasMatrix(node) ? unflattened(restMatrix(node)) : restTransform(node).unflattened();
+}
+
+std::optional<NodeTransform> partsOf(const glm::dmat4& matrix) {
+    constexpr double tolerance = 1e-5; // of files that have floats
+    NodeTransform parts;
+    parts.translation = glm::dvec3(matrix[3]);
+    glm::dmat3 turn(matrix);
+    if (!(glm::determinant(turn) > 0.0)) return std::nullopt;
+    for (glm::length_t c = 0; c < 3; ++c) {
+        parts.scale[c] = glm::length(turn[c]);
+        turn[c] /= parts.scale[c];
+    }
+    for (glm::length_t c = 0; c < 3; ++c)
+        if (!(std::abs(glm::dot(turn[c], turn[(c + 1) % 3])) < tolerance)) return std::nullopt;
+    parts.rotation = glm::normalize(glm::quat_cast(turn));
+    return parts;
 }
 
 } // namespace edgeshade

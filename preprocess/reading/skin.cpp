@@ -56,13 +56,10 @@ void requireJoints(const GltfDocument& document, const Primitive& primitive, std
 glm::dmat4 skinMatrixOf(const Primitive& primitive, std::size_t vertex,
                         const std::vector<glm::dmat4>& matrices) {
     glm::dmat4 blended(0.0);
-    double total = 0.0;
-    for (const Influence& influence : primitive.influences.of(vertex)) {
-        const double weight = influence.weight;
-        blended += weight * matrices[influence.joint];
-        total += weight;
-    }
-    return total == 0.0 ? glm::dmat4(1.0) : blended / total;
+    const auto influences = primitive.influences.of(vertex);
+    for (const Influence& influence : influences)
+        blended += static_cast<double>(influence.weight) * matrices[influence.joint];
+    return blended / totalWeight(influences);
 }
 
 } // namespace edgeshade

@@ -23,7 +23,7 @@ std::vector<glm::dmat4> skinMatrices(const GltfDocument& document, int skin,
 /// Throws InputError if a vertex names a joint that the skin has not.
 void requireJoints(const GltfDocument& document, const Primitive& primitive, std::size_t joints);
 
-/// The blended matrix of one vertex; the identity where all weights are 0.
+/// The blended matrix of one vertex.
 glm::dmat4 skinMatrixOf(const Primitive& primitive, std::size_t vertex,
                         const std::vector<glm::dmat4>& matrices);
 

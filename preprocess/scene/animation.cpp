@@ -111,42 +111,78 @@ bool fitsFloats(const glm::dmat4& matrix) {
     return true;
 }
 
+/// Whether the matrix makes something flat, but for what rounding leaves of the depth: its
+/// determinant beside the largest that columns of these lengths can have.
+bool flattens(const glm::dmat3& matrix) {
+    constexpr double rounding = 1e-14;
+    const double most = glm::length(matrix[0]) * glm::length(matrix[1]) * glm::length(matrix[2]);
+    return std::abs(glm::determinant(matrix)) <= rounding * most;
+}
+
 /// Whether drawing, which works in floats, can use the matrix and its inverse.
 bool isDrawable(const glm::dmat4& worldFromBatch) {
-    return fitsFloats(worldFromBatch) && glm::determinant(glm::dmat3(worldFromBatch)) != 0.0 &&
+    return fitsFloats(worldFromBatch) && !flattens(glm::dmat3(worldFromBatch)) &&
            fitsFloats(glm::inverse(worldFromBatch));
 }
 
-/// worldFromNode of the animated nodes; -1, the world, is at 0.
-using Places = std::map<int, glm::dmat4>;
+/// Where a node is in the world.
+struct WorldPlace {
+    glm::dmat4 exact{1.0};
+    glm::dmat4 unflattened{1.0}; ///< as if no node scaled by 0
+};
+
+/// Of the animated nodes; -1, the world, is at 0.
+using Places = std::map<int, WorldPlace>;
 
 Places placesAt(const Animation& animation, const Scene& scene, double seconds) {
     // Those above come first, so that each finds the one it hangs on.
-    Places worldFromAnimated = {{-1, glm::dmat4(1.0)}};
+    Places worldFromAnimated = {{-1, WorldPlace()}};
     for (const AnimatedNode& animatedNode : scene.animatedNodes) {
-        const auto motion = animation.motions.find(animatedNode.node);
-        const glm::dmat4 parentFromAnimated = motion == animation.motions.end()
-                                                  ? animatedNode.parentFromAnimated
-                                                  : motion->second.at(seconds).matrix();
-        worldFromAnimated[animatedNode.node] = worldFromAnimated.at(animatedNode.above) *
-                                               animatedNode.aboveFromParent * parentFromAnimated;
+        WorldPlace local{animatedNode.parentFromAnimated,
+                         animatedNode.parentFromAnimatedUnflattened};
+        if (const auto motion = animation.motions.find(animatedNode.node);
+            motion != animation.motions.end()) {
+            const NodeTransform moved = motion->second.at(seconds);
+            const bool flatForGood = local.exact == local.unflattened && !motion->second.scale;
+            local = {flatForGood ? moved.unflattened() : moved.matrix(), moved.unflattened()};
+        }
+        const WorldPlace& above = worldFromAnimated.at(animatedNode.above);
+        worldFromAnimated[animatedNode.node] = {
+            above.exact * animatedNode.aboveFromParent * local.exact,
+            above.unflattened * animatedNode.aboveFromParentUnflattened * local.unflattened};
     }
     return worldFromAnimated;
 }
 
 /// Null of what is static, which is where it is at rest to the last bit.
-std::optional<glm::dmat4> worldFromNode(const NodePlace& place, const Places& worldFromAnimated) {
+std::optional<WorldPlace> worldFromNode(const NodePlace& place, const Places& worldFromAnimated) {
     if (place.animatedNode < 0) return std::nullopt;
-    return worldFromAnimated.at(place.animatedNode) * place.animatedFromNode;
+    const WorldPlace& above = worldFromAnimated.at(place.animatedNode);
+    return WorldPlace{above.exact * place.animatedFromNode, above.unflattened * place.unflattened};
+}
+
+/// Skinned vertices are placed in the world by their joints. Where the mesh's node mirrors, their
+/// batch is one that is mirrored, which turns its triangles over and leaves them where they are.
+glm::dmat4 worldFromSkinned(const Batch& batch, const Places& places) {
+    const NodePlace& place = batch.deformation->place;
+    const glm::dmat3 worldFromMesh(places.at(place.animatedNode).exact * place.animatedFromNode);
+    if (!(glm::determinant(worldFromMesh) < 0.0)) return batch.nodeFromBatch;
+    return glm::scale(batch.nodeFromBatch, glm::dvec3(-1.0, 1.0, 1.0));
+}
+
+glm::dmat4 worldFromBatchAt(const Batch& batch, const Places& places) {
+    if (batch.node >= 0) return places.at(batch.node).exact * batch.nodeFromBatch;
+    const bool skinned = batch.deforms() && batch.deformation->isSkinned();
+    return skinned ? worldFromSkinned(batch, places) : batch.worldFromBatch;
 }
 
 BatchShape shapeAt(const Batch& batch, const Animation& animation, const Places& places,
-                   double seconds) {
+                   const glm::dmat4& worldFromBatch, double seconds) {
     BatchShape shape;
     if (!batch.deforms()) return shape;
-    const glm::dmat4 batchFromWorld = glm::inverse(batch.nodeFromBatch);
+    const glm::dmat4 batchFromWorld = glm::inverse(worldFromBatch);
     for (const Joint& joint : batch.deformation->joints)
-        shape.batchFromMesh.push_back(batchFromWorld * places.at(joint.place.animatedNode) *
+        shape.batchFromMesh.push_back(batchFromWorld * places.at(joint.place.animatedNode).exact *
                                       joint.place.animatedFromNode * joint.jointFromMesh);
     for (const DeformedPart& part : batch.deformation->parts) {
         const auto weights = animation.weights.find(part.node);
@@ -158,21 +194,21 @@ BatchShape shapeAt(const Batch& batch, const Animation& animation, const Places&
     return shape;
 }
 
-void move(SceneCamera& camera, const glm::dmat4& worldFromNode) {
-    const auto origin = originOf(worldFromNode);
-    const auto turn = turnOf(worldFromNode);
+void move(SceneCamera& camera, const WorldPlace& place) {
+    const auto origin = originOf(place.exact);
+    const auto turn = turnOf(place.exact, place.unflattened);
     if (!origin || !turn) return;
     camera.worldFromCamera = glm::dmat4(*turn);
     camera.worldFromCamera[3] = glm::dvec4(*origin, 1.0);
 }
 
-void move(SceneLight& light, const glm::dmat4& worldFromNode) {
-    const auto origin = originOf(worldFromNode);
-    const auto turn = turnOf(worldFromNode);
+void move(SceneLight& light, const WorldPlace& place) {
+    const auto origin = originOf(place.exact);
+    const auto forward = forwardOf(place.exact, place.unflattened);
     const bool needsTurn = light.kind != SceneLight::Kind::point;
-    if (!origin || (needsTurn && !turn)) return;
+    if (!origin || (needsTurn && !forward)) return;
     light.position = *origin;
-    if (needsTurn) light.direction = -(*turn)[2];
+    if (needsTurn) light.direction = *forward;
 }
 
 } // namespace
@@ -189,12 +225,9 @@ Pose poseAt(const Animation& animation, const Scene& scene, double seconds) {
     const Places places = placesAt(animation, scene, seconds);
     Pose pose{{}, {}, scene.cameras, scene.lights};
     for (const Batch& batch : scene.batches) {
-        pose.worldFromBatch.emplace_back(batch.worldFromBatch);
-        pose.shapes.push_back(shapeAt(batch, animation, places, seconds));
-        if (batch.node < 0) continue;
-        auto& worldFromBatch = pose.worldFromBatch.back();
-        worldFromBatch = places.at(batch.node) * batch.nodeFromBatch;
-        if (!isDrawable(*worldFromBatch)) worldFromBatch.reset();
+        auto& worldFromBatch = pose.worldFromBatch.emplace_back(worldFromBatchAt(batch, places));
+        pose.shapes.push_back(shapeAt(batch, animation, places, *worldFromBatch, seconds));
+        if (batch.node >= 0 && !isDrawable(*worldFromBatch)) worldFromBatch.reset();
     }
     for (SceneCamera& camera : pose.cameras)
         if (const auto world = worldFromNode(camera.place, places)) move(camera, *world);
@@ -211,10 +244,12 @@ std::vector<Placed> place(Scene& scene, const Pose& pose) {
         Batch& batch = scene.batches[b];
         Placed& placed = all.emplace_back();
         placed.visible = pose.worldFromBatch[b].has_value();
+        batch.hidden = !placed.visible;
         if (!placed.visible) continue;
         batch.worldFromBatch = *pose.worldFromBatch[b];
         if (!batch.deforms() || batch.shape == pose.shapes[b]) continue;
         placed.visible = placed.reshaped = poseBatch(batch, pose.shapes[b]);
+        batch.hidden = !placed.visible;
     }
     return all;
 }

@@ -19,7 +19,8 @@ enum class Interpolation { step, linear, cubicSpline };
 /// One property of a node over time (glTF 2.0, 3.11). What samplers share, they share here.
 struct Keyframes {
     Interpolation interpolation = Interpolation::linear;
-    /// Seconds, >= 0, increasing; at least one.
+    /// Seconds, never decreasing, two alike where there is a step; at least one. What files have
+    /// before 0 is not played.
     std::shared_ptr<const std::vector<float>> times;
     /// 3 floats a value, or 4 (x, y, z, w; not zero) of a rotation, or one a morph target. A value
     /// a time; for splines three: in-tangent, value, out-tangent.

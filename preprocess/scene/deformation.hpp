@@ -17,10 +17,18 @@ namespace edgeshade {
 /// How much a vertex goes with a joint.
 struct Influence {
     std::uint32_t joint = 0; ///< of the skin's
-    float weight = 0.0f;     ///< not 0; a vertex's need not add up to 1
+    float weight = 0.0f;     ///< a vertex's need not add up to 1, but don't add up to 0
 
     bool operator==(const Influence&) const = default;
 };
+
+/// What the weights of a vertex add up to.
+inline double totalWeight(std::span<const Influence> influences) {
+    double total = 0.0;
+    for (const Influence& influence : influences)
+        total += influence.weight;
+    return total;
+}
 
 /// Influences of a mesh's vertices, vertex by vertex, joints ascending; no vertices: not skinned.
 struct Influences {
@@ -71,7 +79,12 @@ struct DeformedPart {
 struct Deformation {
     std::vector<SourceMesh> meshes;
     std::vector<Joint> joints; ///< of the skin that all parts have, or none has
+    /// Of the node of a skinned mesh: where it mirrors, the back of triangles is their front (glTF
+    /// 2.0, 3.7.4), whatever joints do. Nodes of all parts do so at the same times.
+    NodePlace place;
     std::vector<DeformedPart> parts;
+
+    bool isSkinned() const { return !joints.empty(); }
 
     /// Calls use(batch vertex, part, vertex of the part's mesh) for all.
     template <class Use>

@@ -23,6 +23,18 @@ std::optional<glm::dvec3> unit(const glm::dvec3& v) {
     return glm::normalize(v / largest);
 }
 
+/// Of what was 1; rounding leaves less of what was 0.
+constexpr double nothing = 1e-9;
+
+/// The transform with the columns of which nothing is left as in `unflattened`.
+glm::dmat4 mended(const glm::dmat4& transform, const glm::dmat4& unflattened) {
+    glm::dmat4 mended = transform;
+    for (glm::length_t c = 0; c < 3; ++c)
+        if (largestOf(glm::dvec3(transform[c])) <= nothing * largestOf(glm::dvec3(unflattened[c])))
+            mended[c] = unflattened[c];
+    return mended;
+}
+
 } // namespace
 
 glm::dmat4 NodeTransform::matrix() const {
@@ -31,6 +43,24 @@ glm::dmat4 NodeTransform::matrix() const {
         parentFromNode[c] *= scale[c];
     parentFromNode[3] = glm::dvec4(translation, 1.0);
     return parentFromNode;
+}
+
+glm::dmat4 NodeTransform::unflattened() const {
+    NodeTransform transform = *this;
+    for (glm::length_t c = 0; c < 3; ++c)
+        if (scale[c] == 0.0) transform.scale[c] = 1.0;
+    return transform.matrix();
+}
+
+glm::dmat4 unflattened(const glm::dmat4& parentFromNode) {
+    glm::dmat4 mended = parentFromNode;
+    for (glm::length_t c = 0; c < 3; ++c) {
+        if (largestOf(glm::dvec3(parentFromNode[c])) != 0.0) continue;
+        const auto next = unit(glm::dvec3(parentFromNode[(c + 1) % 3]));
+        const auto last = unit(glm::dvec3(parentFromNode[(c + 2) % 3]));
+        if (next && last) mended[c] = glm::dvec4(glm::cross(*next, *last), 0.0);
+    }
+    return mended;
 }
 
 std::optional<glm::dvec3> originOf(const glm::dmat4& transform) {
@@ -45,6 +75,20 @@ std::optional<glm::dmat3> turnOf(const glm::dmat4& transform) {
     const auto right = unit(glm::cross(*upward, *back));
     if (!right) return std::nullopt;
     return glm::dmat3(*right, glm::cross(*back, *right), *back);
+}
+
+std::optional<glm::dmat3> turnOf(const glm::dmat4& transform, const glm::dmat4& unflattened) {
+    if (transform == unflattened) return turnOf(transform);
+    const glm::dmat4 told = mended(transform, unflattened);
+    const auto back = unit(glm::dvec3(told[2])), upward = unit(glm::dvec3(told[1]));
+    const bool parallel = back && upward && largestOf(glm::cross(*upward, *back)) <= nothing;
+    return turnOf(parallel ? unflattened : told);
+}
+
+std::optional<glm::dvec3> forwardOf(const glm::dmat4& transform, const glm::dmat4& unflattened) {
+    const auto back = unit(glm::dvec3(mended(transform, unflattened)[2]));
+    if (!back) return std::nullopt;
+    return -*back;
 }
 
 } // namespace edgeshade

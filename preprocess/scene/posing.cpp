@@ -82,7 +82,7 @@ class PartPoser {
   public:
     PartPoser(const Batch& batch, const BatchShape& shape, std::size_t part)
         : part_(batch.deformation->parts[part]), mesh_(batch.deformation->meshes[part_.mesh]),
-          morph_(mesh_, shape.weights[part]), batchFromWorld_(glm::inverse(batch.nodeFromBatch)) {
+          morph_(mesh_, shape.weights[part]) {
         if (!mesh_.influences.empty())
             for (const glm::dmat4& matrix : shape.batchFromMesh)
                 joints_.emplace_back(matrix);
@@ -90,16 +90,13 @@ class PartPoser {
 
     Morphed morphed(std::size_t vertex) const { return morph_.at(vertex); }
 
-    /// What no joint moves stands where the mesh has it.
     glm::dmat4 matrixOf(std::size_t vertex) const {
         if (mesh_.influences.empty()) return part_.batchFromMesh;
         Rows sum;
-        double total = 0.0;
-        for (const Influence& influence : mesh_.influences.of(vertex)) {
+        const auto influences = mesh_.influences.of(vertex);
+        for (const Influence& influence : influences)
             sum.add(joints_[influence.joint], influence.weight);
-            total += influence.weight;
-        }
-        return total == 0.0 ? batchFromWorld_ : sum.matrix(1.0 / total);
+        return sum.matrix(1.0 / totalWeight(influences));
     }
 
     const SourceMesh& mesh() const { return mesh_; }
@@ -108,7 +105,6 @@ class PartPoser {
     const DeformedPart& part_;
     const SourceMesh& mesh_;
     Morph morph_;
-    glm::dmat4 batchFromWorld_;
     std::vector<Rows> joints_;
 };
 

@@ -25,7 +25,7 @@ int nodeOf(const Batch& batch, std::uint32_t index) {
 Box worldBounds(const Scene& scene) {
     Box box;
     for (const Batch& batch : scene.batches) {
-        if (batch.ground) continue;
+        if (batch.ground || batch.hidden) continue;
         for (const glm::vec3& position : batch.geometry->positions)
             box.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
     }

@@ -28,8 +28,10 @@ struct SurfaceGroup {
 struct AnimatedNode {
     int node = -1;  ///< in glTF
     int above = -1; ///< nearest animated node on the way to the root; -1: the world
-    glm::dmat4 aboveFromParent{1.0};    ///< the nodes between the two, which do not move
-    glm::dmat4 parentFromAnimated{1.0}; ///< at rest
+    glm::dmat4 aboveFromParent{1.0};               ///< the nodes between the two, which do not move
+    glm::dmat4 parentFromAnimated{1.0};            ///< at rest
+    glm::dmat4 aboveFromParentUnflattened{1.0};    ///< as if none of these nodes scaled by 0
+    glm::dmat4 parentFromAnimatedUnflattened{1.0}; ///< likewise
 };
 
 /// Whose triangles begin at an index.
@@ -74,6 +76,10 @@ struct Batch {
     /// from above alone.
     bool ground = false;
 
+    /// There is nothing of it now: a node scales it to nothing, or out of all range. It is neither
+    /// drawn nor casts, and where worldFromBatch has it means nothing.
+    bool hidden = false;
+
     std::shared_ptr<const Deformation> deformation; ///< null: the batch is rigid
     BatchShape shape;                               ///< in which it is now, where it deforms
 
@@ -110,7 +116,7 @@ std::vector<std::size_t> firstOfGeometry(const std::vector<Batch>& batches);
 /// The glTF node whose mesh has the triangle at that index; -1: none, the ground's.
 int nodeOf(const Batch& batch, std::uint32_t index);
 
-/// The box of all vertices in the world, but for the ground's.
+/// The box of all vertices in the world, but for the ground's and those of hidden batches.
 Box worldBounds(const Scene& scene);
 
 } // namespace edgeshade

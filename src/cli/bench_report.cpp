@@ -142,7 +142,7 @@ void Countdown::show(double share, const std::string& doing) {
         text += left < 90.0 ? ", " + fixed(std::ceil(left), 0) + " s left"
                             : ", " + fixed(std::ceil(left / 60.0), 0) + " min left";
     }
-    bar_.show(share, text);
+    bar_.show(share, text, doing.substr(0, doing.find(", multiplicity")));
 }
 
 void BenchReport::add(const bench::Task& task, const std::vector<BenchSetting>& settings,

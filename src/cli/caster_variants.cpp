@@ -19,6 +19,7 @@ std::shared_ptr<const LoadedScene> CasterVariants::with(const CasterChanges& cha
     other.cutoutsCast = own_.cutoutsCast;
     other.scene.culls = own_.scene.culls;
     if (own_.time) poseScene(other, *own_.time, own_.animation);
+    leaveOutHidden(other);
     if (own_.ground) addGround(other, *own_.ground);
     return others_.emplace_back(std::make_shared<const LoadedScene>(std::move(other)));
 }

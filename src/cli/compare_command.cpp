@@ -20,6 +20,11 @@
 namespace edgeshade::cli {
 namespace {
 
+/// All views are one stage.
+std::string stageOf(const std::string& doing) {
+    return doing.starts_with("view ") ? "comparing views" : doing;
+}
+
 struct CompareOptions : SceneOptions {
     std::string report;
     std::string heatmap;
@@ -92,8 +97,10 @@ void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
                     "No view's first light has an extent: --light-radius and --light-size are of "
                     "point lights, --sun-angle is of directional ones.");
     ProgressBar bar;
-    const auto results = lab::compareCounts(
-        loaded, task, [&](double share, const std::string& doing) { bar.show(share, doing); });
+    const auto results =
+        lab::compareCounts(loaded, task, [&](double share, const std::string& doing) {
+            bar.show(share, doing, stageOf(doing));
+        });
     std::ostringstream text;
     text << std::left << std::setw(34) << "of the points of visible pixels" << std::right
          << std::setw(10) << "wrong, %" << std::setw(14) << "pixels wrong" << std::setw(12)
@@ -174,8 +181,9 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     for (const DrawSettings& one : settings)
         requireExtents(one, {});
     ProgressBar bar;
-    const auto results = lab::compareAll(
-        loaded, task, [&](double share, const std::string& doing) { bar.show(share, doing); });
+    const auto results = lab::compareAll(loaded, task, [&](double share, const std::string& doing) {
+        bar.show(share, doing, stageOf(doing));
+    });
     if (!options.heatmap.empty())
         writeFile(options.heatmap, encodePng(results[0].heatmap, task.width, task.height));
     printResult(tableOf(results), options.report);

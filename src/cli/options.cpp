@@ -241,6 +241,7 @@ LoadedScene SceneOptions::load(Shading shading, ShadowMethod shadows, bool oppos
     if (wanted && !poseScene(loaded, time.value_or(0.0), animation) && animation.empty())
         loaded.scene.warnings.add("--time: the scene has no animation that moves anything, so it "
                                   "is at rest.");
+    leaveOutHidden(loaded);
     if (const GroundChoice asked = typedGround()) addGround(loaded, *asked);
     if (const SunOptions& sun = view.lights.sun; sun.isDown())
         loaded.scene.warnings.add(sun.downSentence() + ", so it lights nothing.");

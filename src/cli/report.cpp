@@ -4,6 +4,7 @@
 #include "preprocess/base/file_io.hpp"
 
 #include <iostream>
+#include <unistd.h>
 
 namespace edgeshade::cli {
 namespace {
@@ -38,17 +39,26 @@ void printWarnings(const std::vector<std::string>& warnings) {
         std::cerr << "warning: " << warning << "\n";
 }
 
+ProgressBar::ProgressBar() : drawn_(isatty(STDERR_FILENO) == 1) {}
+
 ProgressBar::~ProgressBar() {
     if (open_) std::cerr << std::endl;
 }
 
-void ProgressBar::show(double share, const std::string& doing) {
+void ProgressBar::show(double share, const std::string& doing, const std::string& stage) {
+    if (!drawn_) return log(share, stage.empty() ? doing.substr(0, doing.find(", ")) : stage);
     constexpr int width = 24;
     const int full = static_cast<int>(share * width + 0.5);
     std::cerr << "\r\033[K[" << std::string(full, '#') << std::string(width - full, '.') << "] "
               << doing.substr(0, 90) << std::flush;
     open_ = share < 1.0;
     if (!open_) std::cerr << "\n";
+}
+
+void ProgressBar::log(double share, const std::string& stage) {
+    if (share >= 1.0 || stage == logged_) return;
+    logged_ = stage;
+    printProgress("progress: " + stage);
 }
 
 void printProgress(const std::string& text) {

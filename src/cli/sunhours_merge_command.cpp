@@ -19,7 +19,7 @@ void merge(const MergeOptions& options) {
     ProgressBar bar;
     for (const std::string& path : options.parts) {
         bar.show(static_cast<double>(parts.size()) / static_cast<double>(options.parts.size()),
-                 "reading " + path);
+                 "reading " + path, "reading " + std::to_string(options.parts.size()) + " parts");
         parts.push_back({path, hours::partFrom(path)});
     }
     const hours::Part whole = hours::merged(parts);

@@ -133,6 +133,7 @@ GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> rec
         made.worldFromBatch = batch.worldFromBatch;
         made.animated = batch.isAnimated();
         made.ground = batch.ground;
+        made.hidden = batch.hidden;
         keepGeometry(made, batch);
         made.owns = first[i] == i;
         made.surfaces = made.owns ? std::make_shared<std::vector<SurfaceChunk>>(

@@ -57,13 +57,17 @@ std::optional<std::vector<Placed>> placeAt(LoadedScene& loaded, double seconds,
     return placeScene(loaded, poseAt(*read, loaded.scene, seconds));
 }
 
+void leaveOutHidden(LoadedScene& loaded) {
+    for (std::size_t b = 0; b < loaded.scene.batches.size(); ++b)
+        if (loaded.scene.batches[b].hidden) removeTriangles(loaded, b);
+}
+
 bool poseScene(LoadedScene& loaded, double seconds, const std::string& animation) {
     const auto placed = placeAt(loaded, seconds, animation);
     if (!placed) return false;
     loaded.time = seconds;
     loaded.animation = animation;
-    for (std::size_t b = 0; b < placed->size(); ++b)
-        if (!(*placed)[b].visible) removeTriangles(loaded, b);
+    leaveOutHidden(loaded);
     return true;
 }
 

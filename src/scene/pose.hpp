@@ -21,4 +21,7 @@ std::optional<std::vector<Placed>> placeAt(LoadedScene& loaded, double seconds,
 /// Returns whether there is such an animation.
 bool poseScene(LoadedScene& loaded, double seconds, const std::string& animation = {});
 
+/// Leaves what is hidden without triangles, for a picture of the scene at rest; poseScene() does.
+void leaveOutHidden(LoadedScene& loaded);
+
 } // namespace edgeshade

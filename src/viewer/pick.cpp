@@ -29,7 +29,7 @@ double distanceTo(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, cons
 std::optional<glm::dvec3> firstHit(const Scene& scene, const Ray& ray) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Batch& batch : scene.batches) {
-        if (batch.ground) continue;
+        if (batch.ground || batch.hidden) continue;
         const glm::dmat4 batchFromWorld = glm::inverse(batch.worldFromBatch);
         // The direction keeps its length through the transform, so parameters stay distances.
         const Ray local{glm::dvec3(batchFromWorld * glm::dvec4(ray.from, 1.0)),

@@ -230,7 +230,9 @@ void Viewer::Parts::chooseAnimation(Warnings& warnings) {
 void Viewer::Parts::applyPose() {
     if (!loaded) return;
     Stopwatch watch;
-    std::vector<Placed> placed(loaded->scene.batches.size());
+    std::vector<Placed> placed;
+    for (const Batch& batch : loaded->scene.batches)
+        placed.push_back({!batch.hidden, false});
     if (animation) {
         const Pose pose = poseAt(*animation, loaded->scene, state.time);
         const std::vector<Placed> moved = placeScene(*loaded, pose);

@@ -1,5 +1,5 @@
-// What is wrong with an animation before its keyframes are looked at: it is left out. The rest is
-// in tests/gltf/bad_animation_test.cpp.
+// What is wrong with an animation before its keyframes are looked at: the channel is left out. The
+// rest is in tests/gltf/bad_animation_test.cpp.
 #include "tests/cli/bad_input.hpp"
 
 namespace edgeshade::test {
@@ -9,7 +9,7 @@ namespace {
 BadInput withAnimation(const std::string& name, const std::function<void(Json&)>& change,
                        const std::vector<std::string>& words) {
     std::vector<std::string> all = words;
-    all.push_back("the animation is left out");
+    all.push_back(" is left out");
     return warned(badScene(
         name, [=](GltfBuilder& gltf) { change(gltf.json["animations"][0]); }, all));
 }
@@ -26,6 +26,24 @@ BadInput withTarget(const std::string& name, const std::string& key, const Json&
                     const std::vector<std::string>& words) {
     return withAnimation(
         name, [=](Json& animation) { animation["channels"][0]["target"][key] = value; }, words);
+}
+
+/// A picture at rest reads no keyframes.
+BadInput inInfo(BadInput row) {
+    row.verbs = {"info", "pack"};
+    return row;
+}
+
+/// The sound scene with its two keyframes at these times.
+BadInput withKeyframes(const std::string& name, const std::vector<float>& times,
+                       std::vector<std::string> words) {
+    words.push_back("animations[0].samplers[0].input");
+    return inInfo(warned(badScene(
+        name,
+        [=](GltfBuilder& gltf) {
+            gltf.json["animations"][0]["samplers"][0]["input"] = gltf.addArray(times, 1);
+        },
+        words)));
 }
 
 } // namespace
@@ -72,6 +90,21 @@ std::vector<BadInput> badAnimations() {
         withAnimation("ChannelTargetIsANumber",
                       [](Json& animation) { animation["channels"][0]["target"] = 0; },
                       {channel + ".target"}),
+        withAnimation("ChannelIsANumber", [](Json& animation) { animation["channels"] = {7}; },
+                      {channel, "an object", "the channel is left out"}),
+        withAnimation("SamplersAreAnObject",
+                      [](Json& animation) { animation["samplers"] = Json::object(); },
+                      {"animations[0].samplers", "an array", "the animation is left out"}),
+        withKeyframes("TimesBelow0", {-1.0f, 1.0f}, {"-1 seconds", "played from 0 on"}),
+        withKeyframes("TimesAlike", {1.0f, 1.0f}, {"1 at element 1 after 1", "a step"}),
+        withKeyframes("TimesThatGoBack", {1.0f, 0.5f},
+                      {"0.5 at element 1 after 1", "the channel is left out"}),
+        inInfo(warned(badScene("AMatrixIsMoved",
+                               [](GltfBuilder& gltf) {
+                                   gltf.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0,
+                                                                      0, 0, 1, 0, 0, 0, 0, 1};
+                               },
+                               {"nodes[0].matrix", "animations[0]"}))),
     };
 }
 

@@ -86,6 +86,26 @@ std::vector<BadInput> badNodes() {
                      gltf.addNode({{"children", Json::array({0})}, {"scale", {1e200, 1, 1}}});
                  },
                  {"nodes[0]", "finite"}),
+        warned(badScene(
+            "InstancesOfNoAttributes",
+            [](GltfBuilder& gltf) {
+                gltf.useExtension("EXT_mesh_gpu_instancing");
+                gltf.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] =
+                    Json::object();
+            },
+            {"nodes[0].extensions.EXT_mesh_gpu_instancing.attributes is empty", "drawn once"})),
+        warned(badScene("InstancesWithoutAttributes",
+                        [](GltfBuilder& gltf) {
+                            gltf.useExtension("EXT_mesh_gpu_instancing");
+                            gltf.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] =
+                                Json::object();
+                        },
+                        {"nodes[0].extensions.EXT_mesh_gpu_instancing", "drawn once"})),
+        badScene("InstancesAreANumber",
+                 [](GltfBuilder& gltf) {
+                     gltf.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = 7;
+                 },
+                 {"nodes[0].extensions.EXT_mesh_gpu_instancing", "an object"}),
         badScene("MaterialOutOfRange",
                  [](GltfBuilder& gltf) { primitiveOf(gltf)["material"] = 99; }, {"material", "99"}),
         badScene("UnknownAlphaMode",

@@ -58,6 +58,40 @@ TEST_F(FileCameras, DrawWhatTheirMatricesDraw) {
     EXPECT_NE(plan, wide);
 }
 
+TEST_F(FileCameras, TheDefaultOneIsBeforeWhatPointsAtIt) {
+    const glm::vec3 towards = glm::normalize(glm::vec3(0.55f, 0.45f, 1.0f)); // the eye
+    const glm::vec3 aside(0.01f, 0.0f, 0.0f), up(0.0f, 0.01f, 0.0f);
+    const std::vector<std::vector<glm::vec3>> scenes = {
+        {towards, -towards + aside, -towards + up},
+        {towards, -towards + 30.0f * aside, -towards},
+        {towards, towards - 0.1f * aside, -3.0f * towards + 60.0f * aside}};
+    for (const std::vector<glm::vec3>& corners : scenes) {
+        Shape shape;
+        shape.positions = corners;
+        shape.indices = {0, 1, 2, 0, 2, 1};
+        GltfBuilder gltf;
+        gltf.addShapeNode(shape);
+        const ProcessResult result =
+            render({"--report", folder_ / "report.json"}, folder_.write("needle.glb", gltf.glb()));
+        ASSERT_EQ(result.status, 0) << result.err;
+        const Bytes bytes = readFile(folder_ / "report.json");
+        const Json camera = Json::parse(bytes.begin(), bytes.end())["camera"];
+        const auto point = [&](const char* key) {
+            return glm::dvec3(camera[key][0], camera[key][1], camera[key][2]);
+        };
+        const glm::dvec3 ahead = glm::normalize(point("to") - point("from"));
+        const Json bounds = boundsOf(corners);
+        double diagonal = 0.0;
+        for (std::size_t c = 0; c < 3; ++c)
+            diagonal +=
+                std::pow(bounds["max"][c].get<double>() - bounds["min"][c].get<double>(), 2);
+        diagonal = std::sqrt(diagonal);
+        for (const glm::vec3& corner : corners)
+            EXPECT_GE(glm::dot(glm::dvec3(corner) - point("from"), ahead), diagonal / 50.0);
+        EXPECT_GE(camera["near"].get<double>(), diagonal / 100.0);
+    }
+}
+
 TEST_F(FileCameras, AreInReports) {
     ASSERT_EQ(render({"--camera", "plan", "--report", folder_ / "report.json"}).status, 0);
     const Bytes bytes = readFile(folder_ / "report.json");

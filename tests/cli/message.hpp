@@ -8,14 +8,14 @@
 
 namespace edgeshade::test {
 
-/// The lines of its standard error that are warnings, or those that are not, without the bar that
-/// shows progress and the last line's end.
+/// The lines of its standard error that are warnings, or those that are not, without those that
+/// show progress and the last line's end.
 inline std::string linesOf(const ProcessResult& result, bool warnings) {
     std::string lines;
     for (std::size_t start = 0; start < result.err.size();) {
         const std::size_t end = std::min(result.err.find('\n', start), result.err.size());
         const std::string line = result.err.substr(start, end - start);
-        if (line.starts_with("warning: ") == warnings && !line.starts_with('\r'))
+        if (line.starts_with("warning: ") == warnings && !line.starts_with("progress: "))
             lines += (lines.empty() ? "" : "\n") + line;
         start = end + 1;
     }

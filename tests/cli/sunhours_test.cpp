@@ -374,6 +374,15 @@ TEST_F(SunHours, InterruptedLeavesNoPartialFile) {
     }
 }
 
+TEST_F(SunHours, ALogHasALineAStage) {
+    const ProcessResult result =
+        run(lawn(), Words{"--size", "64x64", "--step", "10", "--at", "1,1,1", "--utc-offset", "1"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err.find_first_of("\r\033"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("progress: counting"), std::string::npos) << result.err;
+    EXPECT_LE(std::count(result.err.begin(), result.err.end(), '\n'), 3) << result.err;
+}
+
 TEST_F(SunHours, HelpNamesTheOptions) {
     const ProcessResult help = runEdgeshade({"sunhours", "--help"});
     for (const char* word :

@@ -4,6 +4,7 @@
 #include "tests/support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 namespace edgeshade::test {
 namespace {
@@ -52,6 +53,46 @@ std::string lampOnAnArm(const TempFolder& folder) {
                                   {{"input", times}, {"output", turns}},
                                   {{"input", times}, {"output", scales}}}}}};
     return folder.write("arm.glb", gltf.glb());
+}
+
+/// A floor and, if `all`, a box with a child and a skinned tetrahedron above it. An animation
+/// scales the box from `scale`, which it has at rest, and the joint from nothing, to 1 within a
+/// second.
+std::string growing(const TempFolder& folder, const Json& scale, bool all) {
+    GltfBuilder gltf;
+    gltf.addShapeNode(box(glm::vec3(3.0f, 0.2f, 3.0f)));
+    if (!all) return folder.write("floor.glb", gltf.glb());
+    const int child = gltf.addNode(
+        {{"mesh", gltf.addShape(box(glm::vec3(0.3f)))}, {"translation", {1, 1, 0}}}, false);
+    const int joint = gltf.addNode(Json::object(), false);
+    gltf.json["skins"] = {{{"joints", Json::array({joint})}}};
+    Json skinned = gltf.primitiveOf(tetrahedron());
+    skinned["attributes"]["JOINTS_0"] = gltf.addArray(std::vector<std::uint8_t>(16, 0), 4);
+    skinned["attributes"]["WEIGHTS_0"] = gltf.addArray(std::vector<float>(16, 0.25f), 4);
+    const int mesh = gltf.addNode({{"mesh", gltf.addMesh(skinned)}, {"skin", 0}}, false);
+    const int top = gltf.addNode({{"mesh", gltf.addShape(box(glm::vec3(0.5f)))},
+                                  {"translation", {0, 1, 0}},
+                                  {"children", {child}},
+                                  {"scale", scale}});
+    const int bones = gltf.addNode(
+        {{"children", {joint, mesh}}, {"translation", {-1, 0.5, 1}}, {"scale", {0, 0, 0}}});
+    const int times = gltf.addArray<float>({0, 1}, 1, {{"min", {0.0}}, {"max", {1.0}}});
+    const std::vector<float> scales = {scale[0], scale[1], scale[2], 1, 1, 1};
+    const int ofTop = gltf.addArray(scales, 3),
+              ofBones = gltf.addArray<float>({0, 0, 0, 1, 1, 1}, 3);
+    const auto channel = [](int sampler, int node) {
+        return Json({{"sampler", sampler}, {"target", {{"node", node}, {"path", "scale"}}}});
+    };
+    gltf.json["animations"] = {
+        {{"channels", {channel(0, top), channel(1, bones)}},
+         {"samplers",
+          {{{"input", times}, {"output", ofTop}}, {{"input", times}, {"output", ofBones}}}}}};
+    return folder.write("growing.glb", gltf.glb());
+}
+
+std::vector<std::string> atTime(const std::string& seconds, std::vector<std::string> words) {
+    words.insert(words.end(), {"--time", seconds});
+    return words;
 }
 
 class Time : public testing::Test {
@@ -115,6 +156,33 @@ TEST_F(Time, MasksAreThoseOfRays) {
             EXPECT_EQ(found["wrong_image_beyond_1px_not_tied"], 0) << time << " s, " << shadows;
             EXPECT_LT(found["wrong_mask_pixels"].get<int>(), 20) << time << " s, " << shadows;
         }
+}
+
+TEST_F(Time, WhatIsScaledToNothingNeitherShowsNorCasts) {
+    const std::vector<std::vector<std::string>> methods = {{"--shadows", "volumes"},
+                                                           {"--shadows", "primitive-map"},
+                                                           {"--shadows", "irregular-z-buffer"},
+                                                           {"--shadows", "map"},
+                                                           {"--layout", "published"},
+                                                           {"--layout", "brute-force"}};
+    for (const Json& scale : {Json{0, 0, 0}, Json{1, 0, 1}, Json{0, 1, 1}}) {
+        file_ = growing(folder_, scale, true);
+        const std::string without = growing(folder_, scale, false);
+        for (const std::vector<std::string>& method : methods) {
+            const Bytes atRest = picture(method), start = picture(atTime("0", method));
+            const Bytes grown = picture(atTime("1", method));
+            const std::string with = std::exchange(file_, without);
+            const Bytes expected = picture(method);
+            file_ = with;
+            EXPECT_EQ(atRest, expected) << method[1] << " " << scale;
+            EXPECT_EQ(start, expected) << method[1] << " " << scale;
+            EXPECT_NE(grown, expected) << method[1] << " " << scale;
+        }
+        const ProcessResult result =
+            run("compare", {"--time", "0.6", "--views", "4", "--sun", "1,2,1"});
+        ASSERT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(report()["wrong_image_beyond_1px_not_tied"], 0) << scale;
+    }
 }
 
 TEST_F(Time, BenchTakesItToo) {

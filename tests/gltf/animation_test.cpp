@@ -398,7 +398,7 @@ TEST(Animation, LightsAndCamerasGoWithTheirNodes) {
     expectMatrix(flat.batches[0].worldFromBatch, moved(5, 0, 0) * turned(90, {0, 1, 0}));
 }
 
-TEST(Animation, LightsWithoutATurnOrAPlaceStayWhereTheyWere) {
+TEST(Animation, LightsWithoutAPlaceStayWhereTheyWere) {
     MovingScene scene;
     const std::string lights = "KHR_lights_punctual";
     scene.gltf.useExtension(lights);
@@ -416,21 +416,88 @@ TEST(Animation, LightsWithoutATurnOrAPlaceStayWhereTheyWere) {
     const Animation animation = scene.animation().value();
     const Pose none = poseAt(animation, flat, 1.0), far = poseAt(animation, flat, 2.0);
     EXPECT_EQ(none.lights[0].position, glm::dvec3(4, 5, 6)) << "a point light needs no turn";
-    EXPECT_EQ(none.lights[1].position, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(none.lights[1].position, glm::dvec3(4, 5, 6)) << "a spot's is that of its rotation";
     EXPECT_EQ(none.lights[1].direction, glm::dvec3(0, 0, -1));
     EXPECT_EQ(far.lights[0].position, glm::dvec3(1, 2, 3));
 }
 
-TEST(Animation, ANodeScaledToNothingAtRestStaysThere) {
+TEST(Animation, WhatIsScaledToNothingAtRestAppearsWhenItGrows) {
+    for (const Json& rest : {Json{0, 0, 0}, Json{1, 0, 1}, Json{0, 1, 1}, Json{0, 0, 1}}) {
+        MovingScene scene;
+        const int child = scene.addBox({{"translation", {1, 0, 0}}}, false);
+        const int moving = scene.addBox({{"translation", {2, 0, 0}}}, false);
+        const int top = scene.addBox({{"scale", rest}, {"children", {child, moving}}});
+        scene.move<float>(top, "scale", {0, 1}, {0, 0, 0, 2, 2, 2}, "STEP");
+        scene.move<float>(moving, "translation", {0}, {0, 3, 0});
+        Scene flat = scene.scene();
+        EXPECT_TRUE(flat.warnings.sentences().empty());
+        ASSERT_EQ(flat.batches.size(), 2u) << "the child goes with the one above";
+        EXPECT_TRUE(worldBounds(flat).empty()) << rest;
+        for (const Batch& batch : flat.batches) {
+            EXPECT_TRUE(batch.hidden);
+            EXPECT_NE(glm::determinant(glm::dmat3(batch.worldFromBatch)), 0.0);
+        }
+        EXPECT_FALSE(scene.pose(top, 0.5));
+        expectMatrix(scene.pose(top, 1.0), scaled(2, 2, 2));
+        expectMatrix(scene.pose(moving, 1.0), scaled(2, 2, 2) * moved(0, 3, 0));
+        place(flat, poseAt(scene.animation().value(), flat, 1.0));
+        EXPECT_FALSE(flat.batches[0].hidden);
+        EXPECT_FALSE(worldBounds(flat).empty());
+    }
+}
+
+TEST(Animation, WhatNoAnimationScalesIsFlatForGood) {
+    // As of a sheet that is a box scaled by 0, which moves and turns.
+    for (const bool other : {false, true}) {
+        MovingScene scene;
+        const int sheet = scene.addBox({{"scale", {1, 0, 1}}});
+        scene.move<float>(sheet, "translation", {0, 1}, {0, 0, 0, 5, 0, 0}, "STEP");
+        if (other) scene.move<float>(sheet, "rotation", {0, 1}, {0, 0, 0, 1, root, 0, 0, root});
+        Scene flat = scene.scene();
+        ASSERT_EQ(flat.batches.size(), 1u);
+        EXPECT_FALSE(flat.batches[0].hidden);
+        EXPECT_EQ(worldBounds(flat).low, glm::dvec3(-1, 0, -1));
+        EXPECT_EQ(worldBounds(flat).high, glm::dvec3(1, 0, 1));
+        place(flat, poseAt(scene.animation().value(), flat, 1.0));
+        EXPECT_FALSE(flat.batches[0].hidden);
+        const glm::dvec3 size = other ? glm::dvec3(1, 1, 0) : glm::dvec3(1, 0, 1);
+        EXPECT_LT(glm::distance(worldBounds(flat).low, glm::dvec3(5, 0, 0) - size), 1e-6);
+        EXPECT_LT(glm::distance(worldBounds(flat).high, glm::dvec3(5, 0, 0) + size), 1e-6);
+    }
+}
+
+TEST(Animation, WhatIsFlatButForRoundingIsNotDrawn) {
     MovingScene scene;
-    const int flatNode = scene.addBox({{"scale", {1, 0, 1}}}, false);
-    const int top = scene.addBox({{"children", {flatNode}}});
-    scene.move<float>(flatNode, "scale", {0}, {1, 1, 1});
+    const int leaf = scene.addBox({{"rotation", {0.1, 0.2, 0.3, std::sqrt(0.86)}}}, false);
+    const int middle = scene.gltf.addNode({{"children", {leaf}}, {"scale", {1, 0, 1}}}, false);
+    const int top = scene.gltf.addNode(
+        {{"children", {middle}}, {"rotation", {0.3, 0.1, 0.2, std::sqrt(0.86)}}});
+    scene.move<float>(leaf, "translation", {0}, {1, 2, 3});
+    scene.move<float>(middle, "scale", {0, 1}, {1, 0, 1, 1, 1e-6f, 1});
     scene.move<float>(top, "translation", {0}, {0, 0, 4});
+    EXPECT_FALSE(scene.pose(leaf, 0.0));
+    EXPECT_TRUE(scene.pose(leaf, 1.0)) << "it is thin, not flat";
+}
+
+TEST(Animation, CamerasAndLightsOfNodesScaledToNothingHaveTheirTurns) {
+    MovingScene scene;
+    const std::string lights = "KHR_lights_punctual";
+    scene.gltf.useExtension(lights);
+    scene.gltf.json["extensions"][lights]["lights"] = {{{"type", "directional"}}};
+    scene.gltf.json["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
+    const int lamp = scene.addBox({{"rotation", {0, root, 0, root}}, // about y
+                                   {"scale", {0, 0, 0}},
+                                   {"camera", 0},
+                                   {"extensions", {{lights, {{"light", 0}}}}}});
+    scene.move<float>(lamp, "rotation", {0, 1}, {0, root, 0, root, -root, 0, 0, root});
     const Scene flat = scene.scene();
-    ASSERT_EQ(flat.batches.size(), 1u);
-    EXPECT_EQ(flat.batches[0].geometry->indices.size(), 72u);
-    expectMatrix(scene.pose(top, 0.0), moved(0, 0, 4));
+    EXPECT_TRUE(flat.warnings.sentences().empty());
+    const Pose pose = poseAt(scene.animation().value(), flat, 1.0);
+    EXPECT_LT(glm::distance(flat.lights.at(0).direction, {-1, 0, 0}), 1e-6);
+    EXPECT_LT(glm::distance(pose.lights.at(0).direction, {0, -1, 0}), 1e-6);
+    expectMatrix(flat.cameras.at(0).worldFromCamera, turned(90, {0, 1, 0}));
+    expectMatrix(pose.cameras.at(0).worldFromCamera, turned(-90, {1, 0, 0}));
 }
 
 } // namespace edgeshade::test

@@ -1,10 +1,12 @@
-// Keyframes that are none: the animation is left out, with one warning that names the field and the
-// value. Indices and words are looked at earlier: tests/cli/bad_animations.cpp.
+// Keyframes that are none: the channel is left out, or played where what it says has one meaning,
+// with one warning that names the field and the value. Indices and words are looked at earlier:
+// tests/cli/bad_animations.cpp.
 #include "preprocess/gltf/gltf_reading.hpp"
 #include "preprocess/reading/animation_reading.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"
 
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -24,6 +26,16 @@ struct AnimatedBox {
         gltf.animate(gltf.addShapeNode(box(glm::vec3(1.0f))), path);
     }
     Json& sampler() { return gltf.json["animations"][0]["samplers"][0]; }
+    Json& channel() { return gltf.json["animations"][0]["channels"][0]; }
+    /// A second channel, sound, behind the one to be tampered with.
+    void addRotation() {
+        gltf.animate(0, "rotation");
+        Json& animations = gltf.json["animations"];
+        animations[0]["samplers"].push_back(Json(animations[1]["samplers"][0]));
+        animations[0]["channels"].push_back(Json(animations[1]["channels"][0]));
+        animations[0]["channels"][1]["sampler"] = 1;
+        animations.erase(1);
+    }
     Json& accessor(const char* key) { return gltf.json["accessors"][sampler()[key].get<int>()]; }
     template <class T>
     void setTimes(const std::vector<T>& times) {
@@ -50,7 +62,7 @@ struct AnimatedBox {
         EXPECT_FALSE(reading.animation);
         ASSERT_EQ(reading.warnings.size(), 1u);
         const std::string& warning = reading.warnings[0];
-        EXPECT_TRUE(warning.ends_with("; the animation is left out.")) << warning;
+        EXPECT_TRUE(warning.ends_with("; the channel is left out.")) << warning;
         EXPECT_NE(warning.find("'test.glb'"), std::string::npos) << warning;
         for (const char* word : words)
             EXPECT_NE(warning.find(word), std::string::npos)
@@ -58,6 +70,19 @@ struct AnimatedBox {
         GltfBuilder still = gltf;
         still.json.erase("animations");
         expectSameTriangles(worldTriangles(sceneOf(gltf)), worldTriangles(sceneOf(still)));
+    }
+    /// Expects the warning and that it moves along x so far at times.
+    void expectPlayed(std::initializer_list<const char*> words,
+                      const std::vector<std::pair<double, double>>& places) const {
+        const Reading reading = read();
+        ASSERT_TRUE(reading.animation);
+        ASSERT_EQ(reading.warnings.size(), 1u);
+        for (const char* word : words)
+            EXPECT_NE(reading.warnings[0].find(word), std::string::npos)
+                << "'" << word << "' is missing from: " << reading.warnings[0];
+        for (const auto& [seconds, x] : places)
+            EXPECT_NEAR(reading.animation->motions.at(0).at(seconds).translation.x, x, 1e-5)
+                << seconds << " s";
     }
     void expectSound() const {
         const Reading reading = read();
@@ -81,13 +106,30 @@ TEST(BadAnimation, TheSceneOfTheseTestsIsSound) {
     AnimatedBox("scale").expectSound();
 }
 
-TEST(BadAnimation, TimesMustIncrease) {
-    expectTimesLeftOut({0.5f, 0.5f}, {"holds 0.5 at element 1 after 0.5"});
+TEST(BadAnimation, TimesMustNotDecrease) {
     expectTimesLeftOut({0.0f, 2.0f, 1.5f}, {"holds 1.5 at element 2 after 2"});
 }
 
-TEST(BadAnimation, TimesMustNotBeNegative) {
-    expectTimesLeftOut({-0.25f, 1.0f}, {"-0.25"});
+TEST(BadAnimation, TimesAlikeAreAStep) {
+    AnimatedBox scene;
+    scene.setTimes<float>({0, 1, 1, 2});
+    scene.setValues<float>({0, 0, 0, 2, 0, 0, 6, 0, 0, 8, 0, 0}, 3);
+    scene.expectPlayed({input, "holds 1 at element 2 after 1", "step"},
+                       {{0.5, 1.0}, {1.0 - 1e-9, 2.0}, {1.0, 6.0}, {1.5, 7.0}});
+    AnimatedBox all;
+    all.setTimes<float>({0.5f, 0.5f});
+    all.setValues<float>({2, 0, 0, 6, 0, 0}, 3);
+    all.expectPlayed({input, "0.5"}, {{0.0, 2.0}, {0.5, 6.0}, {1.0, 6.0}});
+}
+
+TEST(BadAnimation, OfNegativeTimesTheRestIsPlayed) {
+    AnimatedBox scene;
+    scene.setTimes<float>({-0.25f, 0.75f});
+    scene.setValues<float>({0, 0, 0, 4, 0, 0}, 3);
+    scene.expectPlayed({input, "-0.25", "from 0 on"}, {{0.0, 1.0}, {0.5, 3.0}, {2.0, 4.0}});
+    scene.setTimes<float>({-2.0f, -1.0f});
+    scene.expectPlayed({input, "-2"}, {{0.0, 4.0}, {1.0, 4.0}});
+    EXPECT_EQ(scene.read().animation->duration, 0.0);
 }
 
 TEST(BadAnimation, TimesMustBeFinite) {
@@ -145,12 +187,15 @@ TEST(BadAnimation, ThreeValuesATimeOfASpline) {
     scene.expectLeftOut({output, "has 2 elements", "CUBICSPLINE of 2 times needs 6"});
 }
 
-TEST(BadAnimation, ASplineNeedsTwoTimes) {
-    AnimatedBox scene;
-    scene.sampler()["interpolation"] = "CUBICSPLINE";
-    scene.setTimes<float>({0.0f});
-    scene.setValues(std::vector<float>(9), 3);
-    scene.expectLeftOut({input, "1 element", "CUBICSPLINE"});
+TEST(BadAnimation, ASplineOfOneTimeHasItsValue) {
+    for (const std::vector<float>& values :
+         {std::vector<float>{9, 9, 9, 5, 0, 0, 9, 9, 9}, {5, 0, 0}}) {
+        AnimatedBox scene;
+        scene.sampler()["interpolation"] = "CUBICSPLINE";
+        scene.setTimes<float>({0.5f});
+        scene.setValues(values, 3);
+        scene.expectPlayed({input, "1 element", "CUBICSPLINE"}, {{0.0, 5.0}, {1.0, 5.0}});
+    }
 }
 
 TEST(BadAnimation, ValuesMustBeFinite) {
@@ -204,13 +249,67 @@ TEST(BadAnimation, APropertyIsMovedByOneChannel) {
     AnimatedBox scene;
     Json& channels = scene.gltf.json["animations"][0]["channels"];
     channels.push_back(Json(channels[0]));
-    scene.expectLeftOut({"animations[0]", "nodes[0].translation", "two channels"});
+    scene.setValues<float>({0, 0, 0, 4, 0, 0}, 3);
+    scene.expectPlayed({"animations[0]", "nodes[0].translation", "two channels", "the channel is"},
+                       {{0.5, 2.0}});
 }
 
-TEST(BadAnimation, AMatrixCannotBeMoved) {
+TEST(BadAnimation, OfAMatrixItsPartsAreMoved) {
     AnimatedBox scene;
-    scene.gltf.json["nodes"][0]["matrix"] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
-    scene.expectLeftOut({"nodes[0].matrix", "animations[0]"});
+    scene.gltf.json["nodes"][0]["matrix"] = {0, 0, -2, 0, 0, 3, 0, 0, 4, 0, 0, 0, 7, 8, 9, 1};
+    scene.setValues<float>({0, 0, 0, 4, 0, 0}, 3);
+    scene.expectPlayed({"nodes[0].matrix", "animations[0]"}, {{0.0, 0.0}, {0.5, 2.0}});
+    const NodeTransform rest = scene.read().animation->motions.at(0).rest;
+    EXPECT_LT(glm::distance(rest.translation, {7, 8, 9}), 1e-9);
+    EXPECT_LT(glm::distance(rest.scale, {2, 3, 4}), 1e-9);
+    EXPECT_LT(glm::distance(rest.rotation * glm::dvec3(1, 0, 0), {0, 0, -1}), 1e-9);
+}
+
+TEST(BadAnimation, AMatrixWithoutPartsCannotBeMoved) {
+    for (const Json& matrix : {Json{1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                               Json{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                               Json{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}) {
+        AnimatedBox scene;
+        scene.gltf.json["nodes"][0]["matrix"] = matrix;
+        scene.expectLeftOut({"nodes[0].matrix", "animations[0]"});
+    }
+}
+
+TEST(BadAnimation, ABrokenChannelLeavesTheOthers) {
+    const std::vector<std::function<void(AnimatedBox&)>> faults = {
+        [](AnimatedBox& scene) {
+            scene.setTimes<float>({1.0f, 0.5f});
+        },
+        [](AnimatedBox& scene) { scene.setValues(std::vector<float>(3), 3); },
+        [](AnimatedBox& scene) {
+            scene.setValues<float>({0, 0, 0, 0, infinity, 0}, 3);
+        },
+        [](AnimatedBox& scene) { scene.sampler()["interpolation"] = "SMOOTH"; },
+        [](AnimatedBox& scene) { scene.sampler()["input"] = 99; },
+        [](AnimatedBox& scene) { scene.sampler().erase("output"); },
+        [](AnimatedBox& scene) { scene.sampler() = 7; },
+        [](AnimatedBox& scene) { scene.channel()["target"]["node"] = 99; },
+        [](AnimatedBox& scene) { scene.channel()["target"]["path"] = "shear"; },
+        [](AnimatedBox& scene) { scene.channel()["sampler"] = 99; },
+        [](AnimatedBox& scene) { scene.channel() = "all"; }};
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+        AnimatedBox scene;
+        scene.addRotation();
+        faults[i](scene);
+        const auto reading = scene.read();
+        ASSERT_TRUE(reading.animation) << "fault " << i;
+        EXPECT_TRUE(reading.animation->motions.at(0).rotation) << "fault " << i;
+        EXPECT_FALSE(reading.animation->motions.at(0).translation) << "fault " << i;
+        ASSERT_EQ(reading.warnings.size(), 1u) << "fault " << i;
+        EXPECT_TRUE(reading.warnings[0].ends_with("; the channel is left out."))
+            << reading.warnings[0];
+    }
+}
+
+TEST(BadAnimation, SamplersOfNoChannelAreNotLookedAt) {
+    AnimatedBox scene;
+    scene.gltf.json["animations"][0]["samplers"].push_back({{"input", "none"}});
+    scene.expectSound();
 }
 
 TEST(BadAnimation, NodesAndAccessorsMustExist) {

@@ -330,6 +330,75 @@ TEST(Deformation, TheScenesThatShipAreTheAuthoredOnes) {
     expectAlike("morphing-ball.glb", morphingBall(20, 16));
 }
 
+namespace {
+
+/// A tetrahedron on one joint, both below an armature that an animation scales from (1, 1, 1) to
+/// `scale` within a second; at rest it has `rest`.
+GltfBuilder scaledArmature(const Json& rest, const std::vector<float>& scale) {
+    GltfBuilder gltf;
+    const int joint = gltf.addNode(Json::object(), false);
+    gltf.json["skins"] = {{{"joints", Json::array({joint})}}};
+    Json primitive = gltf.primitiveOf(tetrahedron());
+    primitive["attributes"]["JOINTS_0"] = gltf.addArray(std::vector<std::uint8_t>(16, 0), 4);
+    std::vector<float> weights(16, 0.0f);
+    for (std::size_t i = 0; i < 16; i += 4)
+        weights[i] = 1.0f;
+    primitive["attributes"]["WEIGHTS_0"] = gltf.addArray(weights, 4);
+    const int skinned = gltf.addNode({{"mesh", gltf.addMesh(primitive)}, {"skin", 0}}, false);
+    const int armature = gltf.addNode({{"children", {joint, skinned}}, {"scale", rest}});
+    std::vector<float> scales = {1, 1, 1};
+    scales.insert(scales.end(), scale.begin(), scale.end());
+    animate(gltf, armature, "scale", {0, 1}, gltf.addArray(scales, 3), "STEP");
+    return gltf;
+}
+
+std::vector<WorldTriangle> scaledTetrahedron(const Json& scale) {
+    GltfBuilder gltf;
+    gltf.addNode({{"mesh", gltf.addShape(tetrahedron())}, {"scale", scale}});
+    return worldTriangles(sceneOf(gltf));
+}
+
+} // namespace
+
+TEST(Deformation, ASkinIsTurnedOverWhileItsNodeMirrors) {
+    for (const Json& rest : {Json{1, 1, 1}, Json{-1, 1, 1}, Json{0, 0, 0}}) {
+        Moving moving(scaledArmature(rest, {-1, 1, 1}));
+        moving.at(1.0);
+        EXPECT_TRUE(moving.deforming().isMirrored()) << rest;
+        expectSameTriangles(worldTriangles(moving.scene), scaledTetrahedron({-1, 1, 1}), 1e-6);
+        moving.at(0.0);
+        EXPECT_FALSE(moving.deforming().isMirrored()) << rest;
+        expectSameTriangles(worldTriangles(moving.scene), scaledTetrahedron({1, 1, 1}), 1e-6);
+    }
+    expectSameTriangles(worldTriangles(Moving(scaledArmature({-1, 1, 1}, {1, 1, 1})).scene),
+                        scaledTetrahedron({-1, 1, 1}), 1e-6);
+}
+
+TEST(Deformation, MeshesOfOneSkinAreTurnedOverEachByItself) {
+    GltfBuilder gltf = scaledArmature({1, 1, 1}, {-1, 1, 1});
+    gltf.addNode({{"mesh", 0}, {"skin", 0}, {"scale", {-1, 1, 1}}});
+    Moving moving(gltf);
+    const auto mirrored = [&] {
+        std::vector<bool> all;
+        for (const Batch& batch : moving.scene.batches)
+            if (batch.deforms()) all.push_back(batch.isMirrored());
+        std::sort(all.begin(), all.end());
+        return all;
+    };
+    EXPECT_EQ(mirrored(), (std::vector<bool>{false, true}));
+    moving.at(1.0);
+    EXPECT_EQ(mirrored(), (std::vector<bool>{true, true}));
+}
+
+TEST(Deformation, JointsScaledToNothingAtRestGrow) {
+    Moving moving(scaledArmature({0, 0, 0}, {2, 2, 2}));
+    EXPECT_TRUE(moving.scene.warnings.sentences().empty());
+    for (const glm::vec3& position : moving.deforming().geometry->positions)
+        EXPECT_EQ(position, glm::vec3(0.0f));
+    moving.at(1.0);
+    expectSameTriangles(worldTriangles(moving.scene), scaledTetrahedron({2, 2, 2}), 1e-6);
+}
+
 TEST(Deformation, WeightsThatDoNotFitLeaveTheAnimationOut) {
     GltfBuilder gltf = morphing("LINEAR");
     gltf.json["animations"][0]["samplers"][0]["output"] = gltf.addArray<float>({0, 1, 1}, 1);

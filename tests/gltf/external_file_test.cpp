@@ -66,6 +66,40 @@ TEST(ExternalFile, APercentEncodedWayOutOfTheFolderIsRefused) {
     expectInputError([&] { readScene(path); }, {"scene.gltf", "buffers[0].uri", "%2E%2E"});
 }
 
+TEST(ExternalFile, BackslashesAndDetoursLeadToTheSameFile) {
+    const TempFolder folder;
+    folder.write("data/scene.bin", boxScene().binary);
+    for (const char* uri :
+         {"data\\scene.bin", "data%5Cscene.bin", ".\\data\\scene.bin", ".//data/scene.bin",
+          "gone/../data/scene.bin", ".//gone\\..\\data/./scene.bin", "data//scene.bin"}) {
+        const auto path = folder.write("scene.gltf", boxScene().gltf(uri));
+        EXPECT_EQ(readScene(path).triangleCount(), 12u) << uri;
+    }
+}
+
+TEST(ExternalFile, ImagesLieBehindBackslashesToo) {
+    const TempFolder folder;
+    folder.write("textures/small.png", smallPng());
+    for (const char* uri :
+         {"textures\\small.png", "textures%5csmall.png", ".//a/../textures/small.png"}) {
+        GltfBuilder gltf = boxScene();
+        gltf.addImage({{"uri", uri}});
+        const GltfDocument document = readGltf(folder.write("scene.gltf", gltf.gltf()));
+        EXPECT_EQ(encodedImageBytes(document, 0), smallPng()) << uri;
+    }
+}
+
+TEST(ExternalFile, BackslashesAreNoWayOut) {
+    const TempFolder folder;
+    folder.write("scene.bin", boxScene().binary);
+    for (const char* uri : {"..\\scene.bin", "a\\..\\..\\scene.bin", "%2e%2e%5Cscene.bin",
+                            "\\scene.bin", "C:\\scene.bin", "\\\\host\\scene.bin"}) {
+        const auto path = folder.write("below/scene.gltf", boxScene().gltf(uri));
+        expectInputError([&] { readScene(path); },
+                         {"buffers[0].uri", "only files in the asset's own folder"});
+    }
+}
+
 TEST(ExternalFile, AFileMayBeLongerThanItsBuffer) {
     const TempFolder folder;
     Bytes longer = boxScene().binary;

@@ -99,6 +99,19 @@ TEST(Instances, MayHaveSomeAttributesAlone) {
     EXPECT_EQ(sceneOf(counted.gltf).triangleCount(), 8u);
 }
 
+TEST(Instances, WithoutAttributesTheMeshIsDrawnOnce) {
+    for (const Json& extension : {Json({{"attributes", Json::object()}}), Json::object()}) {
+        Instances scene;
+        scene.gltf.json["nodes"][scene.node]["extensions"]["EXT_mesh_gpu_instancing"] = extension;
+        GltfBuilder once = scene.gltf;
+        once.json["nodes"][scene.node].erase("extensions");
+        const Scene flat = sceneOf(scene.gltf);
+        expectSameTriangles(worldTriangles(flat), worldTriangles(sceneOf(once)));
+        ASSERT_EQ(flat.warnings.sentences().size(), 1u);
+        EXPECT_EQ(warningsWith(flat, "drawn once"), 1u);
+    }
+}
+
 TEST(Instances, MayBeNone) {
     Instances scene;
     scene.attributes() = {{"TRANSLATION", scene.gltf.addAccessor(-1, 5126, 0, "VEC3")}};
@@ -292,12 +305,6 @@ TEST(Instances, MustAgreeAndBePlaces) {
     Instances few;
     few.attributes()["SCALE"] = few.gltf.addArray<float>({1, 1, 1}, 3);
     few.expectRefused({field, "SCALE has 1 elements, but TRANSLATION has 3"});
-    Instances empty;
-    empty.attributes() = Json::object();
-    empty.expectRefused({field, "is empty"});
-    Instances missing;
-    missing.gltf.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = Json::object();
-    missing.expectRefused({field, "is missing"});
     Instances noAccessor;
     noAccessor.attributes()["SCALE"] = 99;
     noAccessor.expectRefused({field, "SCALE is 99"});

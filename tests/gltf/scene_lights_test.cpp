@@ -123,6 +123,52 @@ TEST(SceneLights, APictureHasTheFirstThousand) {
     EXPECT_EQ(lightsOf(scene).size(), 1000u);
 }
 
+TEST(SceneLights, WhatScalesBy0LeavesTheirDirections) {
+    const Json turned = {-0.42261826174069944, 0.0, 0.0, 0.9063077870366499}; // 50 degrees down
+    const glm::dvec3 down(0, -0.76604444311897801, -0.64278760968653936);
+    const auto axisOf = [](const Json& node, const Json& parent = Json::object()) {
+        GltfBuilder gltf;
+        gltf.addShapeNode(box(glm::vec3(1.0f)));
+        gltf.useExtension(name);
+        gltf.json["extensions"][name]["lights"] = {{{"type", "spot"}, {"spot", Json::object()}}};
+        Json lit = node;
+        lit["extensions"][name]["light"] = 0;
+        Json above = parent;
+        above["children"] = {gltf.addNode(lit, false)};
+        gltf.addNode(above);
+        const Scene scene = sceneOf(gltf);
+        EXPECT_TRUE(scene.warnings.sentences().empty());
+        return scene.lights.empty() ? glm::dvec3(0.0) : scene.lights[0].direction;
+    };
+    for (const Json& scale : {Json{1, 0, 1}, Json{0, 1, 1}, Json{1, 1, 0}, Json{0, 0, 0},
+                              Json{2, 0, 0}, Json{0, 0, -3}}) {
+        const double sign = scale[2] == -3 ? -1.0 : 1.0; // as of one that is not flat
+        expectNear(axisOf({{"rotation", turned}, {"scale", scale}}), sign * down);
+    }
+    // Of what a flat parent leaves of them; where that is nothing, of their rotations.
+    expectNear(axisOf({{"rotation", turned}}, {{"scale", {0, 0, 0}}}), down);
+    expectNear(axisOf({{"rotation", turned}}, {{"scale", {1, 0, 1}}}), {0, 0, -1});
+    expectNear(
+        axisOf({{"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}}, {{"scale", {1, 0, 1}}}),
+        {0, -1, 0});
+    // A matrix tells as much where one column is 0.
+    expectNear(axisOf({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}}), {0, 0, -1});
+}
+
+TEST(SceneLights, ARangeOf0IsNone) {
+    for (const char* type : {"point", "spot", "directional"}) {
+        Json light = {{"type", type}, {"range", 0}};
+        if (light["type"] == "spot") light["spot"] = Json::object();
+        const Scene scene = sceneWith(light, {Json::object()});
+        ASSERT_EQ(lightsOf(scene).size(), 1u) << type;
+        EXPECT_FALSE(lightsOf(scene)[0].hasRange());
+        ASSERT_EQ(scene.warnings.sentences().size(), 1u);
+        EXPECT_EQ(warningsWith(scene, "lights[0].range is 0"), 1u) << type;
+    }
+    const Scene sun = sceneWith({{"type", "directional"}, {"range", -1}}, {Json::object()});
+    EXPECT_EQ(sun.lights.size(), 1u) << "it has no range that could be wrong";
+}
+
 TEST(SceneLights, OnesThatCannotBePlacedAreLeftOut) {
     const auto warnedOf = [](const Json& node, const std::string& type) {
         Json light = {{"type", type}};
@@ -135,10 +181,10 @@ TEST(SceneLights, OnesThatCannotBePlacedAreLeftOut) {
         EXPECT_NE(said.find("; the light is left out."), std::string::npos) << said;
         return said;
     };
-    EXPECT_NE(warnedOf({{"scale", {1, 1, 0}}}, "spot").find("scaled to nothing"),
-              std::string::npos);
-    EXPECT_NE(warnedOf({{"scale", {0, 0, 0}}}, "directional").find("scaled to nothing"),
-              std::string::npos);
+    EXPECT_NE(warnedOf({{"matrix", {0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}}}, "spot")
+                  .find("scaled to nothing"),
+              std::string::npos)
+        << "nothing tells how it is turned";
     EXPECT_NE(warnedOf({{"translation", {0, -1e300, 0}}}, "point").find("farther than 1e12"),
               std::string::npos);
 }

@@ -86,6 +86,34 @@ TEST(Skin, WeightsBlendJoints) {
     expectSameTriangles(worldTriangles(sceneOf(gltf)), tetrahedronWithCorner({1, 1.6f, 0}), 1e-5);
 }
 
+TEST(Skin, VerticesWithoutWeightsGoWithTheirFirstJoint) {
+    for (const std::vector<float>& none : {std::vector<float>{0, 0, 0, 0}, {0.5f, -0.5f, 0, 0}}) {
+        GltfBuilder gltf = skinnedScene();
+        std::vector<float> weights = {1, 0, 0, 0};
+        weights.insert(weights.end(), none.begin(), none.end());
+        weights.insert(weights.end(), {1, 0, 0, 0, 1, 0, 0, 0});
+        gltf.json["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] =
+            gltf.addArray(weights, 4);
+        expectSameTriangles(worldTriangles(sceneOf(gltf)), tetrahedronWithCorner({1, 2, 0}), 1e-6);
+    }
+}
+
+TEST(Skin, WhatItsNodeMirrorsShowsItsOtherSide) {
+    // The joints leave it where it was; front is what the mesh's node says (glTF 2.0, 3.7.4).
+    GltfBuilder gltf = skinnedScene();
+    const auto plain = worldTriangles(sceneOf(gltf));
+    gltf.json["nodes"].back()["scale"] = {-1, 1, 1};
+    const auto turned = worldTriangles(sceneOf(gltf));
+    ASSERT_EQ(turned.size(), plain.size());
+    for (std::size_t i = 0; i < turned.size(); ++i)
+        EXPECT_LT(glm::distance(outside(turned[i]), -outside(plain[i])), 1e-6);
+    gltf.json["nodes"].back()["scale"] = {1, 1, 1};
+    gltf.json["nodes"][1]["scale"] = {-1, 1, 1}; // of the first joint alone
+    const auto inside = worldTriangles(sceneOf(gltf));
+    EXPECT_LT(inside[0][0].position.x, 12.0);
+    EXPECT_EQ(inside[0][1].texcoord, plain[0][1].texcoord) << "no corners are swapped";
+}
+
 TEST(Morph, DefaultWeightsOfTheMeshApply) {
     const Scene scene = sceneOf(morphedScene({0.5}, nullptr));
     expectSameTriangles(worldTriangles(scene), tetrahedronWithCorner({1, 2, 0}), 1e-6);

@@ -8,6 +8,10 @@ namespace {
 
 constexpr double margin = 1.06;
 
+/// Of the scene's diagonal: how far before the eye each vertex is at least, a little more than a
+/// fiftieth. A needle that points at the eye would else have its tip there.
+constexpr double leastEyeDistance = 0.02 * (1.0 + 1e-6);
+
 /// Where an eye has to be along one axis of the picture: a point at x to the side and z towards the
 /// eye is seen from (eye, height) if |x - eye| <= tangent * (height - z).
 class Spread {
@@ -37,17 +41,19 @@ Camera framingCamera(const Scene& scene, double fovDegrees, double aspect,
     const glm::dmat3 axes(viewFromWorld(looking));
     const double tangentY = tangentOfHalfFov(fovDegrees) / margin;
     Spread across(tangentY * aspect), upward(tangentY);
+    double nearest = -std::numeric_limits<double>::infinity();
     for (const Batch& batch : scene.batches) {
-        if (batch.ground) continue;
+        if (batch.ground || batch.hidden) continue;
         for (const glm::vec3& position : batch.geometry->positions) {
             const glm::dvec3 world(batch.worldFromBatch * glm::dvec4(position, 1.0));
             const glm::dvec3 seen = axes * (world - box.center());
             across.add(seen.x, seen.z);
             upward.add(seen.y, seen.z);
+            nearest = std::max(nearest, seen.z);
         }
     }
-    const double least = std::max(1e-6 * box.diagonal(), 1e-9);
-    const double height = std::max({across.height(), upward.height(), least});
+    const double before = nearest + std::max(leastEyeDistance * box.diagonal(), 1e-9);
+    const double height = std::max({across.height(), upward.height(), before});
     const glm::dmat3 worldFromAxes = glm::transpose(axes);
     const glm::dvec3 aside = worldFromAxes * glm::dvec3(across.eye(), upward.eye(), 0.0);
     Camera camera{box.center() + aside + worldFromAxes * glm::dvec3(0.0, 0.0, height),
