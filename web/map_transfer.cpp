@@ -26,7 +26,7 @@ void transfer(Archive& archive, Maybe<SidedTriangles> auto& triangles) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<BuiltPrimitiveMap> auto& built) {
-    archive(built.light, built.mostBytes, built.tooFar, built.milliseconds, built.map,
+    archive(built.light, built.mostBytes, built.tooFar, built.tooLong, built.milliseconds, built.map,
             built.triangles);
 }
 

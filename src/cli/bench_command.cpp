@@ -10,6 +10,7 @@
 
 #include <charconv>
 #include <memory>
+#include <set>
 #include <sstream>
 
 namespace edgeshade::cli {
@@ -108,6 +109,7 @@ void benchScene(const BenchOptions& options) {
     const auto sizes = options.sizes.empty()
                            ? std::vector{std::pair(options.view.width, options.view.height)}
                            : options.sizes;
+    std::set<std::string> fallbacks; // once a light, whatever the picture's size
     Countdown countdown;
     const auto counts =
         options.lightCounts.empty() ? std::vector<std::size_t>{0} : options.lightCounts;
@@ -145,6 +147,10 @@ void benchScene(const BenchOptions& options) {
             countdown.show((static_cast<double>(s) + share) / static_cast<double>(rounds), size);
         });
         report.add(task, settings, measured);
+        for (std::size_t i = 0; i < measured.results.size(); ++i)
+            for (const std::string& sentence :
+                 fallbackWarnings(settings[i].settings.render.shadows, measured.results[i].lights))
+                if (fallbacks.insert(sentence).second) printWarnings({sentence});
     }
     printWarnings(report.warningsOfMeasuring());
     printResult(report.table(), options.report);

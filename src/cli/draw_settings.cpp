@@ -583,6 +583,18 @@ nlohmann::ordered_json methodsJson(const std::vector<LightMethod>& methods) {
     return json;
 }
 
+std::vector<std::string> fallbackWarnings(ShadowMethod asked,
+                                          const std::vector<LightMethod>& methods) {
+    std::vector<std::string> warnings;
+    if (asked != ShadowMethod::primitiveMap) return warnings;
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        if (methods[i].method != "primitive-map" && methods[i].method != "none")
+            warnings.push_back("Light " + std::to_string(i) +
+                               ": --shadows primitive-map is not for it: " + methods[i].why +
+                               ". Its shadows are those of " + methods[i].method + ".");
+    return warnings;
+}
+
 nlohmann::ordered_json deviceJson(const gl::Capabilities& capabilities) {
     return {{"vendor", capabilities.vendor},
             {"renderer", capabilities.renderer},

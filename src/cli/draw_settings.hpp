@@ -97,6 +97,10 @@ std::string shortName(const DrawSettings& settings);
 /// The settings as report keys, by the options' names.
 nlohmann::ordered_json settingsJson(const DrawSettings& settings);
 
+/// A sentence for each light that gets other shadows than were asked for by name.
+std::vector<std::string> fallbackWarnings(ShadowMethod asked,
+                                          const std::vector<LightMethod>& methods);
+
 /// [{method, why, build_ms, bytes}, ...] of lights.
 nlohmann::ordered_json methodsJson(const std::vector<LightMethod>& methods);
 

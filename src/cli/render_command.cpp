@@ -13,6 +13,7 @@
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
+#include "src/scene/pose.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/viewer/light_state.hpp"
 
@@ -150,9 +151,10 @@ void requireFitting(const RenderOptions& options, const std::vector<Light>& ligh
 
 void render(const RenderOptions& options) {
     Stopwatch watch;
-    const LoadedScene loaded =
+    LoadedScene loaded =
         options.load(options.settings.render.shading, options.settings.render.shadows,
                      drawOppositeVertices(std::array{options.settings}));
+    if (options.settings.render.shadows == ShadowMethod::primitiveMap) holdStill(loaded.scene);
     std::vector<std::string> warnings = loaded.scene.warnings.sentences();
     printWarnings(warnings);
     StillTask task{.request = requestFor(options.view, loaded.scene),
@@ -177,6 +179,12 @@ void render(const RenderOptions& options) {
     GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
     const double loadSeconds = watch.lap();
 
+    task.prepared = [&] {
+        const std::vector<std::string> others =
+            fallbackWarnings(settings.shadows, lightMethods(scene, view, settings));
+        printWarnings(others);
+        warnings.insert(warnings.end(), others.begin(), others.end());
+    };
     ProgressBar bar;
     const bool slow = options.subpixels > 1 || ExtendedLights::points(view) > 0;
     std::vector<std::uint8_t> pixels =

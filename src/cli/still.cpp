@@ -90,6 +90,7 @@ class Sitting {
         for (std::size_t n = 0; n < task_.subpixels; ++n) {
             const FrameView view = n == 0 ? first : viewOf(loaded_, task_, n, &first);
             prepareScene(scene_, loaded_, view, renderer_.settings(), context_.capabilities());
+            if (n == 0 && task_.prepared) task_.prepared();
             draw(view, static_cast<double>(n) * share, share);
             progress_(static_cast<double>(n + 1) * share);
         }

@@ -19,6 +19,8 @@ struct StillTask {
     bool shadeSamples = false; ///< lights with an extent shade by each point
     bool firstIsDown = false;  ///< the first light shines on nothing
     std::optional<std::size_t> shadowedLights{}; ///< see chooseLights()
+    /// Once the scene is prepared for the first picture, before that is drawn; null: nothing.
+    std::function<void()> prepared{};
 };
 
 /// Whether a mask is more than lit or not.

@@ -29,7 +29,8 @@ bool LookupWork::Data::step() {
     }
     if (!fitting) fitting.emplace(task.light, placed, settingsOf(task.settings));
     if (fitting->step()) return true;
-    built.why = refusalOf(fitting->map(), fitting->tooFar(), task.settings.mostBytes);
+    built.why = refusalOf({fitting->map().has_value(), fitting->tooFar(), fitting->tooLong(),
+                           task.settings.mostBytes});
     if (built.why.empty()) built.map = packedPrimitiveMap(*fitting->map());
     fitting.reset();
     return false;

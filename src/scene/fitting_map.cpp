@@ -48,6 +48,7 @@ FittingMap::FittingMap(const Light& light, std::vector<PlacedCasters> casters,
     : light_(light), casters_(std::move(casters)), settings_(settings) {
     settings_.size = sizeFor(light_, casters_, settings.size);
     smallest_ = std::max(4, settings_.size / 8);
+    settings_.longestWanted = longestAsked;
 }
 
 bool FittingMap::step() {
@@ -56,13 +57,15 @@ bool FittingMap::step() {
         builder_ = std::make_unique<PrimitiveMapBuilder>(light_, casters_, settings_);
         nextPart_ = 0;
         joined_ = tooFar_ = builder_->isTooFar();
+        if (!joined_) builder_->lookForLongLists();
     } else if (nextPart_ < builder_->partCount()) {
         builder_->buildPart(nextPart_++);
     } else {
         map_ = builder_->join();
+        tooLong_ = builder_->tooLong();
         builder_.reset();
         settings_.size /= 2; // should it have been too large
-        joined_ = map_ || settings_.size < smallest_;
+        joined_ = map_ || tooLong_ > 0 || settings_.size < smallest_;
     }
     return true;
 }
@@ -73,14 +76,15 @@ void FittingMap::buildAllParts() {
     nextPart_ = builder_->partCount();
 }
 
-std::string refusalOf(const std::optional<PrimitiveMap>& map, bool tooFar, std::size_t mostBytes) {
-    if (tooFar) return "the light is too far from its casters for a primitive map";
-    if (!map)
-        return "a primitive map would take more than " + std::to_string(mostBytes) +
+std::string refusalOf(const MapOutcome& outcome) {
+    if (outcome.tooFar) return "the light is too far from its casters for a primitive map";
+    if (outcome.tooLong > 0)
+        return "a list of its primitive map would have " + std::to_string(outcome.tooLong) +
+               " triangles, more than the " + std::to_string(longestAsked) +
+               " that a shader's loops go through";
+    if (!outcome.built)
+        return "a primitive map would take more than " + std::to_string(outcome.mostBytes) +
                " bytes, or minutes";
-    if (map->longestList > longestAsked)
-        return "a list of its primitive map has " + std::to_string(map->longestList) +
-               " triangles, more than a shader's loops go through";
     return {};
 }
 

@@ -12,7 +12,8 @@ inline constexpr std::size_t longestAsked = 3072;
 
 /// A light's primitive map. It begins with as many texels as suit its casters, and no more than
 /// its settings say; where it takes more memory than it may, half as many along an edge are tried,
-/// down to an eighth.
+/// down to an eighth. Where a list is longer than longestAsked it is given up at once: larger texels
+/// have longer ones.
 class FittingMap {
   public:
     FittingMap(const Light& light, std::vector<PlacedCasters> casters,
@@ -25,6 +26,8 @@ class FittingMap {
 
     /// Once there is no more to do.
     bool tooFar() const { return tooFar_; }
+    /// Triangles in a list for which it was given up, or 0.
+    std::size_t tooLong() const { return tooLong_; }
     std::optional<PrimitiveMap>& map() { return map_; }
 
   private:
@@ -35,11 +38,18 @@ class FittingMap {
     std::unique_ptr<PrimitiveMapBuilder> builder_;
     std::size_t nextPart_ = 0;
     bool joined_ = false, tooFar_ = false;
+    std::size_t tooLong_ = 0;
     std::optional<PrimitiveMap> map_;
 };
 
-/// Why a map that was asked for can't be used, a clause; empty: it can. `mostBytes`: what it might
-/// take.
-std::string refusalOf(const std::optional<PrimitiveMap>& map, bool tooFar, std::size_t mostBytes);
+/// What came of a map that was asked for.
+struct MapOutcome {
+    bool built = false, tooFar = false;
+    std::size_t tooLong = 0;   ///< FittingMap::tooLong()
+    std::size_t mostBytes = 0; ///< what it might take
+};
+
+/// Why it can't be used, a clause; empty: it can.
+std::string refusalOf(const MapOutcome& outcome);
 
 } // namespace edgeshade

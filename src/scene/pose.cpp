@@ -71,4 +71,9 @@ bool poseScene(LoadedScene& loaded, double seconds, const std::string& animation
     return true;
 }
 
+void holdStill(Scene& scene) {
+    for (Batch& batch : scene.batches)
+        batch.node = -1;
+}
+
 } // namespace edgeshade

@@ -24,4 +24,8 @@ bool poseScene(LoadedScene& loaded, double seconds, const std::string& animation
 /// Leaves what is hidden without triangles, for a picture of the scene at rest; poseScene() does.
 void leaveOutHidden(LoadedScene& loaded);
 
+/// What an animation could move, but for what deforms, stands where it is from now on: in a still
+/// nothing moves, and all of it may be in primitive maps.
+void holdStill(Scene& scene);
+
 } // namespace edgeshade

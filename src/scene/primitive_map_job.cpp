@@ -85,6 +85,7 @@ bool PrimitiveMapJob::step() {
         fitting_.emplace(light_, std::move(casters), settings_);
     } else if (!fitting_->step()) {
         built_.tooFar = fitting_->tooFar();
+        built_.tooLong = fitting_->tooLong();
         built_.map = std::move(fitting_->map());
         return false;
     }

@@ -284,6 +284,31 @@ TEST(Rendering, ReportsSayHowEachLightsShadowsAreMade) {
     EXPECT_EQ(lightsOf({})[0]["method"], "volumes");
 }
 
+TEST(Rendering, WarnsOfLightsThatGetNoPrimitiveMapWhereOneWasAskedFor) {
+    const TempFolder folder;
+    const auto told = [&](const std::string& shadows) {
+        return runEdgeshade({"render", pavilion, folder / "out.png", "--size", "64x48", "--shadows",
+                             shadows, "--sun", "0.1,1,0.2", "--gl-limits", "es2-minimum"})
+            .err;
+    };
+    EXPECT_NE(told("primitive-map")
+                  .find("warning: Light 0: --shadows primitive-map is not for it: the GL looks up "
+                        "no floats. Its shadows are those of volumes."),
+              std::string::npos);
+    EXPECT_EQ(told("auto").find("warning"), std::string::npos);
+    EXPECT_EQ(told("volumes").find("warning"), std::string::npos);
+}
+
+TEST(Rendering, InAStillAnAnimationMovesNothing) {
+    const TempFolder folder;
+    const ProcessResult result = runEdgeshade(
+        {"render", pavilion, folder / "out.png", "--size", "64x48", "--shadows", "primitive-map",
+         "--sun", "0.5,1,0.4", "--sun-angle", "0.53", "--report", "-"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto light = nlohmann::json::parse(result.out)["lights"][0];
+    EXPECT_EQ(light["method"], "primitive-map") << light["why"];
+}
+
 TEST(Rendering, DebugTintsThePictureByWhatPrimitiveMapsHold) {
     EXPECT_NE(pictureOf(pavilion, {"--debug", "primitive-map", "--shadows", "primitive-map"}),
               pictureOf(pavilion, {"--shadows", "primitive-map"}));

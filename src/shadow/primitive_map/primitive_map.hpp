@@ -4,6 +4,7 @@
 #include "src/shadow/primitive_map/light_tiles.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace edgeshade {
@@ -16,6 +17,8 @@ struct PrimitiveMapSettings {
     std::size_t mostBytes = std::size_t{128} << 20;
     std::size_t splitAbove = 8; ///< texels whose points have more to test are divided in 4 x 4
     int mostSplits = 3;         ///< one in another
+    /// A map with a longer list is not wanted: building ends where one is found.
+    std::size_t longestWanted = std::numeric_limits<std::size_t>::max();
     bool othersReceive = false; ///< some surfaces are no casters
     Box receivers; ///< all that the light shines on, in the world: of directional lights with
                    ///< extent

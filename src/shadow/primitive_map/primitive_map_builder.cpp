@@ -24,6 +24,9 @@ constexpr double worthDividing = 0.75;
 /// that each footprint may take.
 constexpr std::size_t mostLooks = std::size_t{1} << 30, looksEach = 1000;
 
+/// Where many casters crowd, parts in which long lists are looked for before building.
+constexpr std::size_t mostCrowdedParts = 4;
+
 /// Added to what names a list or a triangle: light-facing casters need no more of it.
 constexpr float endsHere = 0.5f;
 
@@ -156,6 +159,7 @@ class PrimitiveMapBuilder::PartBuilder {
             texel.kind = Texel::Kind::list;
             texel.index = part_.lists.size();
             builder_.charge(found.listed.size(), 0);
+            builder_.chargeList(found.listed.size());
             part_.lists.push_back({part_.listed.size(), found.listed.size(), found.forCasters});
             part_.listed.insert(part_.listed.end(), found.listed.begin(), found.listed.end());
             return texel;
@@ -234,6 +238,49 @@ void PrimitiveMapBuilder::charge(std::size_t listed, std::size_t looks) {
     if (listed_ * sizeof(glm::vec2) > settings_.mostBytes ||
         looks_ > mostLooks + looksEach * occluders_.all.size())
         tooLarge_ = true;
+}
+
+void PrimitiveMapBuilder::chargeList(std::size_t triangles) {
+    if (triangles <= settings_.longestWanted) return;
+    tooLong_ = triangles;
+    tooLarge_ = true;
+}
+
+void PrimitiveMapBuilder::lookForLongLists() {
+    if (settings_.mostSplits > 0) return; // a part of a texel may have less
+    std::vector<const Part*> crowded;
+    for (const Part& part : parts_)
+        if (part.candidates.size() > settings_.longestWanted) crowded.push_back(&part);
+    std::stable_sort(crowded.begin(), crowded.end(), [](const Part* a, const Part* b) {
+        return a->candidates.size() > b->candidates.size();
+    });
+    if (crowded.size() > mostCrowdedParts) crowded.resize(mostCrowdedParts);
+    for (const Part* part : crowded)
+        if (tooLong_ == 0) lookForLongLists(*part);
+}
+
+/// Goes down to a texel, each time into the piece that most casters touch.
+void PrimitiveMapBuilder::lookForLongLists(const Part& part) {
+    const TileFootprints tile = footprintsOf(part.tile);
+    TexelOccluders densest, piece;
+    densest.touching = part.candidates;
+    int left = part.x, low = part.y;
+    for (int side = part.side; side > 1;) {
+        const std::vector<std::uint32_t> candidates = std::move(densest.touching);
+        const int fromX = left, fromY = low, whole = side;
+        side = std::max(1, side / pieces);
+        densest = {};
+        for (int y = fromY; y < fromY + whole; y += side)
+            for (int x = fromX; x < fromX + whole; x += side) {
+                findOccluders(tile, candidates, squareOf(x, y, side), settings_.othersReceive,
+                              piece);
+                if (piece.touching.size() < densest.touching.size()) continue;
+                std::swap(densest, piece);
+                left = x;
+                low = y;
+            }
+    }
+    chargeList(densest.listed.size());
 }
 
 TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {

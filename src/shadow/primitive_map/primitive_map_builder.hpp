@@ -19,12 +19,19 @@ class PrimitiveMapBuilder {
     /// Whether the light is too far off for floats, see leastDepthSpan: there is no map then.
     bool isTooFar() const { return tiles_.depthSpan < leastDepthSpan; }
 
+    /// Triangles in a list that was found to be longer than is wanted; 0: none is known.
+    std::size_t tooLong() const { return tooLong_; }
+    /// Looks for such a list where most casters crowd, before anything is built: texel by texel, as
+    /// the map will have it, so that what is found is certain. Of maps whose texels aren't divided.
+    void lookForLongLists();
+
     std::size_t partCount() const { return parts_.size(); }
     /// Each once, in any order, different ones at the same time.
     void buildPart(std::size_t part);
     /// All of them, on as many threads as there are cores.
     void buildAllParts();
-    /// Once all parts are built. Nothing if it is larger than it may be, or would take minutes.
+    /// Once all parts are built. Nothing if it is larger than it may be, has too long a list, or
+    /// would take minutes.
     std::optional<PrimitiveMap> join();
 
   private:
@@ -53,6 +60,9 @@ class PrimitiveMapBuilder {
 
     /// Counts what a part takes; past what may be taken nothing more is built.
     void charge(std::size_t listed, std::size_t looks);
+    /// Likewise, past the longest list that is wanted.
+    void chargeList(std::size_t triangles);
+    void lookForLongLists(const Part& part);
     TileFootprints footprintsOf(std::size_t tile) const;
     RaySquare squareOf(double x, double y, double side) const;
     void divideIntoParts(std::size_t tile);
@@ -64,7 +74,8 @@ class PrimitiveMapBuilder {
     std::vector<Part> parts_;
     std::atomic<std::size_t> listed_ = 0; ///< entries and texels, by all parts
     std::atomic<std::size_t> looks_ = 0;  ///< at a footprint in a square
-    std::atomic<bool> tooLarge_ = false;
+    std::atomic<std::size_t> tooLong_ = 0;
+    std::atomic<bool> tooLarge_ = false; ///< or too long a list: nothing more is built
 };
 
 } // namespace edgeshade
