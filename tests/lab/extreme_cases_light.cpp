@@ -9,6 +9,14 @@ Extreme litFrom(const std::string& name, const std::string& provokes,
     return {.name = name, .provokes = provokes, .load = later(yard), .lights = lights};
 }
 
+/// The same of a yard that is turned and moved by ordinary numbers, and of a light placed with it.
+Extreme litFromTurned(const std::string& name, const std::string& provokes, const Light& light) {
+    return {.name = name,
+            .provokes = provokes,
+            .load = turnedYard,
+            .lights = {{ordinaryPlace() * light.position}}};
+}
+
 Light spotAt(const glm::dvec3& place, const glm::dvec3& towards, double outer, double inner) {
     Light light = pointLight(place);
     light.cone = Cone{glm::normalize(towards - place), inner, outer};
@@ -31,6 +39,16 @@ std::vector<Extreme> lightExtremes() {
         litFrom("light on an edge", "signs of exactly 0", {pointLight({1.5, 1, 1.1})}),
         litFrom("light in a face's plane", "signs of exactly 0", {pointLight({4, 1, 3})}),
         litFrom("light 1e-6 above a face", "signs next to 0", {pointLight({1, 1.000001, 1.2})}),
+        litFromTurned("light at a turned vertex", "signs of rounding alone",
+                      pointLight({1.5, 1, 2})),
+        litFromTurned("light on a turned edge", "signs of rounding alone",
+                      pointLight({1.5, 1, 1.1})),
+        litFromTurned("light on a turned face", "signs of rounding alone", pointLight({1, 1, 1.2})),
+        litFromTurned("light in a turned face's plane", "signs of rounding alone",
+                      pointLight({4, 1, 3})),
+        litFromTurned("light 1e-5 above a turned face", "signs next to 0",
+                      pointLight({1, 1.00001, 1.2})),
+        litFromTurned("sun in turned walls", "surfaces on neither side", sun({0, 1, 0})),
         litFrom("light inside a closed mesh", "all outside in shadow",
                 {pointLight({-1.5, 1, -0.5})}),
         litFrom("light at 1e9", "a point light like a sun", {pointLight({4e8, 1e9, 3e8})}),

@@ -14,6 +14,24 @@ Extreme seenFrom(const std::string& name, const std::string& provokes, const Cam
             .lights = {lamp}};
 }
 
+/// `away` of the yard's size, some 15, from a fold of a box that is turned and moved by ordinary
+/// numbers, with a lamp between.
+Extreme closeUp(const std::string& away, double share) {
+    const auto placed = [](const glm::dvec3& p) {
+        return glm::dvec3(ordinaryPlace() * glm::dvec4(p, 1.0));
+    };
+    const glm::dvec3 fold(1.5, 1, 1.3);
+    const double size = 15.0 * share;
+    Extreme extreme;
+    extreme.name = "eye " + away + " from a turned fold";
+    extreme.provokes = "what rounding leaves of a close-up";
+    extreme.load = turnedYard;
+    extreme.camera = {placed(fold + size * glm::dvec3(0.6, 0.7, 0.3)),
+                      placed(fold + size * glm::dvec3(-0.1, -0.2, 0.1)), 60.0};
+    extreme.lights = {pointLight(placed(fold + size * glm::dvec3(0.1, 0.4, -0.2)))};
+    return extreme;
+}
+
 Extreme picture(const std::string& name, const std::string& provokes, int width, int height) {
     Extreme extreme = seenFrom(name, provokes, Extreme().camera);
     extreme.width = width;
@@ -57,6 +75,9 @@ std::vector<Extreme> viewExtremes() {
     Extreme largest = picture("4096x4096 picture", "the largest pictures", 4096, 4096);
     largest.takesLong = true;
     return {
+        closeUp("1e-2", 1e-2),
+        closeUp("1e-3", 1e-3),
+        closeUp("1e-4", 1e-4),
         seenFrom("eye in shadow", "eye inside volumes", {{-1.5, 0.2, -0.5}, {1, 0.3, 1}, 70}),
         seenFrom("eye inside a caster", "near plane inside", {{-1.5, 1.2, -0.5}, {1, 1, 1}, 90}),
         seenFrom("eye on a face's plane", "a face edge-on", {{5, 1, 4}, {0, 1, 1}, 60}),

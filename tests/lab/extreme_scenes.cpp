@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace edgeshade::test {
 namespace {
 
@@ -32,6 +34,18 @@ LoadedScene loaded(Scene scene, bool castMasked) {
 
 std::function<LoadedScene()> later(const std::function<SceneBuilder()>& draw, bool castMasked) {
     return [draw, castMasked] { return loaded(draw().scene(), castMasked); };
+}
+
+glm::dmat4 ordinaryPlace() {
+    return glm::rotate(glm::translate(glm::dmat4(1.0), {-0.353, 0.192, -0.314}), 0.2718,
+                       glm::normalize(glm::dvec3(-0.15, 0.94, -0.31)));
+}
+
+LoadedScene turnedYard() {
+    Scene scene = yard().scene();
+    for (glm::vec3& position : scene.batches.front().geometry.edit().positions)
+        position = glm::vec3(glm::dvec3(ordinaryPlace() * glm::dvec4(glm::dvec3(position), 1.0)));
+    return loaded(std::move(scene));
 }
 
 SceneBuilder sliver(float aspect) {

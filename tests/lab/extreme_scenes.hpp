@@ -16,6 +16,10 @@ LoadedScene loaded(Scene scene, bool castMasked = false);
 std::function<LoadedScene()> later(const std::function<SceneBuilder()>& draw,
                                    bool castMasked = false);
 
+/// The yard as flattening leaves what nodes turn and move: by ordinary numbers, and rounded.
+glm::dmat4 ordinaryPlace();
+LoadedScene turnedYard();
+
 /// Triangles with a longest side `aspect` times their height: one alone, one within a sheet.
 SceneBuilder sliver(float aspect);
 
