@@ -39,6 +39,9 @@ uniform float u_lightSide;
 #endif
 uniform float u_mapHand; // 1, or -1 where map space mirrors the world
 varying vec3 v_mapPosition;
+#ifndef PRIMITIVE_MAP_DIRECTIONAL
+varying float v_mapReach;
+#endif
 highp vec3 mapPoint; // what is looked up
 
 // Finds it: v_mapPosition, as far towards the light as interpolating may have put it off. Rasterisers
@@ -56,6 +59,9 @@ void findMapPoint() {
     pointError = (64.0 / 16777216.0) * max(1.0, max(max(reach.x, reach.y), reach.z));
 #endif
     primitiveMoved = 0.0;
+#ifndef PRIMITIVE_MAP_DIRECTIONAL
+    primitiveReach = min(v_mapReach, 1.0);
+#endif
 #ifdef DERIVATIVES
     highp vec3 along = dFdx(mapPoint), up = dFdy(mapPoint);
     highp vec3 terms = abs(along) * gl_FragCoord.x + abs(up) * gl_FragCoord.y;

@@ -6,7 +6,7 @@
 // a light that touches a caster (C47).
 float planeSide(vec4 plane, vec4 light, float reach) {
     float side = plane.x * light.x + plane.y * light.y + plane.z * light.z + plane.w * light.w;
-    return abs(side) > reach ? sign(side) : 0.0;
+    return reach < side || side < -reach ? sign(side) : 0.0;
 }
 
 // What counts of it (docs/method.md, C8). counted: (-1, 1), every triangle; (0, 1), light-facing

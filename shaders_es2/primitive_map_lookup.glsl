@@ -47,6 +47,9 @@ highp float primitiveTolerance;
 // How much nearer to the light than it is the point was moved, in the same units.
 highp float primitiveMoved;
 
+// Of a point light: how far from it coordinates are that the point was made of; 1, all casters, or less.
+highp float primitiveReach;
+
 // Whether the ray meets the triangle; `ray` is (x, y, 1) of a directional light, else the point.
 bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     highp vec4 a = primitiveRecord(3.0 * record);
@@ -55,7 +58,9 @@ bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     primitiveBehind = a.w * ray.x + b.w * ray.y + c.w * ray.z;
     primitiveHeight = PRIMITIVE_DIRECTIONAL ? point.z - primitiveBehind : primitiveBehind - 1.0;
     // What transforming, interpolating and evaluating a point may add up to.
-    primitiveTolerance = (64.0 / 16777216.0) * (1.0 + abs(a.w) + abs(b.w) + abs(c.w));
+    highp float slope = abs(a.w) + abs(b.w) + abs(c.w);
+    primitiveTolerance =
+        (64.0 / 16777216.0) * (1.0 + (PRIMITIVE_DIRECTIONAL ? slope : primitiveReach * slope));
     // Both neighbours compute the same products, but for their sign.
     return a.x * ray.x + a.y * ray.y + a.z * ray.z >= 0.0 &&
            b.x * ray.x + b.y * ray.y + b.z * ray.z >= 0.0 &&

@@ -95,6 +95,9 @@ varying float v_depth; // along the viewing direction
 #if defined(MAP) || defined(PRIMITIVE_MAP)
 varying vec3 v_mapPosition;
 #endif
+#if defined(PRIMITIVE_MAP) && !defined(PRIMITIVE_MAP_DIRECTIONAL)
+varying float v_mapReach; // how far from the light its vertices are: what they are rounded by
+#endif
 #ifdef SIDED
 varying float v_lightSide;
 #endif
@@ -141,6 +144,10 @@ void main() {
     // Near the origin nothing cancels.
     vec3 fromOrigin = (a_position - u_mapOrigin) - u_mapOriginRest;
     v_mapPosition = clipPosition(u_mapFromObject, vec4(fromOrigin, 0.0)).xyz;
+#ifndef PRIMITIVE_MAP_DIRECTIONAL
+    vec3 reach = abs(v_mapPosition);
+    v_mapReach = max(reach.x, max(reach.y, reach.z));
+#endif
 #elif defined(MAP)
     v_mapPosition = clipPosition(u_mapFromObject, vec4(a_position, 1.0)).xyz;
 #endif

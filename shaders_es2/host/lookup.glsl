@@ -32,6 +32,7 @@ bool primitiveLitOn(highp vec3 position, highp vec3 towardsEye, highp vec3 norma
     if (away && casts) return false;
     if (lightSide < 0.0) across = -across;
     primitiveMoved = 0.0;
+    primitiveReach = 1.0;
     point += across * (away ? -256.0 * primitiveUnit - 2.0 * off : off);
     return primitiveMapLights(point, casts);
 }

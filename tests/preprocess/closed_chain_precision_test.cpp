@@ -63,8 +63,8 @@ PrecisionTally tally(std::uint64_t pairs, std::uint64_t seed) {
         const glm::vec4 plane(normal, -glm::dot(normal, p[0]));
         // A record may hold a triangle's plane negated, where its edge runs the other way.
         typename Shaders::Plane planes;
-        result.planes += !(planes.planeSide(Vec4(plane), Vec4(light)) ==
-                           -planes.planeSide(Vec4(-plane), Vec4(light)));
+        result.planes += !(planes.planeSide(Vec4(plane), Vec4(light), 0.0) ==
+                           -planes.planeSide(Vec4(-plane), Vec4(light), 0.0));
     }
     return result;
 }

@@ -123,7 +123,7 @@ TEST(SilhouetteList, LeavesOutNoSilhouetteForAnyLightOfTheBall) {
                 const glm::vec4 light = lightIn(lights, random);
                 wrong += missed(shadow, proposal, light, checked);
                 all += shadow.pairs.size();
-                if (isInSomePlane(shadow, proposal.uncertain, light, 23)) continue;
+                if (isInSomePlane(shadow, proposal.uncertain, light, 0.0f, 23)) continue;
                 ++inNoPlane;
                 wrong +=
                     std::any_of(shadow.pairs.begin(), shadow.pairs.end(), [&](const auto& pair) {
@@ -161,17 +161,18 @@ std::size_t missedWith16Bits(std::uint64_t seed, std::size_t leftOut) {
                 ++checked;
                 typename Shaders::Plane shader;
                 const auto side = [&](const glm::vec4& plane) {
-                    return shader.planeSide(typename Shaders::vec4(plane), light).value();
+                    return shader.planeSide(typename Shaders::vec4(plane), light, 0.0f).value();
                 };
                 const auto side0 = side(shadow.pairs[p].plane0);
                 const auto side1 = side(shadow.pairs[p].plane1);
                 wrong += certain[p] ? side0 == 0 || side0 + side1 != 0 : side0 != side1;
             }
-            if (isInSomePlane(shadow, proposal.uncertain, lightAt, 16)) continue;
+            if (isInSomePlane(shadow, proposal.uncertain, lightAt, 0.0f, 16)) continue;
             for (const std::uint32_t p : proposal.uncertain.pairs) {
                 typename Shaders::Plane shader;
                 for (const glm::vec4& plane : {shadow.pairs[p].plane0, shadow.pairs[p].plane1})
-                    wrong += shader.planeSide(typename Shaders::vec4(plane), light).value() == 0;
+                    wrong +=
+                        shader.planeSide(typename Shaders::vec4(plane), light, 0.0f).value() == 0;
             }
         }
     }

@@ -20,19 +20,19 @@ inline const glm::vec2 countAll(-1.0f, 1.0f), countLightFacing(0.0f, 1.0f),
 inline int multiplicityOf(const PairRecord& pair, const glm::vec4& light,
                           const glm::vec2& counted) {
     shader_arithmetic::Plane shader;
-    return static_cast<int>(std::lround(shader.countedSide(pair.plane0, light, counted) -
-                                        shader.countedSide(pair.plane1, light, counted)));
+    return static_cast<int>(std::lround(shader.countedSide(pair.plane0, light, 0.0f, counted) -
+                                        shader.countedSide(pair.plane1, light, 0.0f, counted)));
 }
 inline int multiplicityOf(const SingleRecord& single, const glm::vec4& light,
                           const glm::vec2& counted) {
     return static_cast<int>(
-        std::lround(shader_arithmetic::Plane{}.countedSide(single.plane, light, counted)));
+        std::lround(shader_arithmetic::Plane{}.countedSide(single.plane, light, 0.0f, counted)));
 }
 
 /// plane_pair_caps.vert's `facing`.
 inline int facingOf(const CapRecord& cap, const glm::vec4& light, const glm::vec2& counted) {
     return static_cast<int>(
-        std::lround(shader_arithmetic::Plane{}.countedSide(cap.plane, light, counted)));
+        std::lround(shader_arithmetic::Plane{}.countedSide(cap.plane, light, 0.0f, counted)));
 }
 
 /// plane_pair_sides.vert's main() for quad `side` of a record of that multiplicity.

@@ -99,6 +99,8 @@ class PrimitiveLookup {
         shader.u_primitiveEntriesSize = entries_.size();
         shader.u_primitiveRecordsSize = records_.size();
         shader.u_primitiveSize = static_cast<float>(map_.size);
+        shader.primitiveMoved = 0.0f;
+        shader.primitiveReach = 1.0f;
         return shader.primitiveMapLights(point, casts);
     }
 
