@@ -375,8 +375,8 @@ TEST_F(SunHours, InterruptedLeavesNoPartialFile) {
 }
 
 TEST_F(SunHours, ALogHasALineAStage) {
-    const ProcessResult result =
-        run(lawn(), Words{"--size", "64x64", "--step", "10", "--at", "1,1,1", "--utc-offset", "1"});
+    const ProcessResult result = run(lawn(), Words{"--size", "64x64", "--step", "10", "--at",
+                                                   "1,1,1", "--utc-offset", "+01:00"});
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err.find_first_of("\r\033"), std::string::npos) << result.err;
     EXPECT_NE(result.err.find("progress: counting"), std::string::npos) << result.err;

@@ -69,7 +69,7 @@ struct AnimatedBox {
                 << "'" << word << "' is missing from: " << warning;
         GltfBuilder still = gltf;
         still.json.erase("animations");
-        expectSameTriangles(worldTriangles(sceneOf(gltf)), worldTriangles(sceneOf(still)));
+        expectSameTriangles(worldTriangles(sceneOf(gltf)), worldTriangles(sceneOf(still)), 1e-6);
     }
     /// Expects the warning and that it moves along x so far at times.
     void expectPlayed(std::initializer_list<const char*> words,
@@ -267,8 +267,7 @@ TEST(BadAnimation, OfAMatrixItsPartsAreMoved) {
 
 TEST(BadAnimation, AMatrixWithoutPartsCannotBeMoved) {
     for (const Json& matrix : {Json{1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
-                               Json{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
-                               Json{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}) {
+                               Json{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}) {
         AnimatedBox scene;
         scene.gltf.json["nodes"][0]["matrix"] = matrix;
         scene.expectLeftOut({"nodes[0].matrix", "animations[0]"});
