@@ -49,9 +49,7 @@ BrokenAnimations findBrokenAnimations(const nlohmann::ordered_json& json,
         if (!channels) return;
         std::size_t number = 0;
         channels->forEachItem([&](const JsonField& channel) {
-            const auto check = [&] {
-                checkChannel(channel, animation, nodeCount, accessorCount);
-            };
+            const auto check = [&] { checkChannel(channel, animation, nodeCount, accessorCount); };
             if (!readOrWarn(warnings, "the channel is left out", check))
                 broken.channels.insert({at, number});
             ++number;

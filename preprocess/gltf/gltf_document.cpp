@@ -39,8 +39,9 @@ std::filesystem::path pathOfUri(const GltfDocument& document, const std::string&
     if (hasScheme(decoded) || !isInside(place))
         throw InputError(said + "only files in the asset's own folder and data URIs are read.");
     if (decoded.find_first_of(std::string_view(":\0", 2)) != std::string::npos)
-        throw InputError(said + "no name with a colon or a zero byte is read, which means more than "
-                                "a name on some systems.");
+        throw InputError(said +
+                         "no name with a colon or a zero byte is read, which means more than "
+                         "a name on some systems.");
     const std::filesystem::path path = document.path.parent_path() / place;
     std::error_code missing;
     const auto file = std::filesystem::canonical(path, missing);

@@ -118,8 +118,7 @@ Json keptChannels(const Json& source, std::size_t animation, const BrokenAnimati
 /// Those that no channel has may be broken: something else stands in their places.
 Json keptSamplers(const Json& source, const Json& channels) {
     Json samplers = Json::array();
-    samplers.get_ref<Json::array_t&>().resize(
-        source.size(), Json{{"input", 0}, {"output", 0}});
+    samplers.get_ref<Json::array_t&>().resize(source.size(), Json{{"input", 0}, {"output", 0}});
     for (const Json& channel : channels) {
         const auto index = channel["sampler"].get<std::size_t>();
         samplers[index] = only(source[index], {"input", "output", "interpolation"});

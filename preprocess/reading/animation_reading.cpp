@@ -118,8 +118,8 @@ class AnimationReader {
     NodeTransform restOf(int index, const std::string& field) {
         const tinygltf::Node& node = document_.model->nodes.at(index);
         if (!hasMatrix(node)) return restTransform(node);
-        const std::string matrix =
-            document_.where("nodes[") + std::to_string(index) + "].matrix can't be moved by " + field;
+        const std::string matrix = document_.where("nodes[") + std::to_string(index) +
+                                   "].matrix can't be moved by " + field;
         const auto parts = partsOf(restMatrix(node));
         if (!parts) throw InputError(matrix + "; translation, rotation and scale can.");
         warnings_.add(matrix + "; the translation, rotation and scale that make it are moved.");
@@ -153,8 +153,9 @@ class AnimationReader {
         const std::size_t count = keyframes.times->size();
         const std::size_t found = elementCount(document_, sampler.output, field + ".output");
         if (keyframes.interpolation == Interpolation::cubicSpline && count == 1) {
-            warnings_.add(document_.where(field) + ".input has 1 element, but a CUBICSPLINE needs 2 "
-                                                   "or more; it has its value all the time.");
+            warnings_.add(document_.where(field) +
+                          ".input has 1 element, but a CUBICSPLINE needs 2 "
+                          "or more; it has its value all the time.");
             if (found == elements) keyframes.interpolation = Interpolation::step; // no tangents
         }
         const bool isSpline = keyframes.interpolation == Interpolation::cubicSpline;
@@ -273,8 +274,7 @@ std::optional<Animation> readAnimation(const GltfDocument& document, Warnings& w
 std::vector<AnimationTitle> playedAnimations(const GltfDocument& document, Warnings& warnings) {
     AnimationReader reader(document, warnings);
     std::vector<AnimationTitle> titles = animationTitles(document);
-    std::erase_if(titles,
-                  [&](const AnimationTitle& title) { return !reader.read(title.index); });
+    std::erase_if(titles, [&](const AnimationTitle& title) { return !reader.read(title.index); });
     return titles;
 }
 
