@@ -80,8 +80,7 @@ std::string refusalOf(const MapOutcome& outcome) {
     if (outcome.tooFar) return "the light is too far from its casters for a primitive map";
     if (outcome.tooLong > 0)
         return "a list of its primitive map would have " + std::to_string(outcome.tooLong) +
-               " triangles, more than the " + std::to_string(longestAsked) +
-               " that a shader's loops go through";
+               " triangles, more than a shader's loops go through";
     if (!outcome.built)
         return "a primitive map would take more than " + std::to_string(outcome.mostBytes) +
                " bytes, or minutes";

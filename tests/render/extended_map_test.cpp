@@ -202,6 +202,37 @@ TEST(ExtendedMap, KnowsWhatNothingOfTheLightReaches) {
     }
 }
 
+/// What of so many sheets above each other is known before any part of their map is built.
+std::size_t longListBeforeBuilding(int sheets, std::size_t longestWanted) {
+    SceneBuilder builder;
+    for (int i = 0; i < sheets; ++i) {
+        const float y = 0.5f + 0.01f * static_cast<float>(i);
+        builder.quad({-0.5f, y, 0.5f}, {0.5f, y, 0.5f}, {0.5f, y, -0.5f}, {-0.5f, y, -0.5f});
+    }
+    const Scene scene = builder.scene();
+    const auto shadows = buildPlanePairs(scene, false);
+    const Light light = discTowards({0.4, 1, 0.3}, 3.0);
+    PrimitiveMapSettings settings;
+    settings.size = 64;
+    settings.mostSplits = 0;
+    settings.longestWanted = longestWanted;
+    for (const double corner : {-2.0, 2.0})
+        settings.receivers.add(glm::dvec3(corner));
+    const std::vector<PlacedCasters> casters = {
+        {std::make_shared<const CasterEdges>(casterEdgesOf(*shadows[0]))}};
+    PrimitiveMapBuilder ahead(light, casters, settings);
+    ahead.lookForLongLists();
+    const std::size_t known = ahead.tooLong();
+    ahead.buildAllParts();
+    EXPECT_EQ(ahead.join().has_value(), known == 0);
+    return known;
+}
+
+TEST(ExtendedMap, WithTooLongAListIsGivenUpBeforeItIsBuilt) {
+    EXPECT_GT(longListBeforeBuilding(60, 50), 50u);
+    EXPECT_EQ(longListBeforeBuilding(60, 1000), 0u);
+}
+
 TEST(LightShape, ReachesAsFarAsItsPoints) {
     for (const Light& light : {sphereAt({0.5, 2, 1}, 0.4), panelAt({3, 3, 1}, {1, 0.5}),
                                discTowards({0.3, 1, 0.2}, 40.0)}) {
