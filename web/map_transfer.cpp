@@ -26,8 +26,8 @@ void transfer(Archive& archive, Maybe<SidedTriangles> auto& triangles) {
 
 template <class Archive>
 void transfer(Archive& archive, Maybe<BuiltPrimitiveMap> auto& built) {
-    archive(built.light, built.mostBytes, built.tooFar, built.tooLong, built.milliseconds, built.map,
-            built.triangles);
+    archive(built.light, built.mostBytes, built.tooFar, built.tooLong, built.milliseconds,
+            built.map, built.triangles);
 }
 
 namespace {

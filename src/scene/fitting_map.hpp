@@ -12,8 +12,8 @@ inline constexpr std::size_t longestAsked = 3072;
 
 /// A light's primitive map. It begins with as many texels as suit its casters, and no more than
 /// its settings say; where it takes more memory than it may, half as many along an edge are tried,
-/// down to an eighth. Where a list is longer than longestAsked it is given up at once: larger texels
-/// have longer ones.
+/// down to an eighth. Where a list is longer than longestAsked it is given up at once: larger
+/// texels have longer ones.
 class FittingMap {
   public:
     FittingMap(const Light& light, std::vector<PlacedCasters> casters,

@@ -34,7 +34,7 @@ struct BuiltPrimitiveMap {
     /// Nothing if it would take more memory or time than it may, or the light is too far off.
     std::optional<PrimitiveMap> map;
     bool tooFar = false;
-    std::size_t tooLong = 0; ///< FittingMap::tooLong()
+    std::size_t tooLong = 0;                            ///< FittingMap::tooLong()
     std::vector<std::vector<SidedTriangles>> triangles; ///< by batch, by chunk, or none
     double milliseconds = 0.0;                          ///< that were worked
 };

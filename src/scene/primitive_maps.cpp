@@ -187,10 +187,12 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
                          const gl::Capabilities& capabilities) {
     PrimitiveMapState state{nullptr, "at rest", built.milliseconds};
     double room = moreWouldNotHelp;
-    const std::string refusal = refusalOf({built.map.has_value(), built.tooFar, built.tooLong, built.mostBytes});
+    const std::string refusal =
+        refusalOf({built.map.has_value(), built.tooFar, built.tooLong, built.mostBytes});
     if (!refusal.empty()) {
         state.why = refusal;
-        if (!built.tooFar && built.tooLong == 0 && !built.map) room = static_cast<double>(built.mostBytes);
+        if (!built.tooFar && built.tooLong == 0 && !built.map)
+            room = static_cast<double>(built.mostBytes);
     } else if (demand.choice == MapChoice::thatPay && built.map->meanList > longLists) {
         state.why = "volumes cost less than lists of " +
                     std::to_string(std::lround(built.map->meanList)) + " triangles";
