@@ -36,7 +36,7 @@ std::vector<lab::Contender> everyWay() {
         contender("three edges",
                   [](RenderSettings& of) { of.multiplicity = MultiplicityMethod::threeEdge; }),
         contender("brute force",
-                  [](RenderSettings& of) { of.bruteForce = BruteForceCount::zFail; }),
+                  [](RenderSettings& of) { of.multiplicity = MultiplicityMethod::triangle; }),
         contender("primitive map",
                   [](RenderSettings& of) { of.shadows = ShadowMethod::primitiveMap; })};
     if (test::canAskPoints())

@@ -1,5 +1,5 @@
-// Points asked one by one whether a light reaches them (docs/method.md, C46), without a GL: pictures
-// are made up of what rays meet.
+// Points asked one by one whether a light reaches them (docs/method.md, C46), without a GL:
+// pictures are made up of what rays meet.
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/scene_builder.hpp"

@@ -100,7 +100,9 @@ LightContact contactOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec
         const double room = std::max(unit * placingUnits * coordinates, told ? 0.0 : rounding);
         contact.touches = (std::abs(height) <= unit * placingUnits * coordinates || !told) &&
                           isWithin(corners, normal, place, room);
-        if (contact.touches) contact.reach = std::abs(seen.value) + 2.0 * rounding;
+        if (contact.touches)
+            contact.reach =
+                std::abs(seen.value) + std::max(2.0 * rounding, unit * placingUnits * coordinates);
     }
     contact.grazes =
         contact.touches ||

@@ -18,7 +18,7 @@ struct SilhouetteKey {
     /// Of a light's points: holds all of them, in the batch's space. The list serves them all.
     std::optional<LightBall> around{};
     double range = std::numeric_limits<double>::infinity(); ///< as rangeInObject() has it
-    float reach = 0.0f; ///< ContactCaps', of the light
+    float reach = 0.0f;                                     ///< ContactCaps', of the light
 };
 
 /// Keeps the lists of potential silhouettes for lights and batches from frame to frame, and makes

@@ -32,8 +32,9 @@ struct SilhouetteList {
 void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records);
 
-/// Whether the light may be in the plane of a listed triangle, or within `reach` of it, as floats of
-/// so many mantissa bits round. If not, every listed pair of which both triangles cast has multiplicity 0 or ±2.
+/// Whether the light may be in the plane of a listed triangle, or within `reach` of it, as floats
+/// of so many mantissa bits round. If not, every listed pair of which both triangles cast has
+/// multiplicity 0 or ±2.
 bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
                    float reach, int mantissaBits);
 
