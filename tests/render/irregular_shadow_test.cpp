@@ -36,7 +36,7 @@ RenderSettings byVolumes(Shading shading = Shading::base) {
 class IrregularShadows : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::canAskPoints()) GTEST_SKIP() << "no processor draws, or depth can't be read";
+        if (!test::canAskPoints()) GTEST_SKIP() << "no processor draws, or not into framebuffers with depth";
     }
 };
 
@@ -189,7 +189,7 @@ TEST_F(IrregularShadows, FollowWhatMoves) {
     EXPECT_EQ(moved, afresh.draw(sun({0.4, 1, 0.3})));
 }
 
-TEST_F(IrregularShadows, AreRefusedWhereDepthCantBeRead) {
+TEST_F(IrregularShadows, AreRefusedWhereTrianglesCantBeNumbered) {
     std::optional<Drawing> several;
     try {
         several.emplace(yard().scene(), byPoints(), 4);

@@ -16,7 +16,8 @@ constexpr std::size_t leastTriangles = 8192;
 } // namespace
 
 bool IrregularShadowPass::isPossible(const gl::Capabilities& capabilities) {
-    return capabilities.isSoftware() && capabilities.samples <= 1;
+    return capabilities.isSoftware() && capabilities.samples <= 1 &&
+           capabilities.has("GL_OES_packed_depth_stencil");
 }
 
 bool IrregularShadowPass::isWanted(const RenderSettings& settings,
@@ -25,7 +26,8 @@ bool IrregularShadowPass::isWanted(const RenderSettings& settings,
         if (isPossible(capabilities)) return true;
         throw Error(ExitStatus::unavailable,
                     "'--shadows irregular-z-buffer' needs a GL whose processor draws, with one "
-                    "sample a pixel; '--shadows volumes' does without.");
+                    "sample a pixel and framebuffers with depth (GL_OES_packed_depth_stencil); "
+                    "'--shadows volumes' does without.");
     }
     const auto records = settings.records();
     return settings.shadows == ShadowMethod::automatic &&

@@ -18,7 +18,8 @@ namespace edgeshade {
 /// is between it and the light: exact as volumes are, and nothing is filled (docs/method.md, C46).
 class IrregularShadowPass {
   public:
-    /// Whether the processor draws, with one sample a pixel.
+    /// Whether the processor draws, with one sample a pixel, and framebuffers of one's own have
+    /// depth.
     static bool isPossible(const gl::Capabilities& capabilities);
     /// Whether the settings ask for it, or leave it open where it is possible. Throws
     /// Error(unavailable) where they ask for it and it isn't.
