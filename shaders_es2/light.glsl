@@ -27,8 +27,7 @@ uniform float u_casts; // 1: the surface is a caster, dark where it is turned aw
 #ifdef PRIMITIVE_MAP_POINTS
 #include "primitive_map_points.glsl"
 #endif
-// The light is on the front (1) or the back (-1) of this caster, or grazes it (2) and doesn't light it;
-// 0: the surface is no caster.
+// The light is on the front (1) or the back (-1) of this caster, or grazes it (2); 0: it is none.
 // SIDED: some triangles of the surface face the light and others don't.
 #ifdef SIDED
 varying float v_lightSide;

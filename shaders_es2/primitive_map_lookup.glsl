@@ -38,17 +38,10 @@ uniform highp float u_primitiveSize; // texels along a tile's edge
 // inverse, as a share of the point's.
 highp float primitiveBehind;
 
-// How far the point is behind that plane: a depth of a directional light, else a share of its own.
-highp float primitiveHeight;
-
-// How far behind it rounding may put a point of the plane.
-highp float primitiveTolerance;
-
-// How much nearer to the light than it is the point was moved, in the same units.
-highp float primitiveMoved;
-
-// Of a point light: how far from it coordinates are that the point was made of; 1, all casters, or less.
-highp float primitiveReach;
+highp float primitiveHeight;    // of the point behind that plane
+highp float primitiveTolerance; // and of points of it, by rounding
+highp float primitiveMoved;     // towards the light, the point
+highp float primitiveReach;     // of its coordinates from a point light, 0..1
 
 // Whether the ray meets the triangle; `ray` is (x, y, 1) of a directional light, else the point.
 bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
@@ -57,7 +50,6 @@ bool primitiveMeets(highp float record, highp vec3 ray, highp vec3 point) {
     highp vec4 c = primitiveRecord(3.0 * record + 2.0);
     primitiveBehind = a.w * ray.x + b.w * ray.y + c.w * ray.z;
     primitiveHeight = PRIMITIVE_DIRECTIONAL ? point.z - primitiveBehind : primitiveBehind - 1.0;
-    // What transforming, interpolating and evaluating a point may add up to.
     highp float slope = abs(a.w) + abs(b.w) + abs(c.w);
     primitiveTolerance =
         (64.0 / 16777216.0) * (1.0 + (PRIMITIVE_DIRECTIONAL ? slope : primitiveReach * slope));
@@ -185,19 +177,15 @@ float primitiveListLength(bool casts) {
 }
 #endif
 
-// Whether the light reaches the point. `casts`: see primitiveListIsEmpty(). What is behind a plane by
-// more than rounding is in shadow. Of planes that a point of a caster is on, as far as rounding tells,
-// the nearest is its own, and it is in shadow where another of them is before that: planes are told
-// apart better than points (docs/method.md, C35).
+// Whether the light reaches the point. `casts`: see primitiveListIsEmpty(). Of planes that it is on, as
+// far as rounding tells, the nearest is its own, and others may be before that (docs/method.md, C35).
 bool primitiveMapLights(highp vec3 point, bool casts) {
     if (!findPrimitiveTexel(point)) return true;
     if (primitiveDepth > primitiveHeader.x) return false;
     if (primitiveListIsEmpty(casts)) return true;
     highp float list = floor(primitiveHeader.w);
-    highp float own = 0.0;        // height over the nearest plane
-    highp float distance = 1e30;  // that without its sign
-    highp float foremost = -1e30; // height over the plane that is nearest to the light
-    highp float apart = 0.0;      // how well planes are told apart
+    highp float own = 0.0, distance = 1e30, foremost = -1e30;
+    highp float apart = 0.0; // how well planes are told apart
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
         highp vec4 entry = primitiveEntry(list + float(i));
         highp float record = floor(entry.x);
@@ -214,7 +202,8 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
             highp float height = primitiveHeight + primitiveMoved;
             if (abs(height) <= primitiveTolerance + primitiveMoved) {
                 foremost = max(foremost, height);
-                apart = max(apart, 0.125 * primitiveTolerance);
+                highp float told = 0.125 * primitiveTolerance;
+                apart = max(apart, told);
                 if (abs(height) < distance) {
                     distance = abs(height);
                     own = height;
