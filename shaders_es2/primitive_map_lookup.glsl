@@ -146,8 +146,7 @@ bool findPrimitiveTexel(highp vec3 point) {
     at = at * halfSize + vec2(halfSize);
     highp vec2 cell = clamp(floor(at), vec2(0.0), vec2(u_primitiveSize - 1.0));
     highp float texel = (tile * u_primitiveSize + cell.y) * u_primitiveSize + cell.x;
-    // Far more turns than texels are divided: a loop that compilers unroll would look up all of
-    // them where pixels are shaded in step, as in software.
+    // Far more turns than texels are divided, so that compilers don't unroll the loop.
     for (int level = 0; level < 64; ++level) {
         primitiveHeader = primitiveHeaderAt(texel);
         if (primitiveHeader.w >= 0.0) break;
@@ -185,7 +184,7 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
     if (primitiveListIsEmpty(casts)) return true;
     highp float list = floor(primitiveHeader.w);
     highp float own = 0.0, distance = 1e30, foremost = -1e30;
-    highp float apart = 0.0; // how well planes are told apart
+    highp float apart = 0.0;
     for (int i = 0; i < PRIMITIVE_MAP_LONGEST; ++i) {
         highp vec4 entry = primitiveEntry(list + float(i));
         highp float record = floor(entry.x);
@@ -210,8 +209,7 @@ bool primitiveMapLights(highp vec3 point, bool casts) {
                 }
             }
         }
-        // Here rather than before the next one is asked: where pixels are shaded in step, as in
-        // software, a turn of the loop costs what it costs whoever leaves it early.
+        // Here: where pixels are shaded in step, whoever leaves early waits (docs/method.md, C34).
         if (primitiveDepth <= entry.w) break; // all further ones are deeper
         if (casts && entry.x > floor(entry.x)) break; // or are asked by others alone
     }
