@@ -36,7 +36,8 @@ RenderSettings byVolumes(Shading shading = Shading::base) {
 class IrregularShadows : public testing::Test {
   protected:
     void SetUp() override {
-        if (!test::canAskPoints()) GTEST_SKIP() << "no processor draws, or not into framebuffers with depth";
+        if (!test::canAskPoints())
+            GTEST_SKIP() << "no processor draws, or not into framebuffers with depth";
     }
 };
 
