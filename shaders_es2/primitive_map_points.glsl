@@ -35,6 +35,15 @@ highp vec4 notBlocked(highp vec4 x, highp vec4 y, highp vec4 z) {
     return vec4(1.0) - within * (vec4(1.0) - step(zero, across));
 }
 
+#ifdef MASK
+// 1 for each of four places that don't just graze the triangle, else 0: the sine of the angle to its
+// plane is above LightContact::grazingSine (docs/method.md, C47).
+highp vec4 notGrazing(highp vec4 x, highp vec4 y, highp vec4 z) {
+    highp vec4 across = triangleNormal.x * x + triangleNormal.y * y + triangleNormal.z * z;
+    return step(1e-5 * length(triangleNormal) * sqrt(x * x + y * y + z * z), abs(across));
+}
+#endif
+
 highp float sumOf(highp vec4 four) { return four.x + four.y + four.z + four.w; }
 
 // Of 16. `casts`: see primitiveListIsEmpty().
@@ -69,9 +78,14 @@ highp float placesSeen(highp vec3 point, bool casts) {
         abovePlane = dot(triangleNormal, point - a);
         highp vec3 terms = abs(triangleNormal);
         // What lies on the triangle is where it is seen from.
-        highp float side = abs(abovePlane) > pointError * (terms.x + terms.y + terms.z)
-                               ? abovePlane
-                               : dot(triangleNormal, u_mapEye.xyz - u_mapEye.w * a);
+        bool isOn = abs(abovePlane) <= pointError * (terms.x + terms.y + terms.z);
+        highp float side =
+            isOn ? dot(triangleNormal, u_mapEye.xyz - u_mapEye.w * a) : abovePlane;
+#ifdef MASK
+        if (isOn)
+            for (int k = 0; k < 4; ++k)
+                seen[k] *= notGrazing(towardsX[k], towardsY[k], towardsZ[k]);
+#endif
         hand = side > 0.0 ? 1.0 : (side < 0.0 ? -1.0 : 0.0);
         // Not a loop: some GLs end loops after so many turns, those of inner ones counted.
         seen[0] *= notBlocked(towardsX[0], towardsY[0], towardsZ[0]);

@@ -13,7 +13,11 @@
 #include "src/lab/compare.hpp"
 #include "src/lab/compare_counts.hpp"
 
+#include "src/scene/pose.hpp"
+
+#include <algorithm>
 #include <iomanip>
+#include <set>
 #include <sstream>
 #endif
 
@@ -83,6 +87,15 @@ Json sumsJson(const lab::WrongSums& sums) {
             {"largest_wrong_count", sums.largest}};
 }
 
+/// Warns once of each light that a primitive map was asked for by name and that got none.
+template <typename Result>
+void warnOfFallbacks(const std::vector<Result>& results) {
+    std::set<std::string> warned;
+    for (const Result& result : results)
+        for (const std::string& sentence : fallbackWarnings(result.settings.shadows, result.lights))
+            if (warned.insert(sentence).second) printWarnings({sentence});
+}
+
 /// Of lights with an extent: how many of their points reach a pixel is what is compared.
 void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
                     const std::vector<DrawSettings>& settings, lab::CompareTask& task) {
@@ -101,6 +114,7 @@ void compareExtents(const CompareOptions& options, const LoadedScene& loaded,
         lab::compareCounts(loaded, task, [&](double share, const std::string& doing) {
             bar.show(share, doing, stageOf(doing));
         });
+    warnOfFallbacks(results);
     std::ostringstream text;
     text << std::left << std::setw(34) << "of the points of visible pixels" << std::right
          << std::setw(10) << "wrong, %" << std::setw(14) << "pixels wrong" << std::setw(12)
@@ -157,8 +171,12 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     std::vector<DrawSettings> settings = {options.settings};
     for (const std::string& text : options.against)
         settings.push_back(settingsFrom(options.settings, text));
-    const LoadedScene loaded = options.load(shadingFor(settings), options.settings.render.shadows,
-                                            drawOppositeVertices(settings));
+    LoadedScene loaded = options.load(shadingFor(settings), options.settings.render.shadows,
+                                      drawOppositeVertices(settings));
+    if (std::ranges::any_of(settings, [](const DrawSettings& one) {
+            return one.render.shadows == ShadowMethod::primitiveMap;
+        }))
+        holdStill(loaded.scene);
     printWarnings(loaded.scene.warnings.sentences());
 
     lab::CompareTask task;
@@ -184,6 +202,7 @@ void compare(const CompareOptions& options, bool viewsTyped) {
     const auto results = lab::compareAll(loaded, task, [&](double share, const std::string& doing) {
         bar.show(share, doing, stageOf(doing));
     });
+    warnOfFallbacks(results);
     if (!options.heatmap.empty())
         writeFile(options.heatmap, encodePng(results[0].heatmap, task.width, task.height));
     printResult(tableOf(results), options.report);

@@ -18,7 +18,7 @@ FrameView frameOf(const LoadedScene& loaded, const FrameRequest& request,
 }
 
 LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
-                const FrameView& frame) {
+                const FrameView& frame, std::vector<LightMethod>& lights) {
     GpuScene& scene = studio.sceneFor(loaded, renderer.settings().records());
     LitCounter counter(studio.capabilities());
     counter.begin(frame.width, frame.height);
@@ -27,6 +27,7 @@ LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
         prepareScene(scene, loaded, frame, renderer.settings(), studio.capabilities());
     counter.addPoints(renderer, scene, loaded, frame, 0, 0, frame.lights.front().points.size());
     gl::requireNoError("drawing for comparison");
+    lights = lightMethods(scene, frame, renderer.settings());
     return counter.read();
 }
 
@@ -85,7 +86,7 @@ compareCounts(const LoadedScene& loaded, const CompareTask& task,
             const LoadedScene& scene = contender.scene ? *contender.scene : loaded;
             const FrameView frame = frameOf(scene, request, contender.depthSlices);
             const LitCounts counts = request.lightSamples > 0
-                                         ? drawn(studio, renderer, scene, frame)
+                                         ? drawn(studio, renderer, scene, frame, result.lights)
                                          : shares(studio, renderer, scene, frame, points);
             result.byView.push_back(oracle.compare(counts, points));
             result.sums += result.byView.back();

@@ -2,6 +2,7 @@
 
 #include "src/lab/compare.hpp"
 #include "src/lab/point_counts.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 
 namespace edgeshade::lab {
 
@@ -10,6 +11,7 @@ struct CountResult {
     std::string name;
     RenderSettings settings; ///< with the layout that was used
     WrongSums sums;
+    std::vector<LightMethod> lights; ///< of the last view
     std::vector<WrongSums> byView;
 };
 

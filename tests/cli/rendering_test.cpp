@@ -299,6 +299,24 @@ TEST(Rendering, WarnsOfLightsThatGetNoPrimitiveMapWhereOneWasAskedFor) {
     EXPECT_EQ(told("volumes").find("warning"), std::string::npos);
 }
 
+TEST(Rendering, ComparingWarnsOnceOfLightsThatGetNoPrimitiveMap) {
+    for (const std::vector<std::string>& light :
+         {std::vector<std::string>{"--sun", "0.1,1,0.2"},
+          {"--sun", "0.1,1,0.2", "--sun-angle", "0.53", "--light-samples", "2"}}) {
+        std::vector<std::string> arguments = {
+            "compare", pavilion,    "--size",        "64x48",       "--views",
+            "2",       "--shadows", "primitive-map", "--gl-limits", "es2-minimum"};
+        arguments.insert(arguments.end(), light.begin(), light.end());
+        const ProcessResult result = runEdgeshade(arguments);
+        ASSERT_EQ(result.status, 0) << result.err;
+        const std::string sentence = "--shadows primitive-map is not for it: the GL looks up no "
+                                     "floats. Its shadows are those of volumes.";
+        const std::size_t first = result.err.find(sentence);
+        EXPECT_NE(first, std::string::npos) << result.err;
+        EXPECT_EQ(result.err.find(sentence, first + 1), std::string::npos);
+    }
+}
+
 TEST(Rendering, InAStillAnAnimationMovesNothing) {
     const TempFolder folder;
     const ProcessResult result = runEdgeshade(
