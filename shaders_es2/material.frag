@@ -8,16 +8,9 @@
 // CLEARCOAT_ROUGHNESS_MAP, CLEARCOAT_NORMAL_MAP. Each map's name + _UV says which coordinates it
 // takes. FALLOFF, of LIT: candela, by the square of the distance. SOFT_TERMINATOR, of LIT: see
 // terminator.glsl. LIGHT_LIST: in place of LIT, of all lights of a tile's list, see light_table.glsl.
-// SLICED: nothing deeper than u_farthest. AMBIENT_TARGET, of AMBIENT and LIT: what is seen by ambient
-// light alone, too. Of LIT those of light.glsl.
+// SLICED: nothing deeper than u_farthest. Of LIT those of light.glsl.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
-#endif
-#ifdef AMBIENT_TARGET
-#extension GL_EXT_draw_buffers : require
-#define SHOWN gl_FragData[0]
-#else
-#define SHOWN gl_FragColor
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
@@ -341,9 +334,6 @@ void main() {
     seen.reflected += emission;
 #endif
 #endif
-#ifdef AMBIENT_TARGET
-    gl_FragData[1] = vec4(displayed((seen.scattered + seen.reflected) * u_exposure), 1.0);
-#endif
 #ifdef LIT
     vec3 light = towardsLight();
     float window = lightWindow();
@@ -390,5 +380,5 @@ void main() {
 #ifdef BLENDED
     color *= base.a;
 #endif
-    SHOWN = vec4(color, alpha);
+    gl_FragColor = vec4(color, alpha);
 }

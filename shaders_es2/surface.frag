@@ -7,17 +7,10 @@
 // vertices' alpha is, what of it is in shadow; ALPHA_TEST, materials with cutouts, ALPHA_LOOKUP, of
 // a host's texture, which may have alpha in another channel; BLENDED,
 // see-through ones; LINEAR, the light that is mapped to such colours later; SLICED, nothing deeper
-// than u_farthest; LIGHT_LIST, in place of one light all of a tile's list, see light_table.glsl;
-// AMBIENT_TARGET, what is seen by ambient light alone, too. Of LIT those of light.glsl, and
-// PRIMITIVE_MAP_TINT, showing what a primitive map's texels hold.
+// than u_farthest; LIGHT_LIST, in place of one light all of a tile's list, see light_table.glsl. Of
+// LIT those of light.glsl, and PRIMITIVE_MAP_TINT, showing what a primitive map's texels hold.
 #ifdef DERIVATIVES
 #extension GL_OES_standard_derivatives : enable
-#endif
-#ifdef AMBIENT_TARGET
-#extension GL_EXT_draw_buffers : require
-#define SHOWN gl_FragData[0]
-#else
-#define SHOWN gl_FragColor
 #endif
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
@@ -198,9 +191,6 @@ void main() {
     ambient = displayed(ambient);
 #endif
 #endif
-#ifdef AMBIENT_TARGET
-    gl_FragData[1] = vec4(base.rgb * ambient, 1.0);
-#endif
 #if defined(BLENDED)
     float alpha = base.a;
 #elif defined(WITH_AMBIENT)
@@ -209,18 +199,18 @@ void main() {
     float alpha = 1.0;
 #endif
 #ifdef MASK
-    SHOWN = vec4(vec3(u_maskValue * share), alpha);
+    gl_FragColor = vec4(vec3(u_maskValue * share), alpha);
 #else
 #if defined(CATCHER) && defined(LINEAR)
-    SHOWN = vec4(lightShownAs(base.rgb) * share, alpha);
+    gl_FragColor = vec4(lightShownAs(base.rgb) * share, alpha);
 #elif defined(LINEAR)
-    SHOWN = vec4(lightShownAs(base.rgb * share), alpha);
+    gl_FragColor = vec4(lightShownAs(base.rgb * share), alpha);
 #else
-    SHOWN = vec4(base.rgb * share, alpha);
+    gl_FragColor = vec4(base.rgb * share, alpha);
 #endif
 #endif
 #ifdef PRIMITIVE_MAP_TINT
     vec4 tint = primitiveTint();
-    SHOWN.rgb = mix(SHOWN.rgb, tint.rgb, tint.a);
+    gl_FragColor.rgb = mix(gl_FragColor.rgb, tint.rgb, tint.a);
 #endif
 }

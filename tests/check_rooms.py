@@ -18,7 +18,7 @@ DRAWING = ROOT / "docs/figures/rooms.svg"
 ROOMS = (
     "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
     "preprocess/volumes",
-    "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/culling", "src/shadow/plan", "src/shadow/plan/published", "src/shadow/plan/brute_force", "src/shadow/scissors", "src/shadow/irregular", "src/shadow/planar",
+    "src/shadow/geometry", "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/plan", "src/shadow/plan/published", "src/shadow/plan/brute_force", "src/shadow/irregular", "src/shadow/planar", "src/policy",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/hours", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/shadow_map",
     "src/render/planar",
@@ -29,8 +29,8 @@ ROOMS = (
 # Libraries' headers, by the start of the name that is included, and the rooms that may see them.
 GL = ("GLES2/", "EGL/", "GLFW/", "emscripten")
 JSON = ("nlohmann/", "tiny_gltf.h")
-PURE = ROOMS[:15]                      # neither GL nor JSON
-NO_GL = ROOMS[:21]
+PURE = ROOMS[:ROOMS.index("preprocess/gltf")]                      # neither GL nor JSON
+NO_GL = ROOMS[:ROOMS.index("src/environment")]
 # Nor do these see JSON: what draws and what judges know nothing of files.
 NO_FILES = PURE + ("src/gl",) + tuple(
     room for room in ROOMS if room.startswith(("src/render/", "src/lab", "src/bench", "src/plot")))

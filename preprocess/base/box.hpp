@@ -23,6 +23,12 @@ struct Box {
     glm::dvec3 corner(int i) const {
         return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
     }
+    /// No more than the point's distance to anything within; 0 of an empty box.
+    double distanceTo(const glm::dvec3& point) const {
+        return empty()
+                   ? 0.0
+                   : glm::length(glm::max(glm::max(low - point, point - high), glm::dvec3(0.0)));
+    }
     glm::dvec3 center() const { return empty() ? glm::dvec3(0.0) : 0.5 * (low + high); }
     double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
 };

@@ -6,10 +6,9 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
-#include "src/render/irregular/irregular_shadow_pass.hpp"
+#include "src/scene/scene_facts.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/geometry/light_budget.hpp"
-#include "src/shadow/geometry/light_region.hpp"
 #include "src/shadow/plan/volume_fill.hpp"
 
 #include <algorithm>
@@ -32,8 +31,7 @@ struct Needs {
     bool seeThroughLooksUp = false;        ///< where volumes are counted
     std::size_t mapBytes = 0;              ///< what primitive maps may take, where there may be any
     std::optional<std::size_t> shadowed{}; ///< lights that have shadows; nothing: all
-    bool culledCasters = false;
-    std::size_t planes = 0; ///< shadows are projected onto
+    std::size_t planes = 0;                ///< shadows are projected onto
 
     auto operator<=>(const Needs&) const = default;
 };
@@ -42,8 +40,7 @@ Needs needsOf(const RenderSettings& settings) {
     Needs needs{.volumes = settings.records(),
                 .proposed = settings.silhouette == SilhouetteChoice::proposed,
                 .primitiveMaps = settings.looksUpPrimitives(),
-                .automatic = settings.shadows == ShadowMethod::automatic,
-                .culledCasters = settings.casterCulling};
+                .automatic = settings.shadows == ShadowMethod::automatic};
     needs.seeThroughLooksUp =
         settings.shadows == ShadowMethod::volumes && settings.shading == Shading::full;
     if (needs.primitiveMaps || needs.seeThroughLooksUp)
@@ -64,18 +61,13 @@ class Stage {
     /// Works out what the frame shows. RayCrossings are kept while the lights rest;
     /// `volumes`: somebody draws them; `mostShadowed`: the most lights that anybody has with
     /// shadows.
-    /// `circle`: that lights draw, where they move.
-    void look(const FrameRequest& request, bool moves, double circle, bool volumes,
+    void look(const FrameRequest& request, bool moves, bool volumes,
               std::optional<std::size_t> mostShadowed) {
         Stopwatch watch;
         view_ = makeFrameView(loaded_.scene, request, bounds_);
         chooseLights(view_, mostShadowed);
-        for (FrameLight& of : view_.lights) {
+        for (FrameLight& of : view_.lights)
             of.atRest = !moves;
-            if (!moves) continue;
-            const double width = widthOf(of.light, bounds_, circle);
-            if (width <= mostWander(of.light, bounds_.diagonal())) of.wander = width;
-        }
         planMs_ = 1e3 * watch.lap();
         layersMs_ = 0.0;
         if (!volumes) return;
@@ -84,6 +76,7 @@ class Stage {
     }
 
     const LoadedScene& loaded() const { return loaded_; }
+    SceneFacts facts() const { return sceneFactsOf(loaded_); }
     const FrameView& view() const { return view_; }
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
@@ -218,8 +211,7 @@ class Course {
             request.lightSamples =
                 std::max(request.lightSamples, contender->renderer.settings().countedPoints());
         for (const auto& stage : stages_)
-            stage->look(request, task_.lightMoves, task_.circle, anyVolumes(*stage),
-                        mostShadowed());
+            stage->look(request, task_.lightMoves, anyVolumes(*stage), mostShadowed());
     }
 
     /// Nothing: somebody has shadows of all lights.
@@ -241,10 +233,8 @@ class Course {
     }
 
     bool countsVolumes(const Contender& contender) const {
-        const LoadedScene& loaded = contender.stage.loaded();
         return contender.needs.volumes &&
-               !(IrregularShadowPass::serves(contender.renderer.settings(), context_.capabilities(),
-                                             loaded.scene.triangleCount()));
+               !contender.renderer.policyFor(contender.stage.facts()).asksPoints();
     }
 
     /// Calls `use` for every contender, each time with another one first.
@@ -354,8 +344,8 @@ class Course {
         const FrameView view = viewFor(contender);
         const GpuScene& scene =
             contender.stage.sceneFor(contender.needs, view, contender.renderer.settings());
-        result.sideBytes = scene.groups.sideBytes() + scene.culled.sideBytes();
-        result.capBytes = scene.groups.capBytes() + scene.culled.capBytes();
+        result.sideBytes = scene.groups.sideBytes();
+        result.capBytes = scene.groups.capBytes();
         for (const GpuBatch& batch : scene.batches) {
             if (!batch.owns) continue;
             result.sideBytes += batch.volumes.sideBytes();

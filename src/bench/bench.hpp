@@ -5,7 +5,7 @@
 #include "src/gl/span_timer.hpp"
 #include "src/render/frame/frame.hpp"
 
-#include "src/render/frame/prepare_scene.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/timing/stage_timer.hpp"
 #include "src/shadow/plan/fill_cost.hpp"
 

@@ -48,9 +48,4 @@ std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& boun
     return moved;
 }
 
-double widthOf(const Light& light, const Box& bounds, double circle) {
-    return 2.0 *
-           (light.position.w == 0.0 ? glm::radians(circle) : circle / 150.0 * bounds.diagonal());
-}
-
 } // namespace edgeshade::bench

@@ -33,7 +33,4 @@ inline constexpr double usualCircle = 3.0;
 std::vector<Light> movedLights(const std::vector<Light>& lights, const Box& bounds, double circle,
                                double share);
 
-/// As far as it gets from any of its places: radians or scene units.
-double widthOf(const Light& light, const Box& bounds, double circle);
-
 } // namespace edgeshade::bench

@@ -22,15 +22,18 @@ std::string wordsOf(const Choices<Value>& choices, const std::string& separator)
 
 /// Adds an option whose value is one of a few words, and nothing else: CLI11's own transformer
 /// takes the numbers behind them too. `value`, a Value or an optional one, must outlive parsing.
+/// `synonyms` are taken, too, but not listed.
 template <class Target, class Value = Target>
 void addChoice(CLI::App& verb, const std::string& option, Target& value,
-               const std::vector<std::pair<std::string, Value>>& choices, const std::string& help) {
-    const auto use = [option, &value, choices](const std::string& text) {
-        for (const auto& [word, meaning] : choices)
-            if (word == text) {
-                value = meaning;
-                return;
-            }
+               const std::vector<std::pair<std::string, Value>>& choices, const std::string& help,
+               const std::vector<std::pair<std::string, Value>>& synonyms = {}) {
+    const auto use = [option, &value, choices, synonyms](const std::string& text) {
+        for (const auto* words : {&choices, &synonyms})
+            for (const auto& [word, meaning] : *words)
+                if (word == text) {
+                    value = meaning;
+                    return;
+                }
         throw CLI::ValidationError(option, "'" + text + "' is none of " + wordsOf(choices, ", "));
     };
     verb.add_option_function<std::string>(option, use, help)->type_name(wordsOf(choices, "|"));

@@ -1,6 +1,7 @@
 #include "src/cli/draw_settings.hpp"
 
 #include "preprocess/base/error.hpp"
+#include "src/cli/help.hpp"
 #include "src/cli/options.hpp"
 #include "src/environment/reading.hpp"
 #include "src/shadow/geometry/light_extent.hpp"
@@ -13,6 +14,14 @@
 namespace edgeshade::cli {
 namespace {
 
+/// Names that --shadows takes; those in reports are `shadowNames`.
+const Choices<ShadowMethod> shadowWords = {{"auto", ShadowMethod::automatic},
+                                           {"volumes", ShadowMethod::volumes},
+                                           {"lookup", ShadowMethod::primitiveMap},
+                                           {"points", ShadowMethod::irregularZBuffer},
+                                           {"map", ShadowMethod::map},
+                                           {"planar", ShadowMethod::planar},
+                                           {"none", ShadowMethod::none}};
 const Choices<ShadowMethod> shadowNames = {{"auto", ShadowMethod::automatic},
                                            {"volumes", ShadowMethod::volumes},
                                            {"primitive-map", ShadowMethod::primitiveMap},
@@ -34,15 +43,6 @@ const Choices<BruteForceCount> countNames = {{"z-fail", BruteForceCount::zFail},
 const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
                                                    {"all", SilhouetteChoice::all}};
 const Choices<bool> onOffNames = {{"on", true}, {"off", false}};
-const Choices<VolumeEnds> endNames = {{"auto", VolumeEnds::automatic},
-                                      {"cost", VolumeEnds::byCost},
-                                      {"planes", VolumeEnds::atPlanes},
-                                      {"infinity", VolumeEnds::atInfinity}};
-const Choices<VolumeScissors> scissorNames = {
-    {"auto", VolumeScissors::automatic}, {"on", VolumeScissors::on}, {"off", VolumeScissors::off}};
-const Choices<AmbientTargetChoice> ambientTargetNames = {{"auto", AmbientTargetChoice::automatic},
-                                                         {"on", AmbientTargetChoice::on},
-                                                         {"off", AmbientTargetChoice::off}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
@@ -159,12 +159,7 @@ void addShadingOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(verb, "--terminator", settings.render.softTerminator, terminatorNames,
               "Where light grazes smooth surfaces: dimmed until their facets turn away, or as "
               "bright as normals say up to there (exact)");
-    addChoice(verb, "--ambient-target", settings.render.ambientTarget, ambientTargetNames,
-              "Whether colours by ambient light alone are drawn beside those in light, so that "
-              "surfaces in the counted shadows of one light aren't drawn again (auto: where the "
-              "processor draws)");
-    for (const char* option : {"--terminator", "--ambient-target"})
-        noted(verb.get_option(option), settings.fullOptions);
+    noted(verb.get_option("--terminator"), settings.fullOptions);
     noted(verb.add_option(
               "--exposure", settings.render.exposure,
               "Light is taken 2^EV times before the display's colours are made of it (0)"),
@@ -189,24 +184,11 @@ void addEnvironment(CLI::App& verb, DrawSettings& settings) {
 }
 
 void addVolumeOptions(CLI::App& verb, DrawSettings& settings) {
-    addChoice(verb, "--caster-culling", settings.render.casterCulling, onOffNames,
-              "Casters that are wholly in the shadow of others are left out of volumes, exactly, "
-              "where a light rests or moves slowly and all is seen from both sides (off)");
-    addChoice(verb, "--volume-ends", settings.render.ends, endNames,
-              "Where volumes end whose end is not seen: beyond all that is visible or at "
-              "infinity, by what filling is estimated to cost, or always one of these (auto: cost "
-              "on a GPU, planes where the processor draws)");
-    addChoice(verb, "--volume-scissors", settings.render.scissors, scissorNames,
-              "Whether volumes are counted nowhere but around what is visible of their shadows, as "
-              "the depth buffer tells it (auto: where the processor draws and volumes take long to "
-              "fill)");
     addChoice(
         verb, "--mask-scale", settings.render.maskScale, maskScaleNames,
         "Resolution at which volumes are counted, as a share of the picture's; less is faster "
         "and less exact (1)");
-    for (const char* option :
-         {"--caster-culling", "--volume-ends", "--volume-scissors", "--mask-scale"})
-        noted(verb.get_option(option), settings.volumeOptions);
+    noted(verb.get_option("--mask-scale"), settings.volumeOptions);
 }
 
 void addRivalOptions(CLI::App& verb, DrawSettings& settings) {
@@ -235,17 +217,6 @@ void resolveRivals(DrawSettings& settings) {
             "are drawn whole.");
     if (settings.render.shadows != ShadowMethod::planar && !settings.planarOptions.empty())
         throw Error(ExitStatus::usage, settings.planarOptions.front() + " needs --shadows planar.");
-}
-
-/// It serves where shadows are counted in the picture's own stencil.
-void resolveAmbientTarget(const DrawSettings& settings) {
-    const ShadowMethod shadows = settings.render.shadows;
-    if (shadows == ShadowMethod::map || shadows == ShadowMethod::none)
-        throw Error(ExitStatus::usage, "--ambient-target on does not go with --shadows " +
-                                           nameIn(shadowNames, shadows) +
-                                           ", which counts no shadows.");
-    if (settings.render.maskScale != 1)
-        throw Error(ExitStatus::usage, "--ambient-target on needs --mask-scale 1.");
 }
 
 /// The method that goes with a layout where nobody says.
@@ -305,13 +276,14 @@ bool DrawSettings::typedOfMaps(const std::string& option) const {
 
 void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
     addChoice(
-        verb, "--shadows", settings.render.shadows, shadowNames,
-        "How shadows are made; auto: looked up exactly in a primitive map where a light "
-        "rests and it pays, else volumes, or, where the processor draws and casters are many, "
-        "an irregular z-buffer: the processor asks of each visible point whether it is in "
-        "shadow; planar: projected onto the scene's largest planes, "
-        "exact there and absent elsewhere (" +
-            nameIn(shadowNames, settings.render.shadows) + ")");
+        verb, "--shadows", settings.render.shadows, shadowWords,
+        "How shadows are made. volumes: counted in the stencil. lookup (or primitive-map): lights "
+        "at rest are looked up in a primitive map, exactly. points (or irregular-z-buffer): where "
+        "the processor draws, it asks of each visible point whether it is in shadow. auto: lookup "
+        "where a light rests and it pays, else points or volumes, whichever costs less. planar: "
+        "projected onto the scene's largest planes, exact there and absent elsewhere (" +
+            nameIn(shadowWords, settings.render.shadows) + ")",
+        shadowNames);
     addMapOptions(verb, settings);
     addChoice(verb, "--multiplicity", settings.multiplicity, multiplicityNames,
               "How a triangle's facing is decided (plane; reference-edge with --layout published, "
@@ -325,8 +297,6 @@ void addDrawOptions(CLI::App& verb, DrawSettings& settings) {
         verb, "--silhouette", settings.silhouette, silhouetteNames,
         "Which plane-pair records reach the vertex shader: those that can be silhouettes in this "
         "light, or all of them (proposed)");
-    addChoice(verb, "--cull-solids", settings.render.cullSolids, onOffNames,
-              "Backs of closed solids are not drawn where nobody can see them (off)");
     addVolumeOptions(verb, settings);
     addRivalOptions(verb, settings);
     addChoice(
@@ -400,12 +370,6 @@ void resolve(DrawSettings& settings) {
             throw Error(ExitStatus::usage, option + " needs --layout adapted.");
     settings.render.silhouette =
         settings.silhouette.value_or(planes ? SilhouetteChoice::proposed : SilhouetteChoice::all);
-    if (settings.render.scissors == VolumeScissors::on &&
-        settings.render.silhouette == SilhouetteChoice::all)
-        throw Error(ExitStatus::usage, "--volume-scissors on needs --silhouette proposed.");
-    if (settings.render.scissors == VolumeScissors::on && settings.render.maskScale != 1)
-        throw Error(ExitStatus::usage, "--volume-scissors on needs --mask-scale 1.");
-    if (settings.render.ambientTarget == AmbientTargetChoice::on) resolveAmbientTarget(settings);
     if (settings.render.shadows != ShadowMethod::map && !settings.mapOptions.empty())
         throw Error(ExitStatus::usage, settings.mapOptions.front() + " needs --shadows map.");
     if (settings.render.shadows == ShadowMethod::none && settings.typedShadowedLights)
@@ -479,6 +443,13 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {
         parser.parse(words);
+    } catch (const CLI::ExtrasError&) {
+        const auto names = [](const std::string& word) { return word.starts_with("--"); };
+        const std::vector<std::string> left = parser.remaining();
+        const auto unknown = std::ranges::find_if(left, names);
+        throw Error(ExitStatus::usage,
+                    "--against " + text + ": " +
+                        unknownOption(parser, unknown == left.end() ? left.front() : *unknown));
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, "--against " + text + ": " + error.what() + ".");
     }
@@ -535,10 +506,6 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
         {"layout", nameIn(layoutNames, volumeLayoutOf(render.multiplicity))},
         {"multiplicity", nameIn(multiplicityNames, render.multiplicity)},
         {"silhouette", nameIn(silhouetteNames, render.silhouette)},
-        {"cull-solids", nameIn(onOffNames, render.cullSolids)},
-        {"caster-culling", nameIn(onOffNames, render.casterCulling)},
-        {"volume-ends", nameIn(endNames, render.ends)},
-        {"volume-scissors", nameIn(scissorNames, render.scissors)},
         {"instancing", nameIn(instancingNames, settings.instancing)},
         {"depth-slices", settings.depthSlices ? nlohmann::ordered_json(*settings.depthSlices)
                                               : nlohmann::ordered_json("auto")},
@@ -550,7 +517,6 @@ nlohmann::ordered_json settingsJson(const DrawSettings& settings) {
     if (render.shading == Shading::full) {
         json["exposure"] = render.exposure;
         json["terminator"] = nameIn(terminatorNames, render.softTerminator);
-        json["ambient-target"] = nameIn(ambientTargetNames, render.ambientTarget);
         json["environment"] = settings.environment.empty() ? "neutral" : settings.environment;
     }
     if (volumeLayoutOf(render.multiplicity) == VolumeLayout::triangles)

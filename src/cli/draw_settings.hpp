@@ -2,7 +2,7 @@
 
 #include "src/cli/options.hpp"
 #include "src/render/frame/frame.hpp"
-#include "src/render/frame/prepare_scene.hpp"
+#include "src/render/frame/light_methods.hpp"
 
 #include <algorithm>
 #include <CLI/CLI.hpp>

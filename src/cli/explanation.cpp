@@ -1,7 +1,7 @@
 #include "src/cli/explanation.hpp"
 
+#include "src/render/frame/frame.hpp"
 #include "src/render/frame/light_methods.hpp"
-#include "src/render/frame/prepare_scene.hpp"
 #include "src/shadow/plan/explain.hpp"
 
 #include <cmath>
@@ -18,10 +18,13 @@ std::string methodsOf(const Renderer& renderer, const GpuScene& scene, const Fra
         text += "light " + std::to_string(i) + ": ";
         if (of.method == "primitive-map")
             text += "looked up in a primitive map of " + std::to_string(of.bytes) +
-                    " bytes, built in " + std::to_string(std::lround(of.buildMs)) + " ms\n";
+                    " bytes, built in " + std::to_string(std::lround(of.buildMs)) + " ms";
         else
-            text += (of.method == "irregular-z-buffer" ? "irregular z-buffer: " : "volumes: ") +
-                    of.why + "\n";
+            text += (of.method == "irregular-z-buffer" ? "irregular z-buffer: "
+                     : of.method == "none"             ? "no shadow: "
+                                                       : "volumes: ") +
+                    of.why;
+        text += " (rule: " + of.rule + ")\n";
     }
     return text;
 }
@@ -68,14 +71,13 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
                "whether a caster is between it and the light";
     case ShadowMethod::planar:
         return "planar: all casters are projected " +
-               lightMethods(scene, view, settings).front().why + ", " +
+               lightMethods(scene, view, renderer).front().why + ", " +
                std::to_string(scene.planes.bytes()) + " bytes";
     case ShadowMethod::automatic:
     case ShadowMethod::primitiveMap:
         methods = methodsOf(renderer, scene, view);
         break;
     case ShadowMethod::volumes:
-        if (settings.casterCulling) methods = methodsOf(renderer, scene, view);
         break;
     }
     if (renderer.volumes()->layout() == VolumeLayout::triangles)

@@ -181,7 +181,7 @@ void render(const RenderOptions& options) {
 
     task.prepared = [&] {
         const std::vector<std::string> others =
-            fallbackWarnings(settings.shadows, lightMethods(scene, view, settings));
+            fallbackWarnings(settings.shadows, lightMethods(scene, view, renderer));
         printWarnings(others);
         warnings.insert(warnings.end(), others.begin(), others.end());
     };

@@ -52,7 +52,6 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.instancing =
         Instancing::find(capabilities.version, capabilities.extensions, lookUp);
 #ifndef __EMSCRIPTEN__ // pages draw one colour at a time
-    capabilities.drawBuffers = DrawBuffers::find(capabilities.extensions, lookUp);
     capabilities.framebufferFlip = FramebufferFlip::find(capabilities.extensions, lookUp);
 #endif
     capabilities.multisampling =
@@ -79,7 +78,6 @@ Capabilities limited(Capabilities capabilities, Limits limits) {
     lower(capabilities.vertexHighpMantissaBits, leastMantissaBits);
     lower(capabilities.fragmentHighpMantissaBits, leastMantissaBits);
     capabilities.instancing.reset();
-    capabilities.drawBuffers.reset();
     capabilities.framebufferFlip.reset();
     capabilities.multisampling.reset();
     capabilities.timerQueries.reset();

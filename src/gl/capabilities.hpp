@@ -1,6 +1,5 @@
 #pragma once
 
-#include "src/gl/draw_buffers.hpp"
 #include "src/gl/entry_points.hpp"
 #include "src/gl/framebuffer_flip.hpp"
 #include "src/gl/instancing.hpp"
@@ -45,7 +44,6 @@ struct Capabilities {
     int fragmentHighpMantissaBits = 0; ///< 0: the fragment stage has no highp
     Limits limits = Limits::device;
     std::optional<Instancing> instancing;
-    std::optional<DrawBuffers> drawBuffers;
     std::optional<FramebufferFlip> framebufferFlip;
     std::optional<Multisampling> multisampling;
     std::optional<TimerQueries> timerQueries;

@@ -2,7 +2,7 @@
 
 #include "src/lab/compare_task.hpp"
 #include "src/lab/verdicts.hpp"
-#include "src/render/frame/prepare_scene.hpp"
+#include "src/render/frame/light_methods.hpp"
 
 #include <functional>
 

@@ -22,12 +22,10 @@ LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
     GpuScene& scene = studio.sceneFor(loaded, renderer.settings().records());
     LitCounter counter(studio.capabilities());
     counter.begin(frame.width, frame.height);
-    const ShadowMethod shadows = renderer.settings().shadows;
-    if (shadows == ShadowMethod::primitiveMap || shadows == ShadowMethod::planar)
-        prepareScene(scene, loaded, frame, renderer.settings(), studio.capabilities());
+    prepareScene(scene, loaded, frame, renderer.settings(), studio.capabilities());
     counter.addPoints(renderer, scene, loaded, frame, 0, 0, frame.lights.front().points.size());
     gl::requireNoError("drawing for comparison");
-    lights = lightMethods(scene, frame, renderer.settings());
+    lights = lightMethods(scene, frame, renderer);
     return counter.read();
 }
 

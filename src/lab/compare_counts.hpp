@@ -2,7 +2,7 @@
 
 #include "src/lab/compare.hpp"
 #include "src/lab/point_counts.hpp"
-#include "src/render/frame/prepare_scene.hpp"
+#include "src/render/frame/light_methods.hpp"
 
 namespace edgeshade::lab {
 

@@ -22,19 +22,10 @@ inline constexpr bool listsLights = !isForPages;
 /// Whether it weighs lights against each other, or takes the first to matter most.
 inline constexpr bool weighsLights = !isForPages;
 
-/// Whether it finds casters that are wholly in the shadow of others beside drawing.
-inline constexpr bool cullsMeanwhile = !isForPages;
-
-/// Whether it counts volumes around what is visible of their shadows alone: pages can't read depth.
-inline constexpr bool readsDepth = !isForPages;
+/// Whether it can ask visible points, where the processor draws: pages know no triangles' numbers.
+inline constexpr bool hasPoints = !isForPages;
 
 /// Whether surfaces that a light grazes are marked dark: in pages no one looks at bare masks.
 inline constexpr bool marksGrazed = !isForPages;
-
-/// Whether it may keep the colours that ambient light leaves: pages are mostly drawn by GPUs.
-inline constexpr bool keepsAmbient = !isForPages;
-
-/// Whether it can leave out backs of solids.
-inline constexpr bool mayCullSolids = !isForPages;
 
 } // namespace edgeshade

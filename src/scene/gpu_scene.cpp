@@ -96,30 +96,26 @@ std::size_t GpuScene::groupCount(const FrameLight& light, VolumeLayout layout) c
 BatchVolumes& GpuScene::volumesOf(std::size_t batch, const FrameLight& light, VolumeLayout layout,
                                   std::size_t group) {
     if (GroupedShadow* of = groups.of(light, layout)) return (*of)[group][batch];
-    BatchVolumes* kept = layout == VolumeLayout::planePairs ? culled.of(light, batch) : nullptr;
-    return kept ? *kept : batches[batch].volumes;
+    return batches[batch].volumes;
 }
 
 const BatchVolumes& GpuScene::volumesOf(std::size_t batch, const FrameLight& light,
                                         VolumeLayout layout, std::size_t group) const {
     if (const GroupedShadow* of = groups.of(light, layout)) return (*of)[group][batch];
-    const BatchVolumes* kept =
-        layout == VolumeLayout::planePairs ? culled.of(light, batch) : nullptr;
-    return kept ? *kept : batches[batch].volumes;
+    return batches[batch].volumes;
 }
 
 std::size_t GpuScene::shadowBytes() const {
     std::size_t total = 0;
     for (const GpuBatch& batch : batches)
         if (batch.owns) total += batch.volumes.bytes();
-    return total + groups.sideBytes() + groups.capBytes() + culled.sideBytes() + culled.capBytes();
+    return total + groups.sideBytes() + groups.capBytes();
 }
 
 GpuScene uploadScene(const LoadedScene& loaded, std::optional<VolumeRecords> records,
                      const gl::Capabilities& capabilities) {
     const Scene& scene = loaded.scene;
     GpuScene gpu{{},
-                 {},
                  {},
                  {},
                  scene.materials,

@@ -2,7 +2,6 @@
 
 #include "src/scene/alpha_lookup.hpp"
 #include "src/scene/batch_volumes.hpp"
-#include "src/scene/culled_casters.hpp"
 #include "src/scene/overflow_groups.hpp"
 #include "src/scene/primitive_maps.hpp"
 #include "src/scene/shadow_planes.hpp"
@@ -37,7 +36,6 @@ struct GpuScene {
     std::vector<GpuBatch> batches;
     OverflowGroups groups;       ///< of its casters, for lights that need them
     PrimitiveMaps primitiveMaps; ///< of lights at rest
-    CulledCasters culled;        ///< for such lights
     std::vector<Material> materials;
     Textures textures;
     bool castMasked = false;  ///< MASK and BLEND surfaces cast too
@@ -45,9 +43,8 @@ struct GpuScene {
     bool seeThrough = false;  ///< some surfaces are BLEND and take light
     SidesLayout oppositeVertexLayout = SidesLayout::instanced; ///< of what is there of them
     SidesLayout triangleLayout = SidesLayout::instanced;       ///< likewise
-    ShadowPlanes planes{};   ///< where shadows are projected onto planes
-    bool solidsLast = false; ///< sortSolidsLast() was here
-    bool plain = false;      ///< all that its surfaces do is scatter light, see Material::isPlain()
+    ShadowPlanes planes{}; ///< where shadows are projected onto planes
+    bool plain = false;    ///< all that its surfaces do is scatter light, see Material::isPlain()
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);
 

@@ -1,7 +1,7 @@
 #include "src/scene/primitive_maps.hpp"
 
 #include "src/scene/receivers.hpp"
-#include "src/shadow/silhouette/count_silhouettes.hpp"
+#include "src/scene/scene_facts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +11,6 @@ namespace edgeshade {
 namespace {
 
 constexpr double moreWouldNotHelp = std::numeric_limits<double>::infinity();
-constexpr char noRoom[] = "other lights' primitive maps leave no room";
-
-std::size_t silhouettesOf(const LoadedScene& loaded, const Light& light) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
-        count +=
-            countSilhouettes(*loaded.planePairs[i],
-                             glm::inverse(loaded.scene.batches[i].worldFromBatch) * light.position);
-    return count;
-}
 
 /// Whether some surfaces are in no primitive map.
 bool othersReceive(const LoadedScene& loaded) {
@@ -36,51 +26,6 @@ bool othersReceive(const LoadedScene& loaded) {
 }
 
 } // namespace
-
-std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabilities& capabilities) {
-    if (!gl::hasFloatTables(capabilities)) return "the GL looks up no floats";
-    if (loaded.cutoutsCast && capabilities.textureUnits < 6)
-        return "the GL has too few textures for cutouts";
-    const auto simplified = [](const Batch& batch) {
-        return batch.geometry->simplifiedCasters.has_value();
-    };
-    const auto& batches = loaded.scene.batches;
-    if (std::any_of(batches.begin(), batches.end(), simplified)) return "casters are simplified";
-    if (!batches.empty() && std::all_of(batches.begin(), batches.end(),
-                                        [](const Batch& batch) { return batch.isAnimated(); }))
-        return "all casters are animated";
-    for (const auto& shadow : loaded.planePairs)
-        for (const ShadowCluster& cluster : shadow->clusters)
-            if (cluster.alphaTested) return "some casters are alpha-tested";
-    return {};
-}
-
-std::string extendedMapObstacle(const LoadedScene& loaded, const Light& light,
-                                const gl::Capabilities& capabilities) {
-    constexpr int mostUniforms = 64; // vectors; the places take 17
-    const std::string why = primitiveMapObstacle(loaded, capabilities);
-    if (!why.empty()) return why;
-    if (capabilities.fragmentUniformVectors < mostUniforms)
-        return "the GL has too few uniforms for a light's places";
-    if (light.hasRange()) return "a light with an extent has a range";
-    if (light.isSpot()) return "a light with an extent is a spot";
-    if (loaded.cutoutsCast) return "a light with an extent shines on cutouts";
-    const auto& batches = loaded.scene.batches;
-    if (std::any_of(batches.begin(), batches.end(),
-                    [](const Batch& batch) { return batch.isAnimated(); }))
-        return "a light with an extent shines on what moves";
-    return {};
-}
-
-bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice,
-                 const gl::Capabilities& capabilities) {
-    if (!primitiveMapObstacle(loaded, capabilities).empty()) return false;
-    std::size_t records = 0;
-    for (std::size_t i = 0; i < loaded.planePairs.size(); ++i)
-        if (!loaded.scene.batches[i].isAnimated())
-            records += loaded.planePairs[i]->pairs.size() + loaded.planePairs[i]->singles.size();
-    return choice == MapChoice::all || records > fewSilhouettes || loaded.cutoutsCast;
-}
 
 std::vector<PrimitiveMaps::Kept>::const_iterator
 PrimitiveMaps::firstAt(const glm::dvec4& place) const {
@@ -159,25 +104,21 @@ void PrimitiveMaps::keepWhatFits(const MapDemand& demand, std::size_t mostBytes)
     }
 }
 
-bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
-                             const gl::Capabilities& capabilities, std::size_t room) {
+bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light,
+                             const ShadowPolicy& policy, std::size_t room) {
     if (const std::size_t place = placeOf(light); place < kept_.size()) {
         const Kept& kept = kept_[place];
-        const auto enough = std::max(2.0 * kept.room, static_cast<double>(leastMapBytes));
+        const auto enough = std::max(2.0 * kept.room, static_cast<double>(leastLookupBytes));
         if (kept.state.map || static_cast<double>(room) < enough) return false;
         kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(place));
     }
-    std::string why = light.extent ? extendedMapObstacle(loaded, light, capabilities)
-                                   : primitiveMapObstacle(loaded, capabilities);
-    if (why.empty() && choice == MapChoice::thatPay && !loaded.cutoutsCast && !light.extent)
-        if (const std::size_t count = silhouettesOf(loaded, light); count <= fewSilhouettes)
-            why = "volumes of " + std::to_string(count) + " silhouette edges cost less";
-    if (!why.empty()) {
-        keep(light, {nullptr, why, 0.0}, moreWouldNotHelp);
+    if (std::string why = policy.lookupObstacle(lightFactsOf(light, loaded)); !why.empty()) {
+        keep(light, {nullptr, std::move(why), 0.0}, moreWouldNotHelp);
         return false;
     }
-    if (room >= leastMapBytes) return true;
-    keep(light, {nullptr, noRoom, 0.0}, static_cast<double>(room));
+    std::string why = policy.roomObstacle(room);
+    if (why.empty()) return true;
+    keep(light, {nullptr, std::move(why), 0.0}, static_cast<double>(room));
     return false;
 }
 
@@ -187,15 +128,13 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
                          const gl::Capabilities& capabilities) {
     PrimitiveMapState state{nullptr, "at rest", built.milliseconds};
     double room = moreWouldNotHelp;
-    const std::string refusal =
-        refusalOf({built.map.has_value(), built.tooFar, built.tooLong, built.mostBytes});
+    std::string refusal = demand.policy.lookupRefusal(
+        {refusalOf({built.map.has_value(), built.tooFar, built.tooLong, built.mostBytes}),
+         built.map ? built.map->meanList : 0.0});
     if (!refusal.empty()) {
-        state.why = refusal;
+        state.why = std::move(refusal);
         if (!built.tooFar && built.tooLong == 0 && !built.map)
             room = static_cast<double>(built.mostBytes);
-    } else if (demand.choice == MapChoice::thatPay && built.map->meanList > longLists) {
-        state.why = "volumes cost less than lists of " +
-                    std::to_string(std::lround(built.map->meanList)) + " triangles";
     } else {
         auto map = std::make_shared<GpuPrimitiveMap>(
             uploadPrimitiveMap(*built.map, built.triangles, cutouts_, capabilities));
@@ -205,7 +144,7 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
     keep(built.light, std::move(state), room);
     keepWhatFits(demand, settings.mostBytes);
     if (!of(built.light)) // others came to matter more while it was built
-        keep(built.light, {nullptr, noRoom, built.milliseconds},
+        keep(built.light, {nullptr, demand.policy.roomObstacle(0), built.milliseconds},
              static_cast<double>(built.mostBytes));
 }
 
@@ -239,7 +178,7 @@ std::optional<PrimitiveMapTask> PrimitiveMaps::nextTask(const LoadedScene& loade
     if (cutouts_) take(cutouts_->bytes);
     for (std::size_t i = 0; i < demand.wanted; ++i) {
         const Light& light = demand.lights[i];
-        if (needsJob(loaded, light, demand.choice, capabilities, left / 2)) {
+        if (needsJob(loaded, light, demand.policy, left / 2)) {
             PrimitiveMapSettings its = settings;
             its.mostBytes = left / 2;
             return taskOf(loaded, light, std::move(its), capabilities);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/policy/shadow_policy.hpp"
 #include "src/scene/primitive_map_worker.hpp"
 
 #include <string>
@@ -13,18 +14,12 @@ struct PrimitiveMapState {
     double buildMs = 0.0;                       ///< on the CPU
 };
 
-/// Which lights get a primitive map.
-enum class MapChoice {
-    all,
-    thatPay, ///< those whose volumes would cost more
-};
-
 /// Whose primitive maps there are to be.
 struct MapDemand {
-    std::vector<Light> lights; ///< those whose maps matter more first
+    std::vector<Light> lights{}; ///< those whose maps matter more first
     /// So many of them, the first, get one; others keep theirs as long as there is room.
     std::size_t wanted = 0;
-    MapChoice choice = MapChoice::all;
+    ShadowPolicy policy; ///< says which of them should have one
     /// What casts is looked up, too; false: only what is see-through.
     bool castersReceive = true;
 };
@@ -73,8 +68,8 @@ class PrimitiveMaps {
     /// Gives up maps of what matters less, as long as they take too much.
     void keepWhatFits(const MapDemand& demand, std::size_t mostBytes);
     /// Settles what needs no map; returns whether the light needs one, of `room` bytes at most.
-    bool needsJob(const LoadedScene& loaded, const Light& light, MapChoice choice,
-                  const gl::Capabilities& capabilities, std::size_t room);
+    bool needsJob(const LoadedScene& loaded, const Light& light, const ShadowPolicy& policy,
+                  std::size_t room);
     /// The first light's that needs a job; nothing: none does.
     std::optional<PrimitiveMapTask> nextTask(const LoadedScene& loaded, const MapDemand& demand,
                                              const PrimitiveMapSettings& settings,
@@ -96,28 +91,7 @@ class PrimitiveMaps {
     std::optional<Light> asked_;                  ///< whose map it builds
 };
 
-/// Whether any light of the scene may get a map; false is certain.
-bool mayHaveMaps(const LoadedScene& loaded, MapChoice choice, const gl::Capabilities& capabilities);
-
-/// Why a scene's casters can't be in a primitive map; empty if they can.
-std::string primitiveMapObstacle(const LoadedScene& loaded, const gl::Capabilities& capabilities);
-
-/// The same of all of a light that has an extent: of one that reaches everywhere, where nothing is
-/// animated and nothing that casts is alpha-tested.
-std::string extendedMapObstacle(const LoadedScene& loaded, const Light& light,
-                                const gl::Capabilities& capabilities);
-
-/// Triangles in the lists of such a map, on the average, from which volumes of its points one by
-/// one cost less.
-inline constexpr double longLists = 100.0;
-
-/// Bytes below which no map is tried.
-inline constexpr std::size_t leastMapBytes = std::size_t{1} << 16;
-
 /// Places of a light that one pass counts by its map.
 inline constexpr std::size_t placesAtOnce = 16;
-
-/// Of a light's volumes, silhouette edges up to which they cost less than looking up every pixel.
-inline constexpr std::size_t fewSilhouettes = 1000;
 
 } // namespace edgeshade

@@ -76,7 +76,7 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
     uploadVertices(batch, material, part, chunk);
     chunk.smooth = batch.deforms() || isSmooth(batch, part); // in some shape
     chunk.indices = gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(part.indices)));
-    chunk.indexCount = chunk.firstSolidIndex = static_cast<int>(part.indices.size());
+    chunk.indexCount = static_cast<int>(part.indices.size());
     return chunk;
 }
 

@@ -42,10 +42,6 @@ struct SurfaceChunk {
     bool tangents = false;  ///< all vertices have one
     glm::vec3 center{0.0f}; ///< mean of the vertices, in the batch's space
     Box bounds;             ///< in the batch's space
-    /// Its last indices are of solids: from this one on; `indexCount` where there are none, or
-    /// nobody has sorted them (sortSolidsLast()).
-    int firstSolidIndex = 0;
-    std::vector<Box> solids; ///< around the whole of each of these, in the batch's space
 };
 
 /// Uploads a batch's surfaces, in the order of surfacePartsOf().

@@ -14,18 +14,21 @@ using Json = nlohmann::ordered_json;
 constexpr int smallestMap = 16;
 constexpr int largestMap = 16384;
 
-constexpr Words<ShadowMethod, 6> shadowWordsOfPages = {
+/// The first word of each is the one that is written.
+constexpr Words<ShadowMethod, 7> shadowWordsOfPages = {
     {{"auto", ShadowMethod::automatic},
      {"volumes", ShadowMethod::volumes},
      {"primitive-map", ShadowMethod::primitiveMap},
+     {"lookup", ShadowMethod::primitiveMap},
      {"map", ShadowMethod::map},
      {"planar", ShadowMethod::planar},
      {"none", ShadowMethod::none}}};
 constexpr auto shadowWords = [] {
-    if constexpr (readsDepth) {
-        Words<ShadowMethod, 7> words{};
-        std::copy(shadowWordsOfPages.begin(), shadowWordsOfPages.end(), words.begin());
-        words.back() = {"irregular-z-buffer", ShadowMethod::irregularZBuffer};
+    if constexpr (hasPoints) {
+        Words<ShadowMethod, 9> words{};
+        auto end = std::copy(shadowWordsOfPages.begin(), shadowWordsOfPages.end(), words.begin());
+        *end++ = {"irregular-z-buffer", ShadowMethod::irregularZBuffer};
+        *end = {"points", ShadowMethod::irregularZBuffer};
         return words;
     } else {
         return shadowWordsOfPages;

@@ -2,7 +2,6 @@
 
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
-#include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/shadow/geometry/kept_layers.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/shadow/geometry/scene_lights.hpp"
@@ -13,7 +12,6 @@
 #include "src/viewer/handle_drawing.hpp"
 #include "src/viewer/interaction.hpp"
 #include "src/viewer/light_following.hpp"
-#include "src/viewer/light_pace.hpp"
 #include "src/viewer/light_rest.hpp"
 #include "src/viewer/overlay_pass.hpp"
 #include "src/viewer/pick.hpp"
@@ -27,8 +25,10 @@
 
 #include "preprocess/base/stopwatch.hpp"
 #include "preprocess/reading/animation_reading.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/build_parts.hpp"
 #include "src/scene/pose.hpp"
+#include "src/scene/shadow_facts.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>
@@ -108,10 +108,8 @@ struct Viewer::Parts {
     std::optional<Animation> animation;     ///< the chosen one
     KeptLayers layers;
     LightRest rest;
-    LightPace pace;
-    bool mapsPending = false;    ///< a light may get a primitive map soon
-    bool castersPending = false; ///< a light may have some of its casters left out soon
-    std::unique_ptr<Gpu> gpu;    ///< null: the context is lost
+    bool mapsPending = false; ///< a light may get a primitive map soon
+    std::unique_ptr<Gpu> gpu; ///< null: the context is lost
     bool dirty = true;
     std::size_t changes = 0; ///< counts those of the picture, while it is smoothed
     std::size_t poses = 0;   ///< counts whatever of the scene has moved or changed
@@ -134,7 +132,6 @@ struct Viewer::Parts {
     void applyCulling();
     void sceneMoved();
     void advanceMaps(double now);
-    void cullCasters(double now);
     void draw();
     void drawSide(std::size_t side, const FrameView& view, Convergence& convergence,
                   StageClock* stageClock);
@@ -265,7 +262,6 @@ void Viewer::Parts::applyGround() {
     loaded->showsGround = shown;
     if (!gpu || !gpu->scene) return;
     gpu->scene->primitiveMaps.clear(); // who looks itself up is another
-    gpu->scene->culled.clear();        // so is what lights shine on
 }
 
 /// Has MASK surfaces cast, or not, where shadow is looked up.
@@ -309,11 +305,8 @@ const EdgeCounts& Viewer::Parts::edgesNow() {
     return edgeCounts->second;
 }
 
-bool Viewer::Parts::asksPoints([[maybe_unused]] const SideSettings& side) {
-    if constexpr (readsDepth)
-        return IrregularShadowPass::serves(gpu->renderers.of(side, state).settings(),
-                                           gpu->capabilities, loaded->scene.triangleCount());
-    return false;
+bool Viewer::Parts::asksPoints(const SideSettings& side) {
+    return gpu->renderers.of(side, state).policyFor(sceneFactsOf(*gpu->scene)).asksPoints();
 }
 
 /// Puts the casters in groups that a stencil can count, and finds planes where shadows are planar.
@@ -427,55 +420,19 @@ void Viewer::Parts::advanceMaps(double now) {
                                : state.split && takesMaps(state.right) ? &state.right
                                                                        : nullptr;
     if (!side) return;
-    const MapChoice choice = side->shadows == ShadowMethod::automatic && !seeThrough
-                                 ? MapChoice::thatPay
-                                 : MapChoice::all;
-    if (!mayHaveMaps(*loaded, choice, gpu->capabilities)) return;
+    RenderSettings wanted = settings.render;
+    wanted.shading = state.shading;
+    wanted.shadows = seeThrough ? ShadowMethod::primitiveMap : side->shadows;
+    if (!mayLookUp(*gpu->scene, *loaded, wanted, gpu->capabilities)) return;
     FrameView view = viewAt(glm::dvec2(0.0));
     for (FrameLight& of : view.lights)
         of.atRest = rest.rests(of.light, now);
-    RenderSettings wanted = settings.render;
-    wanted.shadows =
-        choice == MapChoice::all ? ShadowMethod::primitiveMap : ShadowMethod::automatic;
     if (prepareSceneMeanwhile(*gpu->scene, *loaded, view, wanted, gpu->capabilities, buildingMs)) {
         dirty = true;
         ++changes;
     }
     for (const FrameLight& of : view.lights)
         if (of.drawn && of.shadowed && !gpu->scene->primitiveMaps.of(of.light)) mapsPending = true;
-}
-
-/// Goes on leaving out casters of lights whose volumes are counted, if that was asked for.
-void Viewer::Parts::cullCasters(double now) {
-    if (!settings.render.casterCulling) return;
-    pace.see(state.lights, now);
-    const bool mayChange = dirty || castersPending;
-    castersPending = false;
-    if (!mayChange || !loaded || !gpu || !gpu->scene || state.lights.empty()) return;
-    const SideSettings* side = mayCount(state.left)                   ? &state.left
-                               : state.split && mayCount(state.right) ? &state.right
-                                                                      : nullptr;
-    if (!side) return;
-    const bool mapsAlone = looksUp(state.left) && (!state.split || looksUp(state.right));
-    FrameView view = viewAt(glm::dvec2(0.0));
-    for (std::size_t i = 0; i < view.lights.size(); ++i) {
-        FrameLight& of = view.lights[i];
-        of.atRest = rest.rests(of.light, now);
-        if (!of.atRest) of.wander = pace.wanderOf(i, stage.bounds.diagonal());
-        const PrimitiveMapState* map = gpu->scene->primitiveMaps.of(of.light);
-        if (mapsAlone && (map ? map->map != nullptr : mapsPending)) of.drawn = false;
-    }
-    const RenderSettings& drawn = gpu->renderers.of(*side, state).settings();
-    if (cullCastersMeanwhile(*gpu->scene, *loaded, view, drawn, gpu->capabilities)) {
-        dirty = true;
-        ++changes;
-    }
-    if (!mayCullCasters(*loaded, view, drawn)) return;
-    for (const FrameLight& of : view.lights) {
-        const CulledCasters::Kept* kept = gpu->scene->culled.of(of);
-        // What is kept for a light that wanders isn't all that may go where it rests.
-        if (CulledCasters::suits(of) && (!kept || kept->light.extent)) castersPending = true;
-    }
 }
 
 void Viewer::Parts::drawSides(const FrameView& view, Convergence& convergence,
@@ -699,7 +656,6 @@ bool Viewer::frame(double now) {
         parts.adopt(next);
     }
     parts.advanceMaps(now);
-    if constexpr (cullsMeanwhile) parts.cullCasters(now);
     parts.converge(now);
     parts.countHours(now);
     parts.smooth(now);
@@ -723,8 +679,7 @@ bool Viewer::wantsFrame() const {
     const bool plays = parts_->state.playing && animationSeconds() > 0.0;
     return parts_->gpu &&
            (parts_->dirty || plays || parts_->state.dayPlays || parts_->mapsPending ||
-            parts_->castersPending || parts_->gpu->convergence.wantsMore() ||
-            parts_->gpu->smoothing.wantsMore() ||
+            parts_->gpu->convergence.wantsMore() || parts_->gpu->smoothing.wantsMore() ||
             (parts_->gpu->hours && parts_->gpu->hours->wantsMore()));
 }
 
@@ -754,10 +709,7 @@ FrameStats Viewer::stats() const {
         for (const Light& light : parts.state.lights)
             view.lights.push_back({light, {}});
         const Renderer& left = parts.gpu->renderers.of(parts.state.left, parts.state);
-        if constexpr (readsDepth)
-            stats.lights = lightMethods(*parts.gpu->scene, view, left);
-        else
-            stats.lights = lightMethods(*parts.gpu->scene, view, left.settings());
+        stats.lights = lightMethods(*parts.gpu->scene, view, left);
     }
     return stats;
 }

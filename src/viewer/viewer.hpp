@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/render/frame/prepare_scene.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/timing/stage_timer.hpp"
 #include "src/shadow/geometry/scene_cameras.hpp"
 #include "src/viewer/input.hpp"

@@ -26,20 +26,13 @@ SUN = ("--sun", "0.4,1,0.3")
 MAPS = {f"map {size}": f"shadows=map,map-size={size}" for size in MAP_SIZES}
 RECORDS = {"published": "layout=published", "all": "silhouette=all"}
 LOOKED_UP = {"primitive map": "shadows=primitive-map"}
-# The first is what volumes do without any.
-MEASURES = {"ends at planes": "volume-ends=planes", "ends by cost": "volume-ends=cost",
-            "ends at infinity": "volume-ends=infinity",
-            "backs of solids": "volume-ends=planes,cull-solids=on",
-            "culled casters": "volume-ends=planes,caster-culling=on"}
 
 # What is flown through: who else draws, and how.
 FLIGHTS = {
     "resting": (RECORDS | MAPS | LOOKED_UP, ()),
     "moving": (RECORDS | MAPS, ("--light-moves",)),
     "sun": (RECORDS | MAPS | LOOKED_UP, SUN),
-    "sun's measures": (MEASURES, SUN),
     "moving sun": ({"published": RECORDS["published"]} | MAPS, (*SUN, "--light-moves")),
-    "lamp's measures": (MEASURES, ()),
 }
 
 
@@ -106,24 +99,6 @@ def stage_table(results):
                      + " | " + ", ".join(f"{value:.2f}" for value in cells[1])
                      + f" | {of['moving']['runs']['ours']['plan_ms']:.2f} | "
                      + " | ".join(f"{value:.2f}" for value in work) + " |")
-    return "\n".join(lines)
-
-
-def measure_table(results):
-    """The median frame with each measure over that without: below 1 it pays."""
-    without, *ways = MEASURES
-    flights = {"sun's measures": "sun", "lamp's measures": "lamp"}
-    lines = ["| scene | " + " | ".join(f"{light}: {way}" for light in flights.values()
-                                       for way in ways) + " |",
-             "|" + " --- |" * (1 + len(flights) * len(ways))]
-    rows = []
-    for scene, of in results.items():
-        ms = {(flight, way): run["frame_ms"]["median"] for flight in flights
-              for way, run in of[flight]["runs"].items()}
-        rows.append([ms[flight, way] / ms[flight, without] for flight in flights for way in ways])
-        lines.append(f"| {NAMES[scene]} | " + " | ".join(f"{value:.2f}" for value in rows[-1]) + " |")
-    lines.append("| geometric mean | "
-                 + " | ".join(f"**{mean(column):.2f}**" for column in zip(*rows)) + " |")
     return "\n".join(lines)
 
 
@@ -196,7 +171,6 @@ def main(words):
         replace_between(page, light.replace(" ", "-"),
                         ratio_table(frames, light, list(FLIGHTS[light][0])))
     replace_between(page, "stages", stage_table(frames))
-    replace_between(page, "measures", measure_table(frames))
     replace_between(page, "fill", fill_table(frames))
     replace_between(page, "accuracy", accuracy_table(scenes))
 

@@ -81,21 +81,6 @@ TEST_F(BenchReport, AMovingLightDrawsMapsAnew) {
     EXPECT_GT(both["results"][1]["stage_ms"]["map"], 0.0);
 }
 
-TEST_F(BenchReport, CastersAreLeftOutOfLightsThatMoveSlowly) {
-    GltfBuilder gltf;
-    const int small = gltf.addShape(box(glm::vec3(0.1f)));
-    gltf.addShapeNode(box(glm::vec3(4.0f, 0.2f, 4.0f)));
-    for (int i = 0; i < 4; ++i)
-        gltf.addNode({{"mesh", small}, {"translation", {0.3 * i, -1, 0.3 * i}}});
-    input_ = folder_.write("roof.glb", gltf.glb());
-    const auto whyOf = [&](const std::string& circle) -> std::string {
-        return report({"--light-moves", "--light-circle", circle, "--sun", "0.4,1,0.3", "--cull",
-                       "off", "--caster-culling", "on"})["lights"][0]["why"];
-    };
-    EXPECT_NE(whyOf("0.05").find("wholly in the shadow of others"), std::string::npos);
-    EXPECT_EQ(whyOf("3"), "it moves, so no casters are left out");
-}
-
 TEST_F(BenchReport, CirclesAreOfLightsThatMove) {
     const auto said = [&](std::vector<std::string> words) {
         words.insert(words.begin(), {"bench", input_, "--frames", "1"});

@@ -1,6 +1,10 @@
 #include "tests/support/child_process.hpp"
 
+#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
+#include <set>
+#include <sstream>
 
 namespace edgeshade::test {
 namespace {
@@ -26,29 +30,18 @@ TEST(Help, EveryVerbNamesItsOptions) {
         expectHelp({"pack", "--help"}, word);
     for (const char* word : {"FILE", "--weld-tolerance", "--report"})
         expectHelp({"info", "--help"}, word);
-    for (const char* word : {"OUT",           "--mask",
-                             "--size",        "--camera",
-                             "--camera-from", "--camera-to",
-                             "--fov",         "--camera-matrix",
-                             "--ortho",       "--near",
-                             "--light",       "--sun",
-                             "--lights",      "--light-range",
-                             "--shadows",     "--map-size",
-                             "--map-bias",    "--map-kind",
-                             "--warp",        "--cascades",
-                             "--filter",      "--pcf",
-                             "--mask-scale",  "--multiplicity",
-                             "--instancing",  "--depth-slices",
-                             "--samples",     "--report",
-                             "--silhouette",  "--explain",
-                             "--debug",       "--primitive-map-memory",
-                             "--ground",      "--cast-cutouts",
-                             "--cull",        "--place",
-                             "--time-of-day", "--north",
-                             "--volume-ends", "--caster-culling",
-                             "--cull-solids", "--volume-scissors",
-                             "--terminator",  "--ambient-target"})
-        expectHelp({"render", "--help"}, word);
+    for (const char* word :
+         {"OUT",           "--mask",         "--size",       "--camera",
+          "--camera-from", "--camera-to",    "--fov",        "--camera-matrix",
+          "--ortho",       "--near",         "--light",      "--sun",
+          "--lights",      "--light-range",  "--shadows",    "--map-size",
+          "--map-bias",    "--map-kind",     "--warp",       "--cascades",
+          "--filter",      "--pcf",          "--mask-scale", "--multiplicity",
+          "--instancing",  "--depth-slices", "--samples",    "--report",
+          "--silhouette",  "--explain",      "--debug",      "--primitive-map-memory",
+          "--ground",      "--cast-cutouts", "--cull",       "--place",
+          "--time-of-day", "--north",        "--terminator"})
+        expectHelp({"render", "--help-all"}, word);
     for (const char* word : {"FILE", "--views", "--heatmap", "--against", "--size", "--report"})
         expectHelp({"compare", "--help"}, word);
     for (const char* word :
@@ -58,6 +51,54 @@ TEST(Help, EveryVerbNamesItsOptions) {
     for (const char* word : {"FILE", "--plot", "--budget-ms", "--max-wrong-percent", "--frames",
                              "--views", "--largest-map", "--against", "--light-moves", "--timing"})
         expectHelp({"tradeoff", "--help"}, word);
+}
+
+constexpr std::array verbs{"pack",     "info",     "render",         "compare", "bench",
+                           "tradeoff", "sunhours", "sunhours-merge", "view"};
+
+TEST(Help, FitsAScreen) {
+    for (const char* verb : verbs) {
+        const std::string help = runEdgeshade({verb, "--help"}).out;
+        EXPECT_LE(std::ranges::count(help, '\n'), 30) << help;
+        std::istringstream lines(help);
+        for (std::string line; std::getline(lines, line);)
+            EXPECT_LE(line.size(), 100u) << line;
+        expectHelp({verb, "--help"}, "Example: edgeshade " + std::string(verb));
+        expectHelp({verb, "--help"}, "--help-all");
+    }
+}
+
+/// The long names of a help's options, in their order.
+std::vector<std::string> optionsIn(const std::string& help) {
+    std::vector<std::string> options;
+    std::istringstream lines(help);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t start = line.find("--");
+        if (!line.starts_with("  ") || start == std::string::npos || start > 6) continue;
+        options.push_back(line.substr(start, line.find_first_of(" :", start) - start));
+    }
+    return options;
+}
+
+TEST(Help, OfAllHasWhatTheShortOneHas) {
+    for (const char* verb : verbs) {
+        const std::vector<std::string> all = optionsIn(runEdgeshade({verb, "--help-all"}).out);
+        const std::set<std::string> once(all.begin(), all.end());
+        EXPECT_EQ(once.size(), all.size()) << verb;
+        EXPECT_EQ(runEdgeshade({verb, "--help-all"}).out.find("Others:"), std::string::npos);
+        for (const std::string& option : optionsIn(runEdgeshade({verb, "--help"}).out))
+            EXPECT_TRUE(once.contains(option)) << verb << " " << option;
+    }
+}
+
+TEST(Help, OfAllEndsWithTheLaboratory) {
+    const std::string help = runEdgeshade({"render", "--help-all"}).out;
+    const std::size_t laboratory = help.find("Laboratory");
+    ASSERT_NE(laboratory, std::string::npos);
+    for (const char* option : {"--layout", "--multiplicity", "--silhouette", "--planes"})
+        EXPECT_GT(help.find("\n  " + std::string(option)), laboratory) << option;
+    for (const char* option : {"--sun", "--shadows", "--max-file"})
+        EXPECT_LT(help.find("\n  " + std::string(option)), laboratory) << option;
 }
 
 TEST(Help, TheVersionIsOneLine) {

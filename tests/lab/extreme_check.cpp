@@ -22,15 +22,12 @@ std::string row(const std::string& name, const std::string& provokes,
 
 /// Ways of drawing a case, and their names.
 std::vector<std::pair<const char*, RenderSettings>> waysToDraw() {
-    RenderSettings byPlanes, toInfinity, byEdges, byMap, byPoints;
-    toInfinity.ends = VolumeEnds::atInfinity;
+    RenderSettings byPlanes, byEdges, byMap, byPoints;
     byEdges.multiplicity = MultiplicityMethod::referenceEdge;
     byMap.shadows = ShadowMethod::primitiveMap;
     byPoints.shadows = ShadowMethod::irregularZBuffer;
-    std::vector<std::pair<const char*, RenderSettings>> ways = {{"adapted", byPlanes},
-                                                                {"infinite", toInfinity},
-                                                                {"published", byEdges},
-                                                                {"looked up", byMap}};
+    std::vector<std::pair<const char*, RenderSettings>> ways = {
+        {"adapted", byPlanes}, {"published", byEdges}, {"looked up", byMap}};
     if (canAskPoints()) ways.emplace_back("irregular", byPoints);
     return ways;
 }

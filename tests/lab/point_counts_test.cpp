@@ -2,6 +2,7 @@
 
 #include "src/lab/point_counts.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
+#include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -66,7 +67,7 @@ LitCounts drawn(const Case& test, ShadowMethod method) {
     const FrameView view = viewOf(test);
     prepareScene(gpu, loaded, view, settings, context.capabilities());
     if (method == ShadowMethod::primitiveMap) {
-        const LightMethod made = lightMethods(gpu, view, settings).front();
+        const LightMethod made = lightMethods(gpu, view, renderer).front();
         EXPECT_EQ(made.method, "primitive-map") << made.why;
     }
     ExtendedLights lights(context.capabilities());

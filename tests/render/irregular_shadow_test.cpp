@@ -3,6 +3,7 @@
 #include "preprocess/base/error.hpp"
 #include "src/gl/depth_reading.hpp"
 #include "src/render/frame/light_methods.hpp"
+#include "src/render/frame/prepare_scene.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 

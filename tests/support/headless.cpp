@@ -1,7 +1,7 @@
 #include "tests/support/headless.hpp"
 
 #include "src/render/frame/prepare_scene.hpp"
-#include "src/render/irregular/irregular_shadow_pass.hpp"
+#include "src/scene/shadow_facts.hpp"
 #include "src/shadow/geometry/light_budget.hpp"
 
 #include <algorithm>
@@ -24,7 +24,9 @@ bool drawsOnProcessor() {
 
 bool canAskPoints() {
     static const bool can =
-        IrregularShadowPass::isPossible(gl::HeadlessContext(testPicture(1, 1)).capabilities());
+        ShadowPolicy({.asked = ShadowMethod::irregularZBuffer},
+                     deviceFactsOf(gl::HeadlessContext(testPicture(1, 1)).capabilities()), {})
+            .mayAskPoints();
     return can;
 }
 

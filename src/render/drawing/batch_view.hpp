@@ -26,10 +26,6 @@ struct BatchView {
     const AlphaLookup* alpha = nullptr; ///< the batch's own; null: its materials' are taken
     bool mirrored = false;
     bool culls = false; ///< see Scene
-    /// Of batches whose solids' backs may be left out: what is between the eye and the slice, in
-    /// their space, and whether none of their triangles is there.
-    NearClipVolume beforeNear{};
-    bool nothingBefore = false;
 };
 
 /// Where the view's camera sees a batch from, drawn with the slice's depth range.

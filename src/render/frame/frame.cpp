@@ -4,11 +4,11 @@
 #include "src/environment/neutral.hpp"
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/grazed_surfaces.hpp"
-#include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/irregular/irregular_shadow_pass.hpp"
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/scene/build_parts.hpp"
+#include "src/scene/shadow_facts.hpp"
 #include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/plan/light_lists.hpp"
 
@@ -72,11 +72,6 @@ bool isPlain(const Light& light) {
     return !light.photometric && color.r == color.g && color.g == color.b && color.r <= 1.0f;
 }
 
-bool anyAnimated(const GpuScene& scene) {
-    return std::any_of(scene.batches.begin(), scene.batches.end(),
-                       [](const GpuBatch& batch) { return batch.animated && !batch.hidden; });
-}
-
 bool isFullyShadowed(const LightPlan& light) {
     return std::any_of(light.counts.begin(), light.counts.end(),
                        [](const CountPlan& count) { return count.fullyShadowed; });
@@ -86,14 +81,6 @@ CountPlan askingPoints() {
     CountPlan plan;
     plan.byPoints = true;
     return plan;
-}
-
-/// As Scene::triangleCount().
-[[maybe_unused]] std::size_t triangleCount(const GpuScene& scene) {
-    std::size_t count = 0;
-    for (const GpuBatch& batch : scene.batches)
-        if (!batch.ground) count += batch.geometry->indices.size() / 3;
-    return count;
 }
 
 /// Calls use(plan, casters) for everything that a frame counts by drawing.
@@ -115,8 +102,9 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings), volumes_(makeVolumeRenderer(settings, capabilities)),
-      counter_(capabilities), surfaces_(capabilities, settings.map.pcf, settings.cullSolids) {
+    : settings_(settings), device_(deviceFactsOf(capabilities)),
+      volumes_(makeVolumeRenderer(settings, capabilities)), counter_(capabilities),
+      surfaces_(capabilities, settings.map.pcf) {
     if (settings.shadows == ShadowMethod::map) maps_.emplace(settings.map, capabilities);
     if (settings.shadows == ShadowMethod::planar) {
         if constexpr (hasRivals)
@@ -124,21 +112,19 @@ Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capab
         else
             throw Error(ExitStatus::unavailable, "This build has no planar shadows.");
     }
-    if constexpr (readsDepth) {
-        if (IrregularShadowPass::isWanted(settings, capabilities))
-            irregular_ = std::make_shared<IrregularShadowPass>(capabilities);
-    }
+    const bool mayAskPoints = policyFor({}).mayAskPoints();
+    if (settings.shadows == ShadowMethod::irregularZBuffer && !mayAskPoints)
+        throw Error(ExitStatus::unavailable,
+                    "'--shadows irregular-z-buffer' needs a GL whose processor draws, with one "
+                    "sample a pixel and framebuffers with depth (GL_OES_packed_depth_stencil); "
+                    "'--shadows volumes' does without.");
+    if constexpr (hasPoints)
+        if (mayAskPoints) irregular_ = std::make_shared<IrregularShadowPass>(capabilities);
     if (maps_ && settings.map.kind == MapKind::warped) places_.emplace(capabilities);
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
-    if constexpr (keepsAmbient)
-        if (settings.shading == Shading::full && AmbientTarget::isWanted(settings, capabilities))
-            ambient_ = std::make_shared<AmbientTarget>(capabilities);
     if constexpr (listsLights)
         if (LightTable::isPossible(capabilities)) table_.emplace(capabilities);
-    if constexpr (readsDepth)
-        if (ScissorPass::isWanted(settings, capabilities))
-            scissors_.emplace(settings, capabilities);
     if constexpr (marksGrazed) grazed_ = std::make_shared<GrazedSurfaces>();
     if (settings.records() && settings.maskScale > 1)
         coarse_.emplace(settings.maskScale, capabilities);
@@ -160,11 +146,6 @@ void Renderer::draw(GpuScene& scene, const FrameView& view, StageClock* clock,
     prepareSum(scene, view);
     drawSlices(scene, view, clock);
     if (sum_.linear) linear_->show(static_cast<gl::Name>(framebuffer));
-    if constexpr (keepsAmbient)
-        if (sum_.keepsAmbient) {
-            const StageScope stage(clock, FrameStage::lit);
-            ambient_->show(static_cast<gl::Name>(framebuffer));
-        }
 }
 
 Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) const {
@@ -188,34 +169,14 @@ void Renderer::prepareSum(const GpuScene& scene, const FrameView& view) {
     sum_.linear = !sum_.replaces && linear_ && linear_->bind(view.width, view.height);
 }
 
-bool Renderer::willKeepAmbient(const GpuScene& scene, const FrameView& view) {
-    if constexpr (keepsAmbient)
-        return ambient_ && !sum_.darkens() &&
-               std::any_of(plan_.slices.begin(), plan_.slices.end(),
-                           [](const SlicePlan& plan) {
-                               return plan.withAmbient && plan.lights[*plan.first].isCounted();
-                           }) &&
-               (settings_.ambientTarget == AmbientTargetChoice::on ||
-                AmbientTarget::pays(scene, view)) &&
-               ambient_->fit(view.width, view.height);
-    return false;
-}
-
-std::size_t Renderer::ambientBytes() const {
-    if constexpr (keepsAmbient) return ambient_ ? ambient_->bytes() : 0;
-    return 0;
-}
-
 std::size_t Renderer::markBytes() const {
-    if constexpr (readsDepth) return irregular_ ? irregular_->bytes() : 0;
+    if constexpr (hasPoints) return irregular_ ? irregular_->bytes() : 0;
     return 0;
 }
 
 void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock) {
-    if constexpr (readsDepth)
-        asksPoints_ = irregular_ && (!volumes_ || IrregularShadowPass::pays(triangleCount(scene)));
+    chooseTechniques(scene, view);
     plan_ = planned(scene, view, clock);
-    sum_.keepsAmbient = willKeepAmbient(scene, view);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE);
     glEnable(GL_DEPTH_TEST);
@@ -224,12 +185,9 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
         const SlicePass pass{scene, view, view.slices[s], plan_.slices[s], s == 0, clock};
         if (marked) mark_.clear(); // the light with ambient light has its share in alpha
         drawDepthAndAmbient(pass);
-        if constexpr (readsDepth)
+        if constexpr (hasPoints)
             if (irregular_) irregular_->forgetSurfaces();
         if (coarse_ && !pass.plan.reach.empty()) drawCoarseSurfaces(pass);
-        if constexpr (readsDepth)
-            if (scissors_)
-                scissors_->scissor(plan_.slices[s], scene.materials, view, pass.slice, clock);
         if (pass.plan.withAmbient && pass.plan.lights[*pass.plan.first].isCounted())
             drawShadow(pass);
         for (std::size_t i = 0; i < pass.plan.lights.size(); ++i) {
@@ -257,31 +215,34 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
                    .groupCount = [](std::size_t) { return std::size_t{0}; },
                    .planCount = {}};
     if (cutsToVisible()) task.open = intersection(task.open, visiblePixels(view));
-    if (planar_ || (irregular_ && !volumes_)) { // marked in one stencil, without volumes
-        task.groupCount = [&](std::size_t light) -> std::size_t {
-            return visibilityOf(light) ? 0 : 1;
-        };
-        task.planCount = [&](const DepthSlice&, std::size_t, std::size_t) {
-            return irregular_ ? askingPoints() : CountPlan();
-        };
-    }
+    task.groupCount = [&](std::size_t light) -> std::size_t {
+        switch (countedFor(light)) {
+        case Technique::points:
+        case Technique::planar:
+            return 1;
+        case Technique::volumes:
+            return scene.groupCount(view.lights[light], volumes_->layout());
+        default:
+            return 0;
+        }
+    };
+    task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
+        switch (countedFor(light)) {
+        case Technique::points:
+            return askingPoints();
+        case Technique::volumes:
+            return volumes_->plan(
+                scene, {view, slice, light, group, choices_[light].technique == Technique::lookup});
+        default:
+            return CountPlan();
+        }
+    };
     if constexpr (listsLights)
         if (table_) {
             task.mayBeListed = [&](std::size_t light) { return mayBeListed(view, light); };
             task.list = listLights;
         }
     if (!volumes_) return planFrame(task);
-    task.groupCount = [&](std::size_t light) -> std::size_t {
-        if (visibilityOf(light)) return 0;
-        if (primitiveMapOf(scene, view.lights[light]) && !anyAnimated(scene)) return 0;
-        if (asksPoints_) return 1;
-        return scene.groupCount(view.lights[light], volumes_->layout());
-    };
-    task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
-        if (asksPoints_) return askingPoints();
-        const bool lookedUp = primitiveMapOf(scene, view.lights[light]) != nullptr;
-        return volumes_->plan(scene, {view, slice, light, group, lookedUp});
-    };
     volumes_->beginFrame(scene);
     if (clock && clock->wantsSilhouette()) {
         const StageScope stage(clock, FrameStage::silhouette);
@@ -370,8 +331,6 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     std::optional<ShadowMapLookup> map;
     if (light) map = mapOf(pass, *light);
     const StageScope stage(pass.clock, FrameStage::ambient);
-    if constexpr (keepsAmbient)
-        if (sum_.keepsAmbient) ambient_->bindSurfaces();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
@@ -389,7 +348,6 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (pass.first ? GL_COLOR_BUFFER_BIT : 0));
 
     SurfaceShading shading = shadingOf(pass, light);
-    shading.withAmbientTarget = sum_.keepsAmbient;
     if (light) {
         shading.withAmbient = true;
         shading.map = map ? &*map : nullptr;
@@ -398,8 +356,6 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, counted && sum_.darkens());
     }
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
-    if constexpr (keepsAmbient)
-        if (sum_.keepsAmbient) ambient_->bindPicture();
 }
 
 void Renderer::drawShadow(const SlicePass& pass) {
@@ -409,8 +365,6 @@ void Renderer::drawShadow(const SlicePass& pass) {
     if (sum_.darkens()) {
         mark_.darkenCounted();
         mark_.clear();
-    } else if (keepsAmbient && sum_.keepsAmbient) {
-        takeAmbientInShadow(pass);
     } else {
         drawAmbientInShadow(pass);
     }
@@ -427,24 +381,6 @@ void Renderer::drawAmbientInShadow(const SlicePass& pass) {
     glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
     glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
     drawSurfaces(pass.scene, pass.view, pass.slice, shadingOf(pass, {}));
-}
-
-void Renderer::takeAmbientInShadow(const SlicePass& pass) {
-    if constexpr (keepsAmbient) {
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-        glDepthMask(GL_FALSE);
-        glDisable(GL_BLEND);
-        glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-        // Beside the surfaces of the farthest slice both colours are the background's; beside those
-        // of others they are a farther slice's.
-        if (pass.first) glDisable(GL_DEPTH_TEST);
-        glDepthFunc(GL_GREATER);
-        glDepthRangef(1.0f, 1.0f);
-        ambient_->takeAmbient();
-        glDepthRangef(0.0f, 1.0f);
-        glEnable(GL_DEPTH_TEST);
-    }
 }
 
 /// Depth and planes of what is visible, for the masks of all lights.
@@ -578,11 +514,11 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
                 planar_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light);
             return;
         }
-    if constexpr (readsDepth)
+    if constexpr (hasPoints)
         if (plan.byPoints) {
             irregular_->mark(pass.scene, pass.view, pass.slice, pass.view.lights[light].light,
                              pass.plan.lights[light].reach, pass.plan.reach,
-                             primitiveMapOf(pass.scene, pass.view.lights[light]) != nullptr);
+                             choices_[light].technique == Technique::lookup);
             return;
         }
     counter_.count(plan, *volumes_, pass.scene, {pass.view, pass.slice, light, group});
@@ -592,9 +528,7 @@ void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group
 }
 
 std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_t light) {
-    if (settings_.shadows != ShadowMethod::map || visibilityOf(light) ||
-        !pass.view.lights[light].shadowed)
-        return std::nullopt;
+    if (choices_[light].technique != Technique::map || visibilityOf(light)) return std::nullopt;
     const StageScope stage(pass.clock, FrameStage::map);
     const ShadowMapLookup map =
         maps_->draw(pass.scene, pass.view, pass.view.lights[light].light, visible_);
@@ -604,10 +538,21 @@ std::optional<ShadowMapLookup> Renderer::mapOf(const SlicePass& pass, std::size_
     return map;
 }
 
-const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const FrameLight& of) const {
-    if (!settings_.looksUpPrimitives() || !of.shadowed) return nullptr;
-    if (of.atOnce) return extendedMapOf(scene, of.light);
-    return anyPrimitiveMapOf(scene, of.light);
+void Renderer::chooseTechniques(const GpuScene& scene, const FrameView& view) {
+    const ShadowPolicy policy = policyFor(sceneFactsOf(scene));
+    choices_.clear();
+    for (const FrameLight& of : view.lights)
+        choices_.push_back(policy.choose(lightFactsOf(of), lookupFactsOf(scene, of)));
+}
+
+Technique Renderer::countedFor(std::size_t light) const {
+    return visibilityOf(light) ? Technique::none : choices_[light].counted;
+}
+
+const GpuPrimitiveMap* Renderer::primitiveMapOf(const GpuScene& scene, const FrameView& view,
+                                                std::size_t light) const {
+    if (choices_[light].technique != Technique::lookup) return nullptr;
+    return scene.primitiveMaps.of(view.lights[light].light)->map.get();
 }
 
 const GpuPrimitiveMap* Renderer::anyPrimitiveMapOf(const GpuScene& scene,
@@ -648,7 +593,8 @@ SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::siz
     }
     shading.withAmbient = sum_.replaces;
     shading.visibility = visibilityOf(*index);
-    shading.primitives = shading.visibility ? nullptr : primitiveMapOf(pass.scene, of);
+    shading.primitives =
+        shading.visibility ? nullptr : primitiveMapOf(pass.scene, pass.view, *index);
     if (of.atOnce) shading.places = of.points;
     shading.eye = pass.view.frustum.eye();
     shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;

@@ -2,10 +2,8 @@
 
 #include "src/gl/capabilities.hpp"
 #include "src/gl/scissor.hpp"
-#include "src/render/frame/ambient_target.hpp"
 #include "src/render/frame/coarse_mask.hpp"
 #include "src/render/frame/linear_target.hpp"
-#include "src/render/frame/scissor_pass.hpp"
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
 #include "src/render/frame/visible_places.hpp"
@@ -40,9 +38,8 @@ class IrregularShadowPass;
 /// With full shading what one light and ambient light leave on the display is no sum: the light's
 /// share is drawn over the ambient one, or, where it was drawn with it, the ambient one over it
 /// where there is shadow; only plain surfaces (Material::isPlain()) still take their ambient share
-/// from alpha. Where the processor draws, ambient light's colours are drawn beside those in light
-/// (AmbientTarget) and taken where there is shadow. Several lights are added up in a LinearTarget;
-/// where the GL has none the display's colours are.
+/// from alpha. Several lights are added up in a LinearTarget; where the GL has none the display's
+/// colours are.
 ///
 /// Depth slices are drawn from far to near, each with a depth range of its own: caps are cut at a
 /// slice's near plane, and what is nearer lies in front of everything visible there; nearer slices
@@ -83,6 +80,10 @@ class Renderer {
     const FramePlan& plan() const { return plan_; }
 
     const RenderSettings& settings() const { return settings_; }
+    /// By which it chooses each light's technique in a scene.
+    ShadowPolicy policyFor(const SceneFacts& scene) const {
+        return {settings_.policy(), device_, scene};
+    }
     void setAmbient(float ambient) { settings_.ambient = ambient; }
     void setExposure(float stops) { settings_.exposure = stops; }
     void setBackground(const glm::vec3& color) { settings_.background = color; }
@@ -108,9 +109,6 @@ class Renderer {
     /// That of the one that lights are added up in.
     std::size_t lightBytes() const { return linear_ ? linear_->bytes() : 0; }
 
-    /// That of the ones that ambient light's colours are kept in.
-    std::size_t ambientBytes() const;
-
     /// That of the texture that says which visible points are in shadow.
     std::size_t markBytes() const;
 
@@ -119,8 +117,8 @@ class Renderer {
 
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() + lightBytes() + ambientBytes() + markBytes() +
-               tableBytes() + (volumes_ ? volumes_->bytes() : 0);
+        return mapBytes() + maskBytes() + lightBytes() + markBytes() + tableBytes() +
+               (volumes_ ? volumes_->bytes() : 0);
     }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
@@ -144,7 +142,6 @@ class Renderer {
         bool replaces = false;     ///< the one light is drawn over ambient light
         bool linear = false;       ///< light itself is added up
         bool plainIsShort = false; ///< see FullShading
-        bool keepsAmbient = false; ///< what ambient light leaves is drawn beside it
         double lights = 0.0;       ///< of the view, by their weights
 
         /// Whether shadow leaves colours the share that alpha says.
@@ -180,10 +177,6 @@ class Renderer {
     void drawShadow(const SlicePass& pass);
     /// What ambient light leaves, where the stencil isn't 0: the surfaces drawn once more.
     void drawAmbientInShadow(const SlicePass& pass);
-    /// The same, as it was drawn with the light.
-    void takeAmbientInShadow(const SlicePass& pass);
-    /// Whether it is drawn with the light in this frame; the target is ready then.
-    bool willKeepAmbient(const GpuScene& scene, const FrameView& view);
     void setLightBlending(bool marked) const;
     /// By the light, or by nothing.
     SurfaceShading shadingOf(const SlicePass& pass, std::optional<std::size_t> light) const;
@@ -197,8 +190,13 @@ class Renderer {
     std::optional<ShadowMapLookup> mapOf(const SlicePass& pass, std::size_t light);
     /// How much of the light is seen; null: not known, its shadow is hard.
     const VisibilityLookup* visibilityOf(std::size_t light) const;
-    /// The light's primitive map; null: it has none, or shadows are something else.
-    const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const FrameLight& of) const;
+    /// Chooses each light's technique in this frame.
+    void chooseTechniques(const GpuScene& scene, const FrameView& view);
+    /// What is counted for the light, in the stencil.
+    Technique countedFor(std::size_t light) const;
+    /// The light's primitive map; null: its technique is another.
+    const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const FrameView& view,
+                                          std::size_t light) const;
     /// The same where volumes are counted: for surfaces that are not counted for.
     const GpuPrimitiveMap* anyPrimitiveMapOf(const GpuScene& scene, const Light& light) const;
     void drawLit(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);
@@ -214,6 +212,8 @@ class Renderer {
                              const SurfaceShading& shading);
 
     RenderSettings settings_;
+    DeviceFacts device_;
+    std::vector<LightChoice> choices_;        ///< of the lights of this frame
     std::unique_ptr<VolumeRenderer> volumes_; ///< where shadows are volumes
     VolumeCounter counter_;
     FramePlan plan_;                           ///< of the last frame
@@ -226,13 +226,10 @@ class Renderer {
     std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
     std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
     std::shared_ptr<GrazedSurfaces> grazed_; ///< null where nobody asks for what lights graze
-    std::shared_ptr<IrregularShadowPass> irregular_; ///< where visible points may be asked
-    bool asksPoints_ = false;             ///< they are in this frame, and no volumes counted
-    std::optional<ScissorPass> scissors_; ///< where volumes are counted around their shadows alone
+    /// Where visible points may be asked. Shared with nobody, but pages, which ask none, carry no
+    /// code to destroy it so.
+    std::shared_ptr<IrregularShadowPass> irregular_;
     std::optional<LinearTarget> linear_;
-    /// Where ambient light's colours may be kept. It and irregular_ are shared with nobody, but
-    /// pages, which have neither, carry no code to destroy them so.
-    std::shared_ptr<AmbientTarget> ambient_;
     std::optional<LightTable> table_;           ///< where lights may be listed
     LightTableLookup listed_;                   ///< of the slice that is drawn
     std::optional<GpuEnvironment> environment_; ///< once a surface has reflected it

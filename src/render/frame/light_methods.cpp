@@ -1,28 +1,54 @@
 #include "src/render/frame/light_methods.hpp"
 
-#include <algorithm>
+#include "src/render/frame/frame.hpp"
+#include "src/render/shadow_map/map_words.hpp"
+#include "src/scene/build_parts.hpp"
+#include "src/scene/shadow_facts.hpp"
+
+#include <cmath>
 
 namespace edgeshade {
+namespace {
+
+/// What a light's planes are.
+[[maybe_unused]] void describePlanes(const ShadowPlanes& planes, LightMethod& method) {
+    const std::size_t count = planes.all().size();
+    method.why = "onto " + std::to_string(count) +
+                 (count == 1 ? " plane alone, which has " : " planes alone, which have ") +
+                 std::to_string(std::lround(100.0 * planes.share())) + " % of all surfaces' area";
+    method.buildMs = planes.buildMs();
+    method.bytes = planes.bytes();
+}
+
+void describeLookup(const GpuScene& scene, const Light& light, LightMethod& method) {
+    const PrimitiveMapState* state = scene.primitiveMaps.of(light);
+    if (!state) return;
+    method.buildMs = state->buildMs;
+    if (state->map) method.bytes = state->map->bytes();
+}
+
+} // namespace
 
 std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& view,
                                       const Renderer& renderer) {
-    std::vector<LightMethod> methods = lightMethods(scene, view, renderer.settings());
-    if (renderer.settings().shadows == ShadowMethod::map)
-        for (std::size_t i = 0; i < methods.size(); ++i)
-            if (methods[i].method == "map")
-                methods[i].bytes = renderer.mapBytesOf(view.lights[i].light);
-    // What was decided as the last frame was planned.
-    for (const SlicePlan& slice : renderer.plan().slices)
-        for (std::size_t i = 0; i < std::min(methods.size(), slice.lights.size()); ++i) {
-            const std::vector<CountPlan>& counts = slice.lights[i].counts;
-            if (counts.empty() || !counts.front().byPoints) continue;
-            if (methods[i].method == "primitive-map") continue; // what moves alone is asked about
-            methods[i].method = "irregular-z-buffer";
-            if (renderer.volumes())
-                methods[i].why =
-                    "it has no primitive map, and filling volumes is estimated to take "
-                    "longer";
+    const RenderSettings& settings = renderer.settings();
+    const ShadowPolicy policy = renderer.policyFor(sceneFactsOf(scene));
+    std::vector<LightMethod> methods;
+    for (const FrameLight& of : view.lights) {
+        const LightChoice choice = policy.choose(lightFactsOf(of), lookupFactsOf(scene, of.light));
+        LightMethod& method = methods.emplace_back();
+        method.method = wordFor(choice.technique);
+        method.rule = choice.rule;
+        method.why = choice.reason;
+        if (choice.technique == Technique::map) {
+            method.why = mapWords(of.light, settings.map);
+            method.bytes = renderer.mapBytesOf(of.light);
         }
+        if constexpr (hasRivals)
+            if (choice.technique == Technique::planar) describePlanes(scene.planes, method);
+        if (settings.looksUpPrimitives() && of.drawn && of.shadowed)
+            describeLookup(scene, of.light, method);
+    }
     return methods;
 }
 

@@ -6,7 +6,6 @@
 #include "src/render/frame/cone_window.hpp"
 #include "src/render/shadow_map/map_defines.hpp"
 #include "src/scene/build_parts.hpp"
-#include "src/scene/solid_surfaces.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
 #include "src/shadow/geometry/light_cone.hpp"
@@ -251,15 +250,6 @@ bool showsFrontAlone(const Material& material, const BatchView& view) {
     return view.culls && !material.doubleSided;
 }
 
-/// Whether none of the backs of the chunk's solids can be seen: nothing of them is between the eye
-/// and the slice (docs/method.md, C44).
-bool areBacksHidden(const SurfaceChunk& chunk, const BatchView& view) {
-    return std::all_of(chunk.solids.begin(), chunk.solids.end(), [&](const Box& solid) {
-        return isOutsideOf(solid, view.beforeNear.light) &&
-               (view.nothingBefore || areApart(view.beforeNear, solid));
-    });
-}
-
 } // namespace
 
 bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes) {
@@ -275,12 +265,6 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
                         const DepthSlice& slice, const SurfaceShading& shading) {
     BatchView result = batchViewOf(batch, view, slice);
     const auto number = static_cast<std::size_t>(&batch - scene.batches.data());
-    if (mayCullSolids && scene.solidsLast) {
-        result.beforeNear =
-            volumeBefore(slice.near, view.frustum,
-                         glm::inverse(view.frustum.viewFromWorld * batch.worldFromBatch));
-        result.nothingBefore = slice.near <= view.nearestDepths[number];
-    }
     if (shading.light && shading.light->isSpot())
         result.coneFromObject = glm::mat4(coneFromWorld(*shading.light) * batch.worldFromBatch);
     if (shading.light && shading.light->hasRange() && shading.addsLight()) {
@@ -335,8 +319,7 @@ void SurfacePass::addMaterial(const GpuScene& scene, const SurfaceChunk& chunk,
                               const SurfaceShading& shading, Variant& variant) const {
     const Material& material = scene.materials[chunk.material];
     if (!shading.full || shading.mask || shading.geometryAlone() || shading.tintPrimitives) return;
-    if (shading.full->linear) variant.written = Written::light;
-    if (shading.withAmbientTarget) variant.written = Written::shownAndAmbient;
+    variant.linear = shading.full->linear;
     if (variant.catcher) {
         variant.plain = shading.lights == 1.0 &&
                         shading.weight == 1.0; // else light or the display's colours are added up
@@ -403,7 +386,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.plain) defines.push_back("PLAIN");
     if (variant.catcher) defines.push_back("CATCHER");
     if (variant.softTerminator) defines.push_back("SOFT_TERMINATOR");
-    if (variant.written == Written::light) defines.push_back("LINEAR");
+    if (variant.linear) defines.push_back("LINEAR");
     if (variant.textured) defines.push_back("TEXTURED");
     if (variant.alphaLookup) defines.push_back("ALPHA_LOOKUP");
     if (variant.colored) defines.push_back("COLORED");
@@ -411,8 +394,6 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.lightList > 0) defines.push_back("LIGHT_LIST " + std::to_string(variant.lightList));
     if (derivatives_) defines.push_back("DERIVATIVES");
     if (variant.withAmbient) defines.push_back("WITH_AMBIENT");
-    if constexpr (keepsAmbient)
-        if (variant.written == Written::shownAndAmbient) defines.push_back("AMBIENT_TARGET");
     if (variant.directional) defines.push_back("DIRECTIONAL");
     if (variant.ranged) defines.push_back("RANGED");
     if (variant.spot) defines.push_back("SPOT");
@@ -479,19 +460,6 @@ std::size_t SurfacePass::drawChunk(const GpuScene& scene, const SurfaceChunk& ch
     return drawSeen(scene, chunk, view, eye, shading);
 }
 
-/// Those of the chunk's own indices, which are bound.
-void SurfacePass::drawTriangles(const SurfaceChunk& chunk, const BatchView& view,
-                                const Material& material) const {
-    const bool hidden = mayCullSolids && cullsSolids_ && !showsFrontAlone(material, view) &&
-                        !chunk.solids.empty() && areBacksHidden(chunk, view);
-    const int both = hidden ? chunk.firstSolidIndex : chunk.indexCount;
-    if (both > 0) glDrawElements(GL_TRIANGLES, both, GL_UNSIGNED_SHORT, nullptr);
-    if (!hidden) return;
-    const CullScope frontAlone(view.mirrored ? GL_FRONT : GL_BACK);
-    glDrawElements(GL_TRIANGLES, chunk.indexCount - both, GL_UNSIGNED_SHORT,
-                   reinterpret_cast<const void*>(static_cast<std::size_t>(both) * 2));
-}
-
 std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chunk,
                                   const BatchView& view, const glm::dvec3& eye,
                                   const SurfaceShading& shading) {
@@ -550,7 +518,7 @@ std::size_t SurfacePass::drawSeen(const GpuScene& scene, const SurfaceChunk& chu
     if (variant.sided)
         glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     else
-        drawTriangles(chunk, view, material);
+        glDrawElements(GL_TRIANGLES, chunk.indexCount, GL_UNSIGNED_SHORT, nullptr);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     return static_cast<std::size_t>(chunk.indexCount);
 }

@@ -41,7 +41,6 @@ struct SurfaceShading {
     std::optional<FullShading> full; ///< nothing: Shading::base
     std::optional<Light> light;      ///< nothing: ambient light
     bool withAmbient = false;        ///< light and ambient light, whose share of both is in alpha
-    bool withAmbientTarget = false;  ///< what ambient light alone leaves, to an AmbientTarget, too
     float ambient = 0.0f;
     float diffuse = 0.0f;       ///< of the light, times its Lambert term
     double lights = 0.0;        ///< of the picture, by their weights
@@ -80,19 +79,15 @@ bool isOutOfView(const GpuBatch& batch, const ViewPlanes& planes);
 BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const FrameView& view,
                         const DepthSlice& slice, const SurfaceShading& shading);
 
-/// Draws visible surfaces, from both sides but where the scene culls single-sided ones, and where
-/// they are backs of solids that can't be seen; depth, stencil and blending are the caller's state.
-/// Those of unlit materials have their own colour whatever the light; masks show where it falls on
-/// them.
+/// Draws visible surfaces, from both sides but where the scene culls single-sided ones; depth,
+/// stencil and blending are the caller's state. Those of unlit materials have their own colour
+/// whatever the light; masks show where it falls on them.
 class SurfacePass {
   public:
     /// `pcf`: how many texels of a shadow map are compared, along each axis; odd.
-    /// `cullsSolids`: whether backs of solids that can't be seen are left out.
-    explicit SurfacePass(const gl::Capabilities& capabilities, int pcf = 1,
-                         bool cullsSolids = false)
+    explicit SurfacePass(const gl::Capabilities& capabilities, int pcf = 1)
         : textureUnits_(capabilities.textureUnits),
-          derivatives_(capabilities.has("GL_OES_standard_derivatives")), pcf_(pcf),
-          cullsSolids_(cullsSolids) {}
+          derivatives_(capabilities.has("GL_OES_standard_derivatives")), pcf_(pcf) {}
 
     /// Draws the batch's surfaces of the given kind, in the order of its chunks. Returns vertex
     /// runs.
@@ -119,21 +114,16 @@ class SurfacePass {
 
         auto operator<=>(const MapVariant&) const = default;
     };
-    enum class Written {
-        shown,           ///< the display's colours
-        shownAndAmbient, ///< the same, and beside them those by ambient light alone
-        light,           ///< light itself
-    };
     struct Variant {
         AlphaMode alphaMode;
         std::optional<MaterialFeatures> material; ///< of material.frag
         std::optional<MapVariant> map;
         std::optional<PrimitiveMapVariant> primitives;
-        bool softMap;   ///< the map is that of a light with an extent
-        bool pcss;      ///< which gets percentage-closer soft shadows
-        bool rectangle; ///< and is a rectangle
-        bool plain;     ///< full shading of what needs no material.frag
-        Written written;
+        bool softMap;        ///< the map is that of a light with an extent
+        bool pcss;           ///< which gets percentage-closer soft shadows
+        bool rectangle;      ///< and is a rectangle
+        bool plain;          ///< full shading of what needs no material.frag
+        bool linear;         ///< light itself is written, not the display's colours
         bool softTerminator; ///< dims the light where it grazes facets
         bool catcher;        ///< shows the background, darker in shadow
         bool textured;
@@ -158,7 +148,7 @@ class SurfacePass {
 
         auto key() const {
             return std::tie(alphaMode, material, map, primitives, softMap, pcss, rectangle, plain,
-                            written, softTerminator, catcher, textured, colored, lit, lightList,
+                            linear, softTerminator, catcher, textured, colored, lit, lightList,
                             falloff, withAmbient, directional, ranged, spot, mask, sliced, coarse,
                             visibility, planes, nearness, orthographic, alphaLookup, sided,
                             selfShadowed);
@@ -177,8 +167,6 @@ class SurfacePass {
     };
     static const std::array<Attribute, 8> attributes_; ///< in the order of their locations
 
-    void drawTriangles(const SurfaceChunk& chunk, const BatchView& view,
-                       const Material& material) const;
     std::size_t drawSeen(const GpuScene& scene, const SurfaceChunk& chunk, const BatchView& view,
                          const glm::dvec3& eye, const SurfaceShading& shading);
     Variant variantOf(const GpuScene& scene, const SurfaceChunk& chunk,
@@ -191,7 +179,6 @@ class SurfacePass {
     int textureUnits_;
     bool derivatives_;
     int pcf_;
-    bool cullsSolids_;
     std::map<Variant, gl::Program> programs_;
 };
 

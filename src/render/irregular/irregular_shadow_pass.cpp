@@ -1,44 +1,11 @@
 #include "src/render/irregular/irregular_shadow_pass.hpp"
 
-#include "preprocess/base/error.hpp"
 #include "preprocess/mesh/topology.hpp"
 #include "shaders_es2.hpp"
 
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
-namespace {
-
-/// Below, volumes are filled in less time than points are sorted: as measured, of 4,000 they are,
-/// of 22,000 they take 1.2 times as long (docs/measured/fill.md).
-constexpr std::size_t leastTriangles = 8192;
-
-} // namespace
-
-bool IrregularShadowPass::isPossible(const gl::Capabilities& capabilities) {
-    return capabilities.isSoftware() && capabilities.samples <= 1 &&
-           capabilities.has("GL_OES_packed_depth_stencil");
-}
-
-bool IrregularShadowPass::isWanted(const RenderSettings& settings,
-                                   const gl::Capabilities& capabilities) {
-    if (settings.shadows == ShadowMethod::irregularZBuffer) {
-        if (isPossible(capabilities)) return true;
-        throw Error(ExitStatus::unavailable,
-                    "'--shadows irregular-z-buffer' needs a GL whose processor draws, with one "
-                    "sample a pixel and framebuffers with depth (GL_OES_packed_depth_stencil); "
-                    "'--shadows volumes' does without.");
-    }
-    const auto records = settings.records();
-    return settings.shadows == ShadowMethod::automatic &&
-           records->volumes == VolumeLayout::planePairs && settings.maskScale == 1 &&
-           isPossible(capabilities);
-}
-
-bool IrregularShadowPass::pays(std::size_t triangles) {
-    return triangles >= leastTriangles;
-}
-
 IrregularShadowPass::IrregularShadowPass(const gl::Capabilities& capabilities)
     : numbers_(capabilities), picture_(shaders::marked_frag) {}
 

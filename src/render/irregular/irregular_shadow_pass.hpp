@@ -4,7 +4,6 @@
 #include "src/gl/objects.hpp"
 #include "src/render/drawing/whole_picture.hpp"
 #include "src/render/irregular/surface_numbers.hpp"
-#include "src/render/volumes/render_settings.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
@@ -18,21 +17,6 @@ namespace edgeshade {
 /// is between it and the light: exact as volumes are, and nothing is filled (docs/method.md, C46).
 class IrregularShadowPass {
   public:
-    /// Whether the processor draws, with one sample a pixel, and framebuffers of one's own have
-    /// depth.
-    static bool isPossible(const gl::Capabilities& capabilities);
-    /// Whether the settings ask for it, or leave it open where it is possible. Throws
-    /// Error(unavailable) where they ask for it and it isn't.
-    static bool isWanted(const RenderSettings& settings, const gl::Capabilities& capabilities);
-    /// Whether triangles are so many that it takes less than filling their volumes.
-    static bool pays(std::size_t triangles);
-    /// Whether lights without a primitive map have no volumes.
-    static bool serves(const RenderSettings& settings, const gl::Capabilities& capabilities,
-                       std::size_t triangles) {
-        return isWanted(settings, capabilities) &&
-               (settings.shadows == ShadowMethod::irregularZBuffer || pays(triangles));
-    }
-
     explicit IrregularShadowPass(const gl::Capabilities& capabilities);
 
     /// The framebuffer shows other surfaces from now on.

@@ -123,11 +123,6 @@ PlanePairVolumes::PlanePairVolumes(const RenderSettings& settings,
     : instancing_(capabilities.instancing), tints_(tints), defines_(std::move(defines)),
       gathered_(settings.layout) {
     planning_.mantissaBits = capabilities.vertexHighpMantissaBits;
-    const bool hardware = !capabilities.isSoftware();
-    planning_.weights = FillWeights::ofDevice(!hardware);
-    planning_.ends = settings.ends != VolumeEnds::automatic ? settings.ends
-                     : hardware                             ? VolumeEnds::byCost
-                                                            : VolumeEnds::atPlanes;
     if (tints_) defines_.insert(defines_.end(), {"UNIFORM_TINT", "TINT u_tint"});
     if (settings.silhouette == SilhouetteChoice::proposed)
         silhouettes_.emplace(planning_.mantissaBits);

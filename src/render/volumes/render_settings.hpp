@@ -2,9 +2,9 @@
 
 #include "preprocess/scene/material.hpp"
 #include "src/environment/environment.hpp"
+#include "src/policy/shadow_policy.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/render/volumes/multiplicity_method.hpp"
-#include "src/shadow/plan/end_choice.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
 
 #include <memory>
@@ -12,37 +12,10 @@
 
 namespace edgeshade {
 
-enum class ShadowMethod {
-    volumes,
-    primitiveMap, ///< and volumes for lights that have none
-    automatic,    ///< the same, and only lights at rest whose volumes would cost more have any
-    /// An IrregularZBuffer: the processor asks of each visible point whether it is in shadow.
-    irregularZBuffer,
-    map,
-    planar, ///< projected onto the scene's largest planes, and nowhere else
-    none,
-};
-
 /// Which part of brute-force volumes is counted.
 enum class BruteForceCount {
     zFail, ///< what is behind surfaces
     zPass, ///< what is before them, and what of casters is before the near plane (ZP+)
-};
-
-/// Whether plane-pair volumes are counted around what is visible of their shadows alone, which the
-/// depth buffer tells.
-enum class VolumeScissors {
-    automatic, ///< where the processor draws, and volumes take long to fill
-    on,
-    off,
-};
-
-/// Whether what surfaces are by ambient light alone is drawn beside what they are in light, so that
-/// they aren't drawn again where they are found to be in shadow.
-enum class AmbientTargetChoice {
-    automatic, ///< where the processor draws
-    on,
-    off,
 };
 
 /// Which plane-pair records are offered to the vertex shader, the judge of their multiplicity.
@@ -57,14 +30,10 @@ struct RenderSettings {
     ShadowMethod shadows = ShadowMethod::volumes;
     MultiplicityMethod multiplicity = MultiplicityMethod::plane;
     SilhouetteChoice silhouette = SilhouetteChoice::proposed; ///< of plane-pair records
-    VolumeEnds ends = VolumeEnds::automatic;                  ///< likewise
-    VolumeScissors scissors = VolumeScissors::automatic;      ///< likewise
     SidesLayout layout = SidesLayout::instanced;
     BruteForceCount count = BruteForceCount::zFail; ///< of brute-force volumes
-    std::size_t planes = 4;     ///< where shadows are planar: onto how many, 1..mostShadowPlanes
-    bool casterCulling = false; ///< of lights at rest, casters wholly in shadow cast nothing
-    bool cullSolids = false;    ///< backs of solids aren't drawn where they can't be seen
-    ShadowMapSettings map;      ///< where shadows are maps
+    std::size_t planes = 4; ///< where shadows are planar: onto how many, 1..mostShadowPlanes
+    ShadowMapSettings map;  ///< where shadows are maps
     PrimitiveMapSettings primitiveMap; ///< where they are primitive maps
     bool tintPrimitives = false;       ///< show what texels of those hold
     int maskScale = 1; ///< where they are volumes: counted once for so many by so many pixels
@@ -74,7 +43,6 @@ struct RenderSettings {
     float ambient = 0.35f; ///< 0..1, as the display shows it; the lights share the rest
     /// What ambient light is where shading is full; null: the neutral one.
     std::shared_ptr<const Environment> environment;
-    AmbientTargetChoice ambientTarget = AmbientTargetChoice::automatic; ///< of full shading
     bool softTerminator = false; ///< of full shading: see shaders_es2/terminator.glsl
     float exposure = 0.0f;       ///< of full shading, in EV: light is taken 2^exposure times
     glm::vec3 background{0.86f, 0.89f, 0.92f};
@@ -86,6 +54,13 @@ struct RenderSettings {
 
     bool looksUpPrimitives() const {
         return shadows == ShadowMethod::primitiveMap || shadows == ShadowMethod::automatic;
+    }
+
+    /// What a ShadowPolicy has to know of them; a scene's see-through surfaces are another matter.
+    PolicySettings policy() const {
+        return {.asked = shadows,
+                .planePairs = volumeLayoutOf(multiplicity) == VolumeLayout::planePairs,
+                .maskScale = maskScale};
     }
 
     /// What volumes are drawn from; nothing where there are none.

@@ -63,7 +63,6 @@ void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
                         volumes.draw(draw, batch);
                     });
     };
-    // By what the stencil was cleared for: scissors may have left out all that counts by two since.
     if (plan.start.isDoubled()) {
         drawAll(plan.draws.twice);
         doubleCounts(plan.start, picture_);

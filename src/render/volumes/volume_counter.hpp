@@ -1,7 +1,6 @@
 #pragma once
 
 #include "src/gl/capabilities.hpp"
-#include "src/gl/scissor.hpp"
 #include "src/render/drawing/batch_view.hpp"
 #include "src/render/drawing/whole_picture.hpp"
 #include "src/render/volumes/volume_renderer.hpp"
@@ -27,7 +26,7 @@ class VolumeCounter {
     float offsetSlopes_, offsetUnits_;
 };
 
-/// Calls use(draw, batch) for some draws of a plan, in order, with the scissor as each has it.
+/// Calls use(draw, batch) for some draws of a plan, in order.
 template <class Use>
 void forEachDraw(const std::vector<VolumeDraw>& draws, const CountPlan& plan,
                  const VolumeRenderer& volumes, const GpuScene& scene,
@@ -43,8 +42,6 @@ void forEachDraw(const std::vector<VolumeDraw>& draws, const CountPlan& plan,
                 scene.volumesOf(of.batch, casters.source(), volumes.layout(), casters.group), of,
                 seen.clipFromObject, seen.mirrored});
         }
-        std::optional<gl::ScissorScope> cut;
-        if (draw.scissor) cut.emplace(*draw.scissor);
         use(draw, *batch);
     }
 }

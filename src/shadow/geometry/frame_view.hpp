@@ -54,9 +54,6 @@ struct FrameLight {
     /// by it (docs/method.md, C33).
     std::optional<glm::dvec4> cut{};
     bool atRest = true; ///< it may be worth a primitive map
-    /// Of a light that moves slowly: how far from here it is in the frames to come, as
-    /// LightExtent::radius says it; 0: nothing is known.
-    double wander = 0.0;
     /// What stands for its extent; empty: it has none. `layers` are around any of them then.
     std::vector<Light> points{};
     std::optional<AmongPoints> among{}; ///< it is one of another light's points

@@ -23,11 +23,6 @@ double areaOf(const FrameView& view, const Light& light) {
     return reach.empty() ? 0.0 : static_cast<double>(reach.width) * reach.height;
 }
 
-double distanceTo(const Box& box, const glm::dvec3& point) {
-    if (box.empty()) return 0.0;
-    return glm::length(glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0.0)));
-}
-
 } // namespace
 
 void leaveOutUnreached(FrameView& view) {
@@ -50,7 +45,7 @@ double importanceOf(const FrameView& view, const Light& light) {
     if (light.position.w == 0.0) return reflected;
     const double size = view.visible.empty() ? view.bounds.diagonal() : view.visible.diagonal();
     const double least = leastDistance * (light.hasRange() ? std::min(light.range, size) : size);
-    const double distance = std::max(distanceTo(view.visible, glm::dvec3(light.position)), least);
+    const double distance = std::max(view.visible.distanceTo(glm::dvec3(light.position)), least);
     return distance > 0.0 ? reflected / (distance * distance) : reflected;
 }
 

@@ -30,11 +30,6 @@ Box boxAround(const std::array<glm::dvec3, 3>& corners) {
             glm::max(glm::max(corners[0], corners[1]), corners[2])};
 }
 
-/// From the point; no more than to anything in the box.
-double distanceTo(const Box& box, const glm::dvec3& point) {
-    return glm::length(glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0.0)));
-}
-
 /// The most that rounding may move a light and a triangle of such coordinates apart.
 double mostRoom(double coordinates, int mantissaBits) {
     // Of a unit normal three terms and the plane's own offset are at most that long; as they are
@@ -74,7 +69,7 @@ bool mayTouch(const Box& box, const glm::dvec4& light, int mantissaBits) {
     const glm::dvec3 place = glm::dvec3(light) / light.w;
     const double largest = std::max(largestOf(box.low), largestOf(box.high));
     const double reach = mostRoom(std::max(largest, largestOf(place)), mantissaBits);
-    return distanceTo(box, place) <= reach;
+    return box.distanceTo(place) <= reach;
 }
 
 LightContact contactOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec4& light,
@@ -106,7 +101,7 @@ LightContact contactOf(const std::array<glm::dvec3, 3>& corners, const glm::dvec
     }
     contact.grazes =
         contact.touches ||
-        std::abs(height) <= LightContact::grazingSine * distanceTo(boxAround(corners), place);
+        std::abs(height) <= LightContact::grazingSine * boxAround(corners).distanceTo(place);
     return contact;
 }
 

@@ -1,7 +1,6 @@
 #include "src/shadow/plan/count_plan.hpp"
 
 #include "src/shadow/geometry/light_extent.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/geometry/reached_part.hpp"
 
 namespace edgeshade {
@@ -57,9 +56,6 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
         plan.start.setFullyShadowed();
         return plan;
     }
-    const glm::dmat4 clipFromWorld = view.clipFromView(slice) * view.frustum.viewFromWorld;
-    const bool choosesEnds = settings.ends != VolumeEnds::atPlanes; // where planVolumes() has them
-    const PixelRectangle reach = choosesEnds ? lightReach(view, slice, source) : PixelRectangle{};
     for (std::size_t i = 0; i < plan.batches.size(); ++i) {
         BatchPlan& of = plan.batches[i];
         if (of.volumes.drawn.empty()) continue;
@@ -72,11 +68,6 @@ CountPlan planCount(const std::vector<PlacedShadow>& casters,
                 key.around = ballInObject(among->region, casters[i].worldFromBatch);
             }
             of.silhouettes = &settings.silhouettes->of(key, of.light);
-        }
-        if (choosesEnds) {
-            const FillMeter meter(clipFromWorld * of.worldFromBatch, view.width, view.height,
-                                  reach);
-            chooseEnds(of, places[i], settings.ends, meter, settings.weights);
         }
         mergeAlike(of.volumes);
         appendDraws(of, i, materials, plan.draws);

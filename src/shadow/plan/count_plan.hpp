@@ -1,7 +1,6 @@
 #pragma once
 
 #include "src/shadow/plan/draw_list.hpp"
-#include "src/shadow/plan/end_choice.hpp"
 #include "src/shadow/plan/solid_clusters.hpp"
 #include "src/shadow/plan/stencil_start.hpp"
 #include "src/shadow/silhouette/potential_silhouettes.hpp"
@@ -35,8 +34,6 @@ struct PlanSettings {
     int mantissaBits = 23;                       ///< of the vertex shader's floats
     PotentialSilhouettes* silhouettes = nullptr; ///< null: all records are drawn
     KeptSolids* solids = nullptr; ///< of scenes that cull; null: no cluster is known to be solid
-    VolumeEnds ends = VolumeEnds::atPlanes; ///< not automatic; others where silhouettes are known
-    FillWeights weights{};                  ///< of what draws
 };
 
 /// Plans what is drawn of a group of casters for the view's light with that index. `materials`:

@@ -36,7 +36,6 @@ class ClusterDraws {
         like_.choice = choice;
         like_.counted = how_.counted;
         like_.zFail = how_.zFail();
-        like_.scissor = how_.scissor;
         end_ = endOf(how_, batch.ends);
         // At infinity all points that a directional light pushes there coincide.
         verticesPerSide_ = batch.light.w == 0.0f && how_.end < 0 ? 3 : verticesPerQuad;

@@ -65,10 +65,8 @@ const char* wordsFor(LeftOut::Why why) {
         return "they are out of the light's range";
     case LeftOut::Why::outsideCone:
         return "they are beside the light's cone";
-    case LeftOut::Why::noReceiver:
-        break;
     }
-    return "nothing that is visible is in their volumes";
+    return {};
 }
 
 std::string placeOf(const Light& light) {
@@ -155,9 +153,6 @@ std::string explain(const CountPlan& plan) {
                  << counted(trianglesOf(shadow, drawn.clusters), "triangle") << "; "
                  << wordsFor(drawn.caps);
             if (drawn.end >= 0) text << ", ending beyond what is visible";
-            if (const auto& within = drawn.scissor)
-                text << ", within " << within->width << " x " << within->height << " pixels from "
-                     << within->x << "," << within->y;
             if (drawn.start != 0)
                 text << ", the near rectangle within " << counted(drawn.start, "volume");
             if (drawn.zFail())

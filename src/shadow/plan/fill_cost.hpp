@@ -24,18 +24,8 @@ struct FillCost {
 struct FillWeights {
     double tilePair = 287.0;
     double block = 14.0;
-    double draw = 20000.0; ///< of a draw more, on its way through GL
-    double triangle = 0.0; ///< of each that meets the pixels
-
-    /// Of hardware, which keeps no lists of tiles: as measured with an NVIDIA H200
-    /// (docs/measured/gpu.md), but for draws, which are guessed.
-    static constexpr FillWeights ofHardware() { return {0.0, 0.24, 1200.0, 8.5}; }
-    /// Of what draws: the processor or a GPU.
-    static constexpr FillWeights ofDevice(bool software) {
-        return software ? FillWeights() : ofHardware();
-    }
     double of(const FillCost& cost) const {
-        return tilePair * cost.tilePairs + block * cost.blocks + triangle * cost.triangles;
+        return tilePair * cost.tilePairs + block * cost.blocks;
     }
 };
 

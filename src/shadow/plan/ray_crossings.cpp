@@ -23,7 +23,7 @@ int certainSide(const glm::vec4& plane, const glm::dvec4& light, double rounding
     return side > 0.0 ? 1 : -1;
 }
 
-/// Whether every light is in its plane: it is none, or is left out (docs/method.md, C43).
+/// Whether every light is in its plane: it is none.
 bool castsNothing(const CapRecord& cap) {
     return cap.plane == glm::vec4(0.0f);
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/plan/volume_plan.hpp"
 
 #include <optional>
@@ -61,8 +60,6 @@ struct VolumeDraw {
     /// Of caps: front caps of casters that show their backs, where they are, counted before
     /// surfaces (z-pass); of alpha-tested ones where they are solid.
     bool culled = false;
-    /// Nothing is counted outside of it; nothing: everywhere.
-    std::optional<PixelRectangle> scissor;
 
     bool isPair() const { return shape != Shape::caps && records != Records::singles; }
     /// Whether sides are triangles: those of a directional light end at infinity in one point.

@@ -110,7 +110,7 @@ FillCost fillOf(const CountPlan& plan, const FrameView& view, const DepthSlice& 
             const BatchPlan& batch = plan.batches[draw.batch];
             if (!batch.shadow) continue; // of opposite-vertex records
             const FillMeter meter(clipFromWorld * batch.worldFromBatch, view.width, view.height,
-                                  draw.scissor ? intersection(reach, *draw.scissor) : reach);
+                                  reach);
             cost += DrawFill(batch, meter).of(draw);
         }
     return cost;

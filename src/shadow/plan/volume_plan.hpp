@@ -2,7 +2,6 @@
 
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
-#include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/geometry/view_planes.hpp"
 #include "src/shadow/plan/contact_caps.hpp"
 #include "src/shadow/plan/ray_crossings.hpp"
@@ -45,16 +44,12 @@ struct ClusterPlan {
     /// surfaces: what the eye doesn't see of casters may be before what it sees (docs/method.md,
     /// C39).
     bool culledCaps = false;
-    /// Pixels around all visible points that may be in these volumes, which are drawn nowhere else
-    /// (docs/method.md, C45); nothing: they are drawn everywhere.
-    std::optional<PixelRectangle> scissor{};
 
     bool drawnLike(const ClusterPlan& other) const {
         return counted == other.counted && caps == other.caps && end == other.end &&
                frontCaps == other.frontCaps && backCaps == other.backCaps &&
                nearDiscard == other.nearDiscard && fannedCaps == other.fannedCaps &&
-               culledCaps == other.culledCaps && scissor == other.scissor &&
-               (start == 0) == (other.start == 0);
+               culledCaps == other.culledCaps;
     }
     bool zFail() const { return caps != CapsNeeded::no && caps != CapsNeeded::cutoutsAlone; }
 };
@@ -66,7 +61,6 @@ struct LeftOut {
         tooDeep,     ///< they begin behind everything that is visible
         tooFar,      ///< out of the light's range
         outsideCone, ///< beside the light's cone
-        noReceiver,  ///< no visible point is in their volumes
     };
     RecordRange clusters;
     Why why = Why::outsideView;

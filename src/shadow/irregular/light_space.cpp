@@ -1,4 +1,4 @@
-#include "src/shadow/scissors/light_space.hpp"
+#include "src/shadow/irregular/light_space.hpp"
 
 #include "src/shadow/geometry/vectors.hpp"
 
