@@ -1,7 +1,6 @@
 // Shadows whose visible points are asked one by one (docs/method.md, C46), drawn: the same as those
 // of volumes, and where they are drawn in place of them.
 #include "preprocess/base/error.hpp"
-#include "src/gl/depth_reading.hpp"
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "tests/support/headless.hpp"
@@ -207,27 +206,6 @@ TEST_F(IrregularShadows, AreRefusedWhereTrianglesCantBeNumbered) {
     without.extensions.clear();
     EXPECT_THROW(Renderer(byPoints(), without), Error);
     EXPECT_NO_THROW(Renderer(automatic(), without));
-}
-
-TEST_F(IrregularShadows, ReadDepthAsTheRangeHasIt) {
-    const gl::HeadlessContext context(test::testPicture(2, 1));
-    glEnable(GL_DEPTH_TEST);
-    std::vector<std::uint32_t> depths;
-    for (const float far : {1.0f, 0.5f, 0.00390625f}) {
-        SCOPED_TRACE(far);
-        glDepthRangef(0.0f, far);
-        glClearDepthf(far);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        const int bits = gl::readDepth({0, 0, 2, 1}, depths);
-        EXPECT_EQ(depths[0], 0xFFFFFFFFu);
-        EXPECT_EQ(bits, context.capabilities().depthBits + static_cast<int>(std::log2(far)));
-        glClearDepthf(0.25f * far);
-        glClear(GL_DEPTH_BUFFER_BIT);
-        gl::readDepth({0, 0, 2, 1}, depths);
-        EXPECT_NEAR(depths[1] / 4294967295.0, 0.25, std::ldexp(1.0, -bits));
-    }
-    glDepthRangef(0.0f, 1.0f);
-    glClearDepthf(1.0f);
 }
 
 } // namespace
