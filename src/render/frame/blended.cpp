@@ -2,6 +2,7 @@
 
 #include "src/render/drawing/cull_scope.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/scene/shadow_facts.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>
@@ -14,6 +15,12 @@ namespace {
 double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
     return frustum.orthographic ? depthOf(frustum, point)
                                 : glm::distance(frustum.position(), point);
+}
+
+/// The light's own primitive map, whichever technique it has; null: it has none.
+const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const FrameLight& of) {
+    const LookupFacts lookup = lookupFactsOf(scene, of);
+    return lookup.isUsable ? scene.primitiveMaps.of(of.light)->map.get() : nullptr;
 }
 
 } // namespace
@@ -90,7 +97,8 @@ void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
         if (!light.drawn || plan.listed || plan.reach.empty()) continue;
         SurfaceShading shading = shadingOf(pass, i);
         shading.visibility = nullptr; // of what is behind
-        shading.primitives = light.shadowed ? anyPrimitiveMapOf(pass.scene, light.light) : nullptr;
+        const bool lookedUp = light.shadowed && techniques_.volumes();
+        shading.primitives = lookedUp ? primitiveMapOf(pass.scene, light) : nullptr;
         shading.withAmbient = first;
         drawBlendedChunk(pass, batch, chunk, shading);
         first = false;

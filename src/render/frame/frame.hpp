@@ -6,12 +6,10 @@
 #include "src/render/frame/linear_target.hpp"
 #include "src/render/frame/shadow_mark.hpp"
 #include "src/render/frame/surface_pass.hpp"
-#include "src/render/frame/visible_places.hpp"
-#include "src/render/planar/planar_shadow_pass.hpp"
-#include "src/render/shadow_map/shadow_map_pass.hpp"
+#include "src/render/frame/techniques.hpp"
+#include "src/render/frame/visibility_lookup.hpp"
 #include "src/render/timing/stage_clock.hpp"
 #include "src/render/volumes/render_settings.hpp"
-#include "src/render/volumes/volume_counter.hpp"
 #include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/plan/frame_plan.hpp"
 
@@ -20,9 +18,6 @@
 #include <span>
 
 namespace edgeshade {
-
-class GrazedSurfaces;
-class IrregularShadowPass;
 
 /// Draws frames by the three passes of docs/method.md, A frame: ambient light and depth; for each
 /// light the shadow volumes into the stencil; then the lit surfaces, added. Or with shadow maps,
@@ -89,19 +84,21 @@ class Renderer {
     void setBackground(const glm::vec3& color) { settings_.background = color; }
     void setMapBias(float texels) {
         settings_.map.biasTexels = texels;
-        if (maps_) maps_->setBias(texels);
+        if (MapTechnique* map = techniques_.map()) map->setBias(texels);
     }
 
     /// Memory of the shadow maps that were drawn so far, with what warps them.
-    std::size_t mapBytes() const {
-        return (maps_ ? maps_->bytes() : 0) + (places_ ? places_->bytes() : 0);
+    std::size_t mapBytes() const { return techniques_.map() ? techniques_.map()->bytes() : 0; }
+
+    /// Bytes of the shadow map that lights of this kind share.
+    std::size_t mapBytesOf(const Light& light) const {
+        return techniques_.map() ? techniques_.map()->bytesOf(light) : 0;
     }
 
-    /// Of the map of the light's kind, which lights of that kind take turns with.
-    std::size_t mapBytesOf(const Light& light) const { return maps_ ? maps_->bytesOf(light) : 0; }
-
     /// What draws shadow volumes; null where shadows are something else.
-    const VolumeRenderer* volumes() const { return volumes_.get(); }
+    const VolumeRenderer* volumes() const {
+        return techniques_.volumes() ? &techniques_.volumes()->renderer() : nullptr;
+    }
 
     /// Memory of the framebuffers for masks of lower resolution.
     std::size_t maskBytes() const { return coarse_ ? coarse_->bytes() : 0; }
@@ -109,16 +106,12 @@ class Renderer {
     /// That of the one that lights are added up in.
     std::size_t lightBytes() const { return linear_ ? linear_->bytes() : 0; }
 
-    /// That of the texture that says which visible points are in shadow.
-    std::size_t markBytes() const;
-
     /// That of the table of lights without a shadow.
     std::size_t tableBytes() const { return table_ ? table_->bytes() : 0; }
 
     /// All memory on the GPU that it holds.
     std::size_t bytes() const {
-        return mapBytes() + maskBytes() + lightBytes() + markBytes() + tableBytes() +
-               (volumes_ ? volumes_->bytes() : 0);
+        return techniques_.bytes() + maskBytes() + lightBytes() + tableBytes();
     }
 
     /// Vertices that went through shadow volumes' or shadow maps' shaders in the last frame, or
@@ -152,10 +145,13 @@ class Renderer {
     /// Makes what the sum takes, and binds what it is made in.
     void prepareSum(const GpuScene& scene, const FrameView& view);
     void drawSlices(GpuScene& scene, const FrameView& view, StageClock* clock);
-    /// Whether nothing is counted where no surface is; published methods count everywhere.
-    bool cutsToVisible() const;
     /// Plans the frame, and uploads what it draws.
     FramePlan planned(GpuScene& scene, const FrameView& view, StageClock* clock);
+    CasterGroupInSlice castersOf(const FrameView& view, const DepthSlice& slice, std::size_t light,
+                                 std::size_t group) const;
+    /// Calls use(technique, plan, casters) for every stencil of a frame.
+    template <class Use>
+    void forEachStencil(const FramePlan& frame, const FrameView& view, Use use);
     void prepare(const FramePlan& plan, GpuScene& scene, const FrameView& view);
     /// Draws all volumes into one pixel, which leaves its stencil in disorder.
     void countInOnePixel(const FramePlan& plan, const GpuScene& scene, const FrameView& view);
@@ -172,7 +168,7 @@ class Renderer {
     void setAddingLight(bool marked) const;
     bool mayBeListed(const FrameView& view, std::size_t light) const;
     /// Adds it where the stencil, or what countAndMark() left, has no shadow.
-    void addLight(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);
+    void addLight(const SlicePass& pass, std::size_t light);
     /// Takes the light that was drawn with ambient light from where it is in shadow.
     void drawShadow(const SlicePass& pass);
     /// What ambient light leaves, where the stencil isn't 0: the surfaces drawn once more.
@@ -184,22 +180,19 @@ class Renderer {
     void countAndMark(const SlicePass& pass, std::size_t light);
     void setCounting();
     void count(const SlicePass& pass, std::size_t light, std::size_t group);
-    /// What is seen, where maps are warped for it.
-    void findVisible(const GpuScene& scene, const FrameView& view, StageClock* clock);
-    /// Draws the light's shadow map, where it is to have one.
-    std::optional<ShadowMapLookup> mapOf(const SlicePass& pass, std::size_t light);
+    /// Draws what the light's surfaces look up, if its technique has them look something up.
+    void drawLookedUp(const SlicePass& pass, std::size_t light);
     /// How much of the light is seen; null: not known, its shadow is hard.
     const VisibilityLookup* visibilityOf(std::size_t light) const;
     /// Chooses each light's technique in this frame.
     void chooseTechniques(const GpuScene& scene, const FrameView& view);
-    /// What is counted for the light, in the stencil.
-    Technique countedFor(std::size_t light) const;
-    /// The light's primitive map; null: its technique is another.
-    const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const FrameView& view,
-                                          std::size_t light) const;
-    /// The same where volumes are counted: for surfaces that are not counted for.
-    const GpuPrimitiveMap* anyPrimitiveMapOf(const GpuScene& scene, const Light& light) const;
-    void drawLit(const SlicePass& pass, std::size_t light, const ShadowMapLookup* map);
+    /// Makes the light's shadow; null: it has none, or `visibility` says what is seen of it.
+    ShadowTechnique* techniqueOf(std::size_t light) const;
+    /// Marks what of the light's shadow a stencil says; null: none does.
+    ShadowTechnique* markingOf(std::size_t light) const;
+    /// The light's shadow map, as it was drawn last; null: it has none.
+    const ShadowMapLookup* mapOf(std::size_t light) const;
+    void drawLit(const SlicePass& pass, std::size_t light);
     void drawBlended(const SlicePass& pass);
     void drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch, const SurfaceChunk& chunk,
                           SurfaceShading shading);
@@ -213,22 +206,13 @@ class Renderer {
 
     RenderSettings settings_;
     DeviceFacts device_;
-    std::vector<LightChoice> choices_;        ///< of the lights of this frame
-    std::unique_ptr<VolumeRenderer> volumes_; ///< where shadows are volumes
-    VolumeCounter counter_;
+    std::vector<LightChoice> choices_; ///< of the lights of this frame
+    Techniques techniques_;
     FramePlan plan_;                           ///< of the last frame
     std::vector<VisibilityLookup> visibility_; ///< of the lights of this frame
     LightSum sum_;                             ///< likewise
     SurfacePass surfaces_;
     ShadowMark mark_;
-    std::optional<ShadowMapPass> maps_;      ///< where shadows are maps
-    std::optional<VisiblePlaces> places_;    ///< where they are warped
-    std::vector<glm::dvec3> visible_;        ///< of this frame, where one is
-    std::optional<PlanarShadowPass> planar_; ///< where they are projected onto planes
-    std::shared_ptr<GrazedSurfaces> grazed_; ///< null where nobody asks for what lights graze
-    /// Where visible points may be asked. Shared with nobody, but pages, which ask none, carry no
-    /// code to destroy it so.
-    std::shared_ptr<IrregularShadowPass> irregular_;
     std::optional<LinearTarget> linear_;
     std::optional<LightTable> table_;           ///< where lights may be listed
     LightTableLookup listed_;                   ///< of the slice that is drawn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/render/technique/caster_group.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/plan/count_plan.hpp"
 
@@ -13,20 +14,6 @@ struct VolumeTints {
     glm::vec4 caps;   ///< and fans
 
     const glm::vec4& of(const VolumeDraw& draw) const;
-};
-
-/// One of a light's groups of casters in a depth slice.
-struct CasterGroupInSlice {
-    const FrameView& view;
-    const DepthSlice& slice;
-    std::size_t light = 0; ///< index in the view
-    std::size_t group = 0;
-    bool lookedUp = false; ///< static casters are in the light's primitive map
-
-    const FrameLight& source() const { return view.lights[light]; }
-    bool counts(const GpuBatch& batch) const {
-        return !batch.hidden && (!lookedUp || batch.animated);
-    }
 };
 
 /// A batch, as a draw needs it.

@@ -1,4 +1,4 @@
-#include "src/render/frame/visible_places.hpp"
+#include "src/render/shadow_map/visible_places.hpp"
 
 #include "src/gl/framebuffer_keeper.hpp"
 

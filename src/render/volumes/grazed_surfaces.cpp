@@ -1,4 +1,4 @@
-#include "src/render/frame/grazed_surfaces.hpp"
+#include "src/render/volumes/grazed_surfaces.hpp"
 
 #include "shaders_es2.hpp"
 #include "src/render/drawing/attributes.hpp"

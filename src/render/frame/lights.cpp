@@ -1,0 +1,190 @@
+// Renderer's lights: what each adds to the picture, and how they are put together.
+
+#include "src/environment/neutral.hpp"
+#include "src/render/frame/frame.hpp"
+#include "src/render/volumes/stencil_count.hpp"
+#include "src/scene/build_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <GLES2/gl2.h>
+#include <numbers>
+
+namespace edgeshade {
+namespace {
+
+/// Lights of a picture without any shadows from which they are listed; fewer take a pass each.
+constexpr std::size_t manyUnshadowed = 9;
+
+/// Where lines of sight come from, from the camera's position.
+glm::vec4 eyeFrom(const Frustum& frustum) {
+    const glm::dvec4 eye = frustum.eye();
+    return glm::vec4(glm::dvec3(eye) - frustum.position() * eye.w, eye.w);
+}
+
+/// What of white light the display shows so.
+float lightShown(float displayed) {
+    return std::pow(displayed, 2.2f);
+}
+
+/// Of the neutral environment: how much more a white surface sends back that looks up than one that
+/// looks aside (neutralRadiance(), to the first order).
+constexpr float neutralSlope = 0.59f;
+
+/// Whether plain surfaces need no curve but a power: all light is white, and nothing is brighter
+/// than the display shows.
+bool isPlain(const RenderSettings& settings) {
+    return settings.exposure <= 0.0f && !settings.environment;
+}
+
+bool isPlain(const Light& light) {
+    const glm::vec3& color = light.color;
+    return !light.photometric && color.r == color.g && color.g == color.b && color.r <= 1.0f;
+}
+
+} // namespace
+
+Renderer::LightSum Renderer::lightSum(const GpuScene& scene, const FrameView& view) const {
+    LightSum sum;
+    for (const FrameLight& of : view.lights)
+        sum.lights += of.weight;
+    if (settings_.shading == Shading::base || view.mask || settings_.tintPrimitives) return sum;
+    sum.full = true;
+    sum.replaces = view.lights.size() == 1;
+    // All or none: Neutral shows dark and deep colours darker than the short way.
+    sum.plainIsShort =
+        sum.replaces && scene.plain && isPlain(settings_) && isPlain(view.lights.front().light);
+    return sum;
+}
+
+void Renderer::prepareSum(const GpuScene& scene, const FrameView& view) {
+    if (!sum_.full) return;
+    const bool reflects = !sum_.plainIsShort || scene.seeThrough;
+    if (reflects && !environment_)
+        environment_.emplace(settings_.environment ? *settings_.environment : neutralEnvironment());
+    sum_.linear = !sum_.replaces && linear_ && linear_->bind(view.width, view.height);
+}
+
+void Renderer::addLight(const SlicePass& pass, std::size_t light) {
+    const LightPlan& plan = pass.plan.lights[light];
+    const StageScope stage(pass.clock, FrameStage::lit);
+    const bool counted = plan.isCounted() && !coarse_ && !plan.inGroups();
+    if (!counted) clearStencil();
+    setAddingLight(plan.inGroups() && !coarse_);
+    drawLit(pass, light);
+}
+
+bool Renderer::mayBeListed(const FrameView& view, std::size_t light) const {
+    if (visibilityOf(light) || settings_.tintPrimitives) return false;
+    return !view.lights[light].shadowed ||
+           (settings_.shadows == ShadowMethod::none && view.lights.size() >= manyUnshadowed);
+}
+
+void Renderer::uploadListed(const SlicePass& pass) {
+    if constexpr (listsLights) {
+        const StageScope stage(pass.clock, FrameStage::lit);
+        listed_ = table_->upload(*pass.plan.lists, pass.view, [&](std::size_t light) {
+            const SurfaceShading shading = shadingOf(pass, light);
+            return shading.full ? shading.full->lightColor : glm::vec3(shading.diffuse);
+        });
+    }
+}
+
+SurfaceShading Renderer::listedShading(const SlicePass& pass) const {
+    SurfaceShading shading = shadingOf(pass, {});
+    shading.listed = &listed_;
+    shading.diffuse = std::max(1.0f - shading.ambient, 0.0f) / static_cast<float>(sum_.lights);
+    return shading;
+}
+
+void Renderer::addListed(const SlicePass& pass) {
+    const StageScope stage(pass.clock, FrameStage::lit);
+    const gl::ScissorScope cut(pass.plan.lists->reach);
+    clearStencil();
+    setAddingLight(false);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    drawSurfaces(pass.scene, pass.view, pass.slice, listedShading(pass));
+    glDisable(GL_STENCIL_TEST);
+}
+
+void Renderer::setAddingLight(bool marked) const {
+    setLightBlending(marked);
+    // Of surfaces that coincide the first is lit, as it is by ambient light.
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 0, 0xFF);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+}
+
+/// `marked`: what a group has shaded has alpha 0 and takes no light.
+void Renderer::setLightBlending(bool marked) const {
+    glEnable(GL_BLEND);
+    const GLenum light = marked ? GL_DST_ALPHA : GL_ONE;
+    const GLenum dark = marked ? GL_ONE_MINUS_DST_ALPHA : GL_ZERO;
+    glBlendFuncSeparate(light, sum_.replaces ? dark : GL_ONE, GL_ZERO, GL_ONE);
+}
+
+SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::size_t> index) const {
+    SurfaceShading shading;
+    shading.mask = pass.view.mask;
+    shading.farthest = static_cast<float>(pass.slice.far * sliceOverlap);
+    shading.ambient = settings_.ambient;
+    shading.background = settings_.background;
+    shading.lights = sum_.lights;
+    if (sum_.full) setFull(pass, shading);
+    if (!index) return shading;
+    const FrameLight& of = pass.view.lights[*index];
+    const Light& light = of.light;
+    shading.light = light;
+    // So that what looks up, straight into all lights, is shown as it is.
+    const float ambient = shading.ambient * (shading.full ? 1.0f + neutralSlope : 1.0f);
+    const auto weight = static_cast<float>(of.weight);
+    const float share =
+        std::max(1.0f - ambient, 0.0f) * weight / static_cast<float>(shading.lights);
+    shading.weight = of.weight;
+    shading.diffuse = share;
+    if (shading.full) {
+        shading.full->lightColor =
+            light.color * (light.photometric ? weight * std::numbers::inv_pi_v<float> : share);
+        shading.diffuse = shading.full->lightColor.r;
+    }
+    shading.withAmbient = sum_.replaces;
+    shading.visibility = visibilityOf(*index);
+    const ShadowTechnique* technique = techniqueOf(*index);
+    if (technique) shading.primitives = technique->primitivesOf(pass.scene, light);
+    if (of.atOnce) shading.places = of.points;
+    shading.eye = pass.view.frustum.eye();
+    shading.tintPrimitives = settings_.tintPrimitives && !pass.view.mask;
+    shading.selfShadowed = technique && technique->leavesFacing() && shading.mask;
+    shading.maskValue = pass.view.sumsMasks ? 1.0f / static_cast<float>(mostSummed) : 1.0f;
+    return shading;
+}
+
+void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
+    FullShading& full = shading.full.emplace();
+    full.plainIsShort = sum_.plainIsShort;
+    full.environment = environment_ ? &*environment_ : nullptr;
+    full.softTerminator = settings_.softTerminator;
+    full.linear = sum_.linear;
+    full.exposure = std::exp2(settings_.exposure);
+    shading.ambient = lightShown(settings_.ambient);
+    full.ambientSlope = neutralSlope * shading.ambient;
+    full.eye = eyeFrom(pass.view.frustum);
+}
+
+void Renderer::drawLit(const SlicePass& pass, std::size_t light) {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    SurfaceShading shading = shadingOf(pass, light);
+    shading.map = mapOf(light);
+    CoarseMaskLookup mask;
+    if (coarse_ && !shading.primitives && !shading.visibility) {
+        mask = coarse_->lookup(pass.view, pass.slice, pass.view.lights[light].light);
+        shading.coarse = &mask;
+    }
+    drawSurfaces(pass.scene, pass.view, pass.slice, shading);
+}
+
+} // namespace edgeshade

@@ -1,0 +1,80 @@
+// Renderer's surfaces: all that is visible, drawn as the frame needs it.
+
+#include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/frame/frame.hpp"
+#include "src/shadow/geometry/light_reach.hpp"
+
+#include <GLES2/gl2.h>
+#include <limits>
+
+namespace edgeshade {
+
+std::size_t Renderer::drawSurfaces(const GpuScene& scene, const FrameView& view,
+                                   const DepthSlice& slice, const SurfaceShading& shading) {
+    std::size_t runs = 0;
+    const glm::dvec3 eye = view.frustum.position();
+    const ViewPlanes planes = viewPlanes(view, slice, glm::dmat4(1.0));
+    for (const GpuBatch& batch : scene.batches) {
+        if (batch.hidden || (batch.ground && !view.ground) || isOutOfView(batch, planes)) continue;
+        const BatchView batchView = surfaceViewOf(scene, batch, view, slice, shading);
+        for (const AlphaMode kind : {AlphaMode::opaque, AlphaMode::mask})
+            runs += surfaces_.draw(scene, batch, batchView, eye, shading, kind);
+    }
+    return runs;
+}
+
+void Renderer::drawNearness(const GpuScene& scene, const FrameView& view) {
+    PlaneSpace space{.near = static_cast<float>(view.near())};
+    if (view.frustum.orthographic)
+        space.depthRange = static_cast<float>(view.farPlane - view.near());
+    glViewport(0, 0, view.width, view.height);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glEnable(GL_DEPTH_TEST);
+    for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_DITHER, GL_STENCIL_TEST})
+        glDisable(off);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (const DepthSlice& slice : view.slices) {
+        glClear(GL_DEPTH_BUFFER_BIT);
+        SurfaceShading shading;
+        shading.nearness = &space;
+        shading.farthest = static_cast<float>(slice.far * sliceOverlap);
+        drawSurfaces(scene, view, slice, shading);
+    }
+    glEnable(GL_DITHER);
+}
+
+/// Depth and planes of what is visible, for the masks of all lights.
+void Renderer::drawCoarseSurfaces(const SlicePass& pass) {
+    const StageScope stage(pass.clock, FrameStage::volumes);
+    const gl::FramebufferKeeper keeper;
+    coarse_->bindSurfaces();
+    const gl::ScissorScope cut(scaledReach(pass.plan.reach, pass.view, coarse_->size()));
+    glDisable(GL_DITHER); // the bytes are no colour
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const PlaneSpace planes = coarse_->space(pass.view, pass.slice);
+    SurfaceShading shading = shadingOf(pass, {});
+    shading.planes = &planes;
+    vertexRuns_ += drawSurfaces(pass.scene, pass.view, pass.slice, shading);
+    glEnable(GL_DITHER);
+    glViewport(0, 0, pass.view.width, pass.view.height);
+}
+
+void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
+    mark_.clear();
+    if (!view.mask) return;
+    // A mask's alpha says where surfaces are.
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    SurfaceShading shading;
+    shading.mask = true;
+    const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};
+    drawSurfaces(scene, view, whole, shading);
+}
+
+} // namespace edgeshade

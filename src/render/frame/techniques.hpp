@@ -1,0 +1,48 @@
+#pragma once
+
+#include "src/policy/shadow_policy.hpp"
+#include "src/render/shadow_map/map_technique.hpp"
+#include "src/render/volumes/volumes_technique.hpp"
+
+#include <array>
+#include <memory>
+
+namespace edgeshade {
+
+/// The techniques that a renderer's lights may get, as its settings have it.
+class Techniques {
+  public:
+    /// Throws Error(unavailable) if the GL can't do what is asked for by name, or this build lacks
+    /// it.
+    Techniques(const RenderSettings& settings, const gl::Capabilities& capabilities);
+
+    /// Null: no light gets it, or it is none.
+    ShadowTechnique* of(Technique technique) const {
+        return all_[static_cast<std::size_t>(technique)].get();
+    }
+
+    template <class Use>
+    void forEach(Use use) const {
+        for (const auto& technique : all_)
+            if (technique) use(*technique);
+    }
+
+    std::size_t bytes() const {
+        std::size_t total = 0;
+        forEach([&](const ShadowTechnique& of) { total += of.bytes(); });
+        return total;
+    }
+
+    /// Null where shadows are never volumes.
+    const VolumesTechnique* volumes() const {
+        return static_cast<const VolumesTechnique*>(of(Technique::volumes));
+    }
+    /// Null where they are no maps.
+    MapTechnique* map() const { return static_cast<MapTechnique*>(of(Technique::map)); }
+
+  private:
+    static constexpr std::size_t count = 6;                     ///< of Technique
+    std::array<std::shared_ptr<ShadowTechnique>, count> all_{}; ///< shared with nobody
+};
+
+} // namespace edgeshade

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "src/render/irregular/irregular_shadow_pass.hpp"
+#include "src/render/technique/shadow_technique.hpp"
+
+namespace edgeshade {
+
+/// Each visible point is asked whether it is in shadow (docs/method.md, C46).
+class PointsTechnique : public ShadowTechnique {
+  public:
+    explicit PointsTechnique(const gl::Capabilities& capabilities) : pass_(capabilities) {}
+
+    void beginSlice() override { pass_.forgetSurfaces(); }
+    std::size_t stencils(const GpuScene&, const FrameLight&) const override { return 1; }
+    CountPlan plan(const GpuScene&, const CasterGroupInSlice&) override {
+        CountPlan plan;
+        plan.byPoints = true;
+        return plan;
+    }
+    std::size_t mark(const MarkTask& task) override {
+        const CasterGroupInSlice& of = task.casters;
+        pass_.mark(task.scene, of.view, of.slice, of.source().light, task.reach, task.area,
+                   of.lookedUp);
+        return 0;
+    }
+    std::size_t bytes() const override { return pass_.bytes(); }
+
+  private:
+    IrregularShadowPass pass_;
+};
+
+} // namespace edgeshade

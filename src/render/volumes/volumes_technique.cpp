@@ -1,0 +1,71 @@
+#include "src/render/volumes/volumes_technique.hpp"
+
+#include "preprocess/base/error.hpp"
+#include "src/render/volumes/grazed_surfaces.hpp"
+#include "src/scene/build_parts.hpp"
+
+namespace edgeshade {
+namespace {
+
+/// Opposite-vertex records and triangles are counted where a far plane at a finite depth cuts
+/// volumes and every caster must be in the depth buffer (docs/method.md, C33 and C39).
+void requireCountable(VolumeLayout layout, const FrameView& view) {
+    if (layout == VolumeLayout::planePairs) return;
+    const std::string what =
+        layout == VolumeLayout::triangles ? "Brute-force volumes" : "Opposite-vertex records";
+    if (view.frustum.orthographic)
+        throw Error(ExitStatus::unavailable, what + " can't be counted in an orthographic picture; "
+                                                    "'--multiplicity plane' can.");
+    if (view.culls)
+        throw Error(ExitStatus::unavailable,
+                    what + " don't say which side of a triangle is its front, so "
+                           "that culled casters can't be counted; '--multiplicity plane' can.");
+}
+
+} // namespace
+
+VolumesTechnique::VolumesTechnique(std::unique_ptr<VolumeRenderer> volumes,
+                                   const RenderSettings& settings,
+                                   const gl::Capabilities& capabilities)
+    : volumes_(std::move(volumes)), counter_(capabilities) {
+    if constexpr (marksGrazed)
+        if (settings.maskScale == 1) grazed_ = std::make_shared<GrazedSurfaces>();
+}
+
+VolumesTechnique::~VolumesTechnique() = default;
+
+void VolumesTechnique::beginFrame(const FrameStart& start) {
+    requireCountable(volumes_->layout(), start.view);
+    volumes_->beginFrame(start.scene);
+}
+
+std::size_t VolumesTechnique::stencils(const GpuScene& scene, const FrameLight& light) const {
+    return scene.groupCount(light, volumes_->layout());
+}
+
+CountPlan VolumesTechnique::plan(const GpuScene& scene, const CasterGroupInSlice& casters) {
+    return volumes_->plan(scene, casters);
+}
+
+void VolumesTechnique::prepare(const CountPlan& plan, GpuScene& scene,
+                               const CasterGroupInSlice& casters) {
+    volumes_->prepare(plan, scene, casters);
+}
+
+std::size_t VolumesTechnique::mark(const MarkTask& task) {
+    countAlone(task);
+    const CasterGroupInSlice& of = task.casters;
+    if constexpr (marksGrazed)
+        if (grazed_ && of.group == 0) grazed_->mark(task.scene, of.view, of.slice, of.light);
+    return task.plan.vertexRuns();
+}
+
+void VolumesTechnique::countAlone(const MarkTask& task) const {
+    counter_.count(task.plan, *volumes_, task.scene, task.casters);
+}
+
+bool VolumesTechnique::marksEverywhere() const {
+    return volumes_->layout() != VolumeLayout::planePairs;
+}
+
+} // namespace edgeshade
