@@ -4,7 +4,7 @@
 #include "preprocess/gltf/image_type.hpp"
 #include "preprocess/reading/variants.hpp"
 #include "src/image/webp.hpp"
-#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 #include "src/viewer/view_state.hpp"
 #include "web/page_bytes.hpp"
 #include "web/scene_transfer.hpp"

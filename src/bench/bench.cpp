@@ -7,9 +7,9 @@
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/scene_facts.hpp"
-#include "src/shadow/geometry/kept_layers.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
 #include "src/shadow/plan/volume_fill.hpp"
+#include "src/shadow/view/kept_layers.hpp"
+#include "src/shadow/view/light_budget.hpp"
 
 #include <algorithm>
 #include <map>

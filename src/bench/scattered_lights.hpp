@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/scene/scene.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 #include <vector>
 

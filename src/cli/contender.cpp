@@ -1,6 +1,6 @@
 #include "src/cli/contender.hpp"
 
-#include "src/shadow/geometry/scene_lights.hpp"
+#include "src/shadow/lights/scene_lights.hpp"
 
 namespace edgeshade::cli {
 

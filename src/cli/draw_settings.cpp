@@ -4,7 +4,7 @@
 #include "src/cli/help.hpp"
 #include "src/cli/options.hpp"
 #include "src/environment/reading.hpp"
-#include "src/shadow/geometry/light_extent.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/cli/sun_options.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 #include <CLI/CLI.hpp>
 #include <optional>

@@ -5,9 +5,9 @@
 #include "src/cli/limit_options.hpp"
 #include "src/cli/number_text.hpp"
 #include "src/scene/pose.hpp"
-#include "src/shadow/geometry/framing.hpp"
-#include "src/shadow/geometry/scene_cameras.hpp"
-#include "src/shadow/geometry/scene_lights.hpp"
+#include "src/shadow/lights/scene_lights.hpp"
+#include "src/shadow/view/framing.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 
 #include <charconv>
 #include <cmath>

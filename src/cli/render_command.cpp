@@ -14,7 +14,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/scene/pose.hpp"
-#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 #include "src/viewer/light_state.hpp"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/render/frame/prepare_scene.hpp"
-#include "src/shadow/geometry/kept_layers.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
+#include "src/shadow/view/kept_layers.hpp"
+#include "src/shadow/view/light_budget.hpp"
 
 #include <algorithm>
 

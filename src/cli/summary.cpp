@@ -1,7 +1,7 @@
 #include "src/cli/summary.hpp"
 
 #include "preprocess/packing/parts_json.hpp"
-#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 
 #include <iomanip>
 #include <sstream>

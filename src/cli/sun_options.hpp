@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/base/error.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 #include "src/sun/ephemeris.hpp"
 
 #include <CLI/CLI.hpp>

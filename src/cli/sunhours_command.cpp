@@ -16,7 +16,7 @@
 #include "src/lab/sun_probe.hpp"
 #include "src/lab/texture_alpha.hpp"
 #include "src/render/accumulation/direction_counts.hpp"
-#include "src/shadow/geometry/plan_view.hpp"
+#include "src/shadow/view/plan_view.hpp"
 
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>

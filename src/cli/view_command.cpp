@@ -10,8 +10,8 @@
 #include "src/desktop/app.hpp"
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/scene/pose.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
-#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/shadow/view/light_budget.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 
 #include <memory>
 #endif

@@ -4,7 +4,7 @@
 #include "src/engine/lookup_work.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/load.hpp"
-#include "src/shadow/geometry/kept_layers.hpp"
+#include "src/shadow/view/kept_layers.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <map>

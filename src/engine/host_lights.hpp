@@ -1,7 +1,7 @@
 #pragma once
 
 #include "edgeshade/shadow_masks.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "src/lab/eye_triangles.hpp"
 
-#include "src/shadow/geometry/visible_depth.hpp"
+#include "src/shadow/view/visible_depth.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 

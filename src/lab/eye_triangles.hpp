@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/scene/scene.hpp"
-#include "src/shadow/geometry/frustum.hpp"
+#include "src/shadow/view/frustum.hpp"
 
 #include <array>
 #include <glm/glm.hpp>

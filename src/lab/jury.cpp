@@ -2,8 +2,8 @@
 
 #include "src/lab/lit_textures.hpp"
 #include "src/lab/texture_alpha.hpp"
-#include "src/shadow/geometry/kept_layers.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
+#include "src/shadow/view/kept_layers.hpp"
+#include "src/shadow/view/light_budget.hpp"
 
 namespace edgeshade::lab {
 namespace {

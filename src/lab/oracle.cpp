@@ -1,7 +1,7 @@
 #include "src/lab/oracle.hpp"
 
 #include "preprocess/base/error.hpp"
-#include "src/shadow/geometry/light_contact.hpp"
+#include "src/shadow/lights/light_contact.hpp"
 
 #include <algorithm>
 #include <atomic>

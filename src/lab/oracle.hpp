@@ -2,8 +2,8 @@
 
 #include "src/lab/eye_triangles.hpp"
 #include "src/lab/light_set.hpp"
-#include "src/shadow/geometry/frustum.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
+#include "src/shadow/view/frustum.hpp"
 
 #include <array>
 #include <functional>

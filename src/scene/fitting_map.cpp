@@ -1,6 +1,6 @@
 #include "src/scene/fitting_map.hpp"
 
-#include "src/shadow/geometry/light_range.hpp"
+#include "src/shadow/lights/light_range.hpp"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include "preprocess/packing/weld_choice.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "src/image/image_choice.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "src/scene/build_parts.hpp"
 #include "src/scene/layered_shadow.hpp"
-#include "src/shadow/geometry/cut_casters.hpp"
+#include "src/shadow/layers/cut_casters.hpp"
 
 #include <algorithm>
 #include <array>

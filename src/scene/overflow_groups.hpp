@@ -2,7 +2,7 @@
 
 #include "src/scene/batch_volumes.hpp"
 #include "src/scene/load.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <map>
 #include <vector>

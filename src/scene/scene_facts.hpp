@@ -3,7 +3,7 @@
 #include "src/gl/capabilities.hpp"
 #include "src/policy/shadow_policy.hpp"
 #include "src/scene/load.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 namespace edgeshade {
 

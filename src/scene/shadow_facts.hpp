@@ -2,7 +2,7 @@
 
 #include "src/scene/gpu_scene.hpp"
 #include "src/scene/scene_facts.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 namespace edgeshade {
 

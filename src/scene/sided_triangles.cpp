@@ -1,8 +1,8 @@
 #include "src/scene/sided_triangles.hpp"
 
 #include "src/scene/surface_parts.hpp"
-#include "src/shadow/geometry/light_contact.hpp"
-#include "src/shadow/geometry/light_range.hpp"
+#include "src/shadow/lights/light_contact.hpp"
+#include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/scene/surface_buffers.hpp"
-#include "src/shadow/geometry/light_shape.hpp"
+#include "src/shadow/lights/light_shape.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #include "src/viewer/light_rest.hpp"
 
-#include "src/shadow/geometry/light_shape.hpp"
+#include "src/shadow/lights/light_shape.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 #include <utility>
 #include <vector>

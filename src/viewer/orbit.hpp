@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/camera.hpp"
+#include "src/shadow/view/camera.hpp"
 
 namespace edgeshade::viewer {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/scene/load.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 namespace edgeshade::viewer {
 

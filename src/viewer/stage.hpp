@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/framing.hpp"
+#include "src/shadow/view/framing.hpp"
 #include "src/viewer/light_handles.hpp"
 
 #include <functional>

@@ -2,9 +2,9 @@
 
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
-#include "src/shadow/geometry/kept_layers.hpp"
-#include "src/shadow/geometry/scene_cameras.hpp"
-#include "src/shadow/geometry/scene_lights.hpp"
+#include "src/shadow/lights/scene_lights.hpp"
+#include "src/shadow/view/kept_layers.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 #include "src/viewer/commands.hpp"
 #include "src/viewer/convergence.hpp"
 #include "src/viewer/day_clock.hpp"

@@ -2,7 +2,7 @@
 
 #include "src/render/frame/light_methods.hpp"
 #include "src/render/timing/stage_timer.hpp"
-#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 #include "src/viewer/input.hpp"
 #include "src/viewer/sun_hours.hpp"
 #include "src/viewer/view_state.hpp"

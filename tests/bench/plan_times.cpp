@@ -4,8 +4,8 @@
 #include "preprocess/base/stopwatch.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/scene/load.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
-#include "src/shadow/geometry/layer_bound.hpp"
+#include "src/shadow/layers/layer_bound.hpp"
+#include "src/shadow/view/frame_view.hpp"
 #include "tests/bench/told_scenes.hpp"
 
 #include <ctime>

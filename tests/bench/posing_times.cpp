@@ -3,7 +3,7 @@
 // anew. Told as JSON; milliseconds, medians of all frames.
 #include "src/gl/headless_context.hpp"
 #include "src/scene/pose.hpp"
-#include "src/shadow/geometry/layer_bound.hpp"
+#include "src/shadow/layers/layer_bound.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 #include "src/viewer/viewer.hpp"
 

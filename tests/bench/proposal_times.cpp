@@ -1,7 +1,7 @@
 // What proposing silhouettes takes on one thread, and how many records are left, for a light at
 // rest and for balls around it. `proposal_times SCENE...` prints JSON.
 #include "src/scene/load.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 #include "src/shadow/silhouette/silhouette_list.hpp"
 #include "tests/bench/told_scenes.hpp"
 

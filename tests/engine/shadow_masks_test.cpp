@@ -1,5 +1,5 @@
 // What the mask engine hands a host equals `render --mask`, whatever came, went or moved before.
-#include "src/shadow/geometry/light_extent.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 #include "tests/engine/masks_in_a_host.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,5 +1,5 @@
 // Cameras of a file: where its nodes place them, what they see, and how they are found.
-#include "src/shadow/geometry/scene_cameras.hpp"
+#include "src/shadow/view/scene_cameras.hpp"
 
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"

@@ -1,6 +1,6 @@
 // Lights of a file (KHR_lights_punctual): where its nodes place them, and what they are in a
 // picture.
-#include "src/shadow/geometry/scene_lights.hpp"
+#include "src/shadow/lights/scene_lights.hpp"
 
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/scene_triangles.hpp"

@@ -1,4 +1,4 @@
-#include "src/shadow/geometry/layer_bound.hpp"
+#include "src/shadow/layers/layer_bound.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -1,8 +1,8 @@
 // Lights that lie on casters and suns that lie in walls, turned and moved by ordinary numbers, held
 // against rays by every method and layout (docs/method.md, C47).
 #include "src/lab/compare.hpp"
-#include "src/shadow/geometry/light_contact.hpp"
-#include "src/shadow/geometry/scene_lights.hpp"
+#include "src/shadow/lights/light_contact.hpp"
+#include "src/shadow/lights/scene_lights.hpp"
 #include "tests/lab/extreme_scenes.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"

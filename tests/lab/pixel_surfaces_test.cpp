@@ -1,7 +1,7 @@
 // What pixels show by area, and what a point sees.
 #include "src/lab/pixel_surfaces.hpp"
 #include "src/lab/sun_probe.hpp"
-#include "src/shadow/geometry/plan_view.hpp"
+#include "src/shadow/view/plan_view.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "src/shadow/geometry/touch_grid.hpp"
+#include "src/shadow/layers/touch_grid.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,5 +1,5 @@
-#include "src/shadow/geometry/framing.hpp"
-#include "src/shadow/geometry/frustum.hpp"
+#include "src/shadow/view/framing.hpp"
+#include "src/shadow/view/frustum.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>

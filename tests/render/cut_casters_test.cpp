@@ -1,6 +1,6 @@
 // Casters cut by a plane: no piece on both sides, nothing lost, and closed as before.
 
-#include "src/shadow/geometry/cut_casters.hpp"
+#include "src/shadow/layers/cut_casters.hpp"
 
 #include "preprocess/mesh/topology.hpp"
 #include "tests/support/scene_builder.hpp"

@@ -1,7 +1,7 @@
 // Primitive maps for all of a light that has an extent, without a GL: whether texels hold
 // everything that is between their points and any of the light's places (docs/method.md, C42).
 #include "preprocess/volumes/plane_pair_data.hpp"
-#include "src/shadow/geometry/light_extent.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/primitive_map/footprint.hpp"
 #include "src/shadow/primitive_map/primitive_map_builder.hpp"
 #include "tests/support/headless.hpp"

@@ -1,6 +1,6 @@
 // Frusta from other engines' matrices: what they show, and what is refused.
 
-#include "src/shadow/geometry/frustum.hpp"
+#include "src/shadow/view/frustum.hpp"
 
 #include "preprocess/base/error.hpp"
 

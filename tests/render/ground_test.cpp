@@ -2,7 +2,7 @@
 
 #include "preprocess/scene/ground.hpp"
 #include "src/scene/ground_text.hpp"
-#include "src/shadow/geometry/framing.hpp"
+#include "src/shadow/view/framing.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/scene_builder.hpp"
 

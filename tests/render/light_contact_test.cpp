@@ -1,5 +1,5 @@
 // When a light touches a triangle, and when it grazes it (docs/method.md, C47).
-#include "src/shadow/geometry/light_contact.hpp"
+#include "src/shadow/lights/light_contact.hpp"
 #include "tests/support/hard_lights.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>

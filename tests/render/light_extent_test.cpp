@@ -1,7 +1,7 @@
 // Points that stand for a light's extent, and what holds them all.
 
 #include "src/render/accumulation/subpixels.hpp"
-#include "src/shadow/geometry/light_extent.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 #include "src/shadow/silhouette/potential_silhouettes.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"

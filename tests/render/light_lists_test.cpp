@@ -2,10 +2,10 @@
 // shadow, and what tiles list.
 #include "src/shadow/plan/light_lists.hpp"
 
-#include "src/shadow/geometry/light_budget.hpp"
-#include "src/shadow/geometry/light_range.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
-#include "src/shadow/geometry/reached_part.hpp"
+#include "src/shadow/lights/light_range.hpp"
+#include "src/shadow/view/light_budget.hpp"
+#include "src/shadow/view/light_reach.hpp"
+#include "src/shadow/view/reached_part.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"

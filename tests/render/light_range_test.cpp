@@ -2,7 +2,7 @@
 // out because they can't reach it.
 
 #include "src/gl/headless_context.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/view/light_reach.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"

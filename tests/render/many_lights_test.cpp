@@ -3,7 +3,7 @@
 #include "src/bench/scattered_lights.hpp"
 #include "src/gl/headless_context.hpp"
 #include "src/render/frame/prepare_scene.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
+#include "src/shadow/view/light_budget.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -2,7 +2,7 @@
 // have theirs, each is of what its light reaches, and pictures are those of volumes.
 #include "src/bench/scattered_lights.hpp"
 #include "src/render/frame/prepare_scene.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
+#include "src/shadow/view/light_budget.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 

@@ -1,5 +1,5 @@
-#include "src/shadow/geometry/frame_view.hpp"
-#include "src/shadow/geometry/visible_depth.hpp"
+#include "src/shadow/view/frame_view.hpp"
+#include "src/shadow/view/visible_depth.hpp"
 #include "tests/support/scene_builder.hpp"
 
 #include <gtest/gtest.h>

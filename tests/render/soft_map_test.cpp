@@ -1,7 +1,7 @@
 // Percentage-closer soft shadows against penumbras worked out by hand: how wide, where none, and
 // what stays dark.
 
-#include "src/shadow/geometry/frustum.hpp"
+#include "src/shadow/view/frustum.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 

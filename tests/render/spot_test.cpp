@@ -2,8 +2,8 @@
 // can't reach it.
 
 #include "src/gl/headless_context.hpp"
-#include "src/shadow/geometry/light_cone.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/lights/light_cone.hpp"
+#include "src/shadow/view/light_reach.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/mask_case.hpp"
 #include "tests/support/pixel_place.hpp"

@@ -1,6 +1,6 @@
 // What is left out of a picture because it can't be in it: boxes by the planes of a slice.
 
-#include "src/shadow/geometry/view_planes.hpp"
+#include "src/shadow/view/view_planes.hpp"
 
 #include "src/shadow/geometry/box_plane.hpp"
 #include "tests/support/hard_lights.hpp"

@@ -1,6 +1,6 @@
 // Shadows are counted within the pixels that surfaces are in: none of them may be missed.
 
-#include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/view/light_reach.hpp"
 #include "tests/support/hard_lights.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/shadow/geometry/frustum.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
+#include "src/shadow/view/frustum.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/scene/shadow_facts.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
+#include "src/shadow/view/light_budget.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "src/viewer/orbit.hpp"
 
-#include "src/shadow/geometry/frustum.hpp"
+#include "src/shadow/view/frustum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/frustum.hpp"
+#include "src/shadow/view/frustum.hpp"
 
 #include <cstdint>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "src/scene/gpu_scene.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/separation.hpp"
-#include "src/shadow/geometry/view_planes.hpp"
+#include "src/shadow/view/frame_view.hpp"
+#include "src/shadow/view/view_planes.hpp"
 
 namespace edgeshade {
 

@@ -2,7 +2,7 @@
 
 #include "src/gl/color_target.hpp"
 #include "src/gl/depth_stencil.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <optional>
 

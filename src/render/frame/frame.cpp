@@ -4,8 +4,8 @@
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/scene/build_parts.hpp"
 #include "src/scene/shadow_facts.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
 #include "src/shadow/plan/light_lists.hpp"
+#include "src/shadow/view/light_reach.hpp"
 
 #include <algorithm>
 #include <GLES2/gl2.h>

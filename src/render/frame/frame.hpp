@@ -10,8 +10,8 @@
 #include "src/render/frame/visibility_lookup.hpp"
 #include "src/render/timing/stage_clock.hpp"
 #include "src/render/volumes/render_settings.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/plan/frame_plan.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <memory>
 #include <optional>

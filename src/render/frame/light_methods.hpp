@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <cstddef>
 #include <string>

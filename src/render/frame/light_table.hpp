@@ -2,8 +2,8 @@
 
 #include "src/gl/float_table.hpp"
 #include "src/gl/program.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/plan/light_lists.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <functional>
 #include <optional>

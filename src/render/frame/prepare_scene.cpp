@@ -2,8 +2,8 @@
 
 #include "src/scene/build_parts.hpp"
 #include "src/scene/shadow_facts.hpp"
-#include "src/shadow/geometry/light_budget.hpp"
-#include "src/shadow/geometry/light_range.hpp"
+#include "src/shadow/lights/light_range.hpp"
+#include "src/shadow/view/light_budget.hpp"
 
 #include <algorithm>
 

@@ -8,10 +8,10 @@
 #include "src/scene/build_parts.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
-#include "src/shadow/geometry/light_cone.hpp"
-#include "src/shadow/geometry/light_range.hpp"
-#include "src/shadow/geometry/near_rectangle.hpp"
 #include "src/shadow/geometry/vectors.hpp"
+#include "src/shadow/lights/light_cone.hpp"
+#include "src/shadow/lights/light_range.hpp"
+#include "src/shadow/view/near_rectangle.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "src/render/shadow_map/shadow_map.hpp"
 #include "src/scene/gpu_environment.hpp"
 #include "src/scene/gpu_scene.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 #include <array>
 #include <limits>

@@ -2,7 +2,7 @@
 
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/frame.hpp"
-#include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/view/light_reach.hpp"
 
 #include <GLES2/gl2.h>
 #include <limits>

@@ -5,9 +5,9 @@
 #include "src/render/drawing/whole_picture.hpp"
 #include "src/render/irregular/surface_numbers.hpp"
 #include "src/scene/gpu_scene.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <map>
 

@@ -5,8 +5,8 @@
 #include "src/gl/depth_stencil.hpp"
 #include "src/gl/program.hpp"
 #include "src/scene/gpu_scene.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/irregular/seen_triangles.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <map>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/render/shadow_map/shadow_map.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #include "src/render/shadow_map/pcss_view.hpp"
 
-#include "src/shadow/geometry/light_extent.hpp"
+#include "src/shadow/lights/light_extent.hpp"
 
 #include <algorithm>
 #include <cmath>

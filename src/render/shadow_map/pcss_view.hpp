@@ -2,7 +2,7 @@
 
 #include "src/render/shadow_map/pcss_light.hpp"
 #include "src/render/shadow_map/shadow_map_view.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
 
 namespace edgeshade {
 

@@ -7,7 +7,7 @@
 #include "src/render/drawing/caster_chunk.hpp"
 #include "src/render/shadow_map/pcss_view.hpp"
 #include "src/scene/build_parts.hpp"
-#include "src/shadow/geometry/light_range.hpp"
+#include "src/shadow/lights/light_range.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "src/render/shadow_map/map_warp.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <glm/glm.hpp>
 #include <optional>

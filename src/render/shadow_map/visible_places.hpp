@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/render/drawing/nearness_target.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <functional>
 #include <glm/glm.hpp>

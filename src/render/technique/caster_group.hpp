@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/scene/gpu_scene.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 namespace edgeshade {
 

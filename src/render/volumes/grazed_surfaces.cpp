@@ -3,7 +3,7 @@
 #include "shaders_es2.hpp"
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/batch_view.hpp"
-#include "src/shadow/geometry/light_contact.hpp"
+#include "src/shadow/lights/light_contact.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 
 #include "src/gl/program.hpp"
 #include "src/scene/gpu_scene.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
-#include "src/shadow/geometry/light.hpp"
+#include "src/shadow/lights/light.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <map>
 #include <optional>

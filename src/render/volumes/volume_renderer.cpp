@@ -1,6 +1,6 @@
 #include "src/render/volumes/volume_renderer.hpp"
 
-#include "src/shadow/geometry/light_contact.hpp"
+#include "src/shadow/lights/light_contact.hpp"
 
 namespace edgeshade {
 

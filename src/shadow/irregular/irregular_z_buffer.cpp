@@ -1,6 +1,6 @@
 #include "src/shadow/irregular/irregular_z_buffer.hpp"
 
-#include "src/shadow/geometry/light_contact.hpp"
+#include "src/shadow/lights/light_contact.hpp"
 
 #include <algorithm>
 #include <atomic>

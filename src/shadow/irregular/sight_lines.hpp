@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/shadow/geometry/frame_view.hpp"
 #include "src/shadow/irregular/light_space.hpp"
+#include "src/shadow/view/frame_view.hpp"
 
 #include <array>
 

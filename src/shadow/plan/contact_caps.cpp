@@ -1,7 +1,7 @@
 #include "src/shadow/plan/contact_caps.hpp"
 
 #include "preprocess/volumes/clustering.hpp"
-#include "src/shadow/geometry/light_contact.hpp"
+#include "src/shadow/lights/light_contact.hpp"
 
 #include <algorithm>
 #include <cmath>

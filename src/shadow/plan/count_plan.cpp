@@ -1,7 +1,7 @@
 #include "src/shadow/plan/count_plan.hpp"
 
-#include "src/shadow/geometry/light_extent.hpp"
-#include "src/shadow/geometry/reached_part.hpp"
+#include "src/shadow/lights/light_extent.hpp"
+#include "src/shadow/view/reached_part.hpp"
 
 namespace edgeshade {
 

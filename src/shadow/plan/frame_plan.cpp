@@ -1,6 +1,6 @@
 #include "src/shadow/plan/frame_plan.hpp"
 
-#include "src/shadow/geometry/light_reach.hpp"
+#include "src/shadow/view/light_reach.hpp"
 
 namespace edgeshade {
 namespace {

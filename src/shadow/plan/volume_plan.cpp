@@ -2,9 +2,9 @@
 
 #include "preprocess/base/error.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
-#include "src/shadow/geometry/light_cone.hpp"
-#include "src/shadow/geometry/light_range.hpp"
-#include "src/shadow/geometry/near_rectangle.hpp"
+#include "src/shadow/lights/light_cone.hpp"
+#include "src/shadow/lights/light_range.hpp"
+#include "src/shadow/view/near_rectangle.hpp"
 
 #include <algorithm>
 #include <cmath>

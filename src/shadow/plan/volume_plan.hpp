@@ -1,11 +1,11 @@
 #pragma once
 
 #include "preprocess/volumes/plane_pair_data.hpp"
-#include "src/shadow/geometry/frame_view.hpp"
-#include "src/shadow/geometry/view_planes.hpp"
 #include "src/shadow/plan/contact_caps.hpp"
 #include "src/shadow/plan/ray_crossings.hpp"
 #include "src/shadow/silhouette/light_facings.hpp"
+#include "src/shadow/view/frame_view.hpp"
+#include "src/shadow/view/view_planes.hpp"
 
 #include <span>
 #include <vector>

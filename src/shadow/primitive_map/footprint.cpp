@@ -1,9 +1,9 @@
 #include "src/shadow/primitive_map/footprint.hpp"
 
 #include "preprocess/mesh/components.hpp"
-#include "src/shadow/geometry/light_contact.hpp"
-#include "src/shadow/geometry/light_range.hpp"
 #include "src/shadow/geometry/polygon.hpp"
+#include "src/shadow/lights/light_contact.hpp"
+#include "src/shadow/lights/light_range.hpp"
 #include "src/shadow/primitive_map/tile_spread.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/base/box.hpp"
-#include "src/shadow/geometry/light_shape.hpp"
+#include "src/shadow/lights/light_shape.hpp"
 #include "src/shadow/primitive_map/caster_edges.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/volumes/plane_pair_data.hpp"
-#include "src/shadow/geometry/light_ball.hpp"
+#include "src/shadow/lights/light_ball.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "src/shadow/silhouette/silhouette_list.hpp"
 
-#include "src/shadow/geometry/light_range.hpp"
+#include "src/shadow/lights/light_range.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,53 @@
+#include "src/shadow/lights/light.hpp"
+
+#include "preprocess/base/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+
+void requireFewLights(std::size_t lights) {
+    if (lights > mostLights)
+        throw Error(ExitStatus::usage, "More than " + std::to_string(mostLights) +
+                                           " lights were asked for, but a picture has " +
+                                           std::to_string(mostLights) + " at most.");
+}
+
+Light defaultLight() {
+    return {glm::dvec4(0.6, 1.0, 0.35, 0.0)};
+}
+
+glm::dvec4 placeInObject(const Light& light, const glm::dmat4& worldFromObject) {
+    glm::dvec4 inObject = glm::inverse(worldFromObject) * light.position;
+    if (light.position.w == 0.0) {
+        // No square of it leaves the range of floats.
+        inObject /= std::max({std::abs(inObject.x), std::abs(inObject.y), std::abs(inObject.z)});
+        inObject.w = 0.0;
+    }
+    return inObject;
+}
+
+glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject) {
+    return glm::vec4(placeInObject(light, worldFromObject));
+}
+
+double rangeInObject(double range, const glm::dmat4& worldFromObject) {
+    // A length in the object's space is at most so many times that in the world: the root of the
+    // largest eigenvalue of A^T A, which no sum of a row's absolute values is below. For rotations
+    // and scales along the axes it is just that.
+    const glm::dmat3 a = glm::inverse(glm::dmat3(worldFromObject));
+    const glm::dmat3 squared = glm::transpose(a) * a;
+    double largest = 0.0;
+    for (glm::length_t i = 0; i < 3; ++i)
+        largest = std::max(largest, std::abs(squared[i].x) + std::abs(squared[i].y) +
+                                        std::abs(squared[i].z));
+    return range * std::sqrt(largest);
+}
+
+double rangeInObject(const Light& light, const glm::dmat4& worldFromObject) {
+    return light.hasRange() ? rangeInObject(light.range, worldFromObject)
+                            : std::numeric_limits<double>::infinity();
+}
+
+} // namespace edgeshade

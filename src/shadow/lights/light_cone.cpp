@@ -1,0 +1,83 @@
+#include "src/shadow/lights/light_cone.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+constexpr int sides = 8;                // of a pyramid around a cone
+constexpr double widestPyramid = 1.4;   // radians, 80 degrees: a wider one holds far too much
+constexpr double widening = 1.0 + 1e-5; // of an angle, against rounding
+
+double widened(const Cone& cone) {
+    return std::min(cone.outer * widening, 0.5 * std::numbers::pi);
+}
+
+/// Two directions across the axis and across each other, of length 1.
+std::array<glm::dvec3, 2> acrossOf(const glm::dvec3& axis) {
+    const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
+    return {right, glm::cross(right, axis)};
+}
+
+/// The direction across the axis to the middle of a side of the pyramid, or, half a step on, to a
+/// corner.
+glm::dvec3 towardsSide(const std::array<glm::dvec3, 2>& across, double side) {
+    const double angle = 2.0 * std::numbers::pi * side / sides;
+    return std::cos(angle) * across[0] + std::sin(angle) * across[1];
+}
+
+} // namespace
+
+glm::dmat4 coneFromWorld(const Light& spot) {
+    const auto across = acrossOf(spot.cone->axis);
+    const glm::dmat3 turn = glm::transpose(glm::dmat3(across[0], across[1], spot.cone->axis));
+    glm::dmat4 coneFrom(turn);
+    coneFrom[3] = glm::dvec4(-(turn * glm::dvec3(spot.position)), 1.0);
+    return coneFrom;
+}
+
+std::vector<glm::dvec4> planesAround(const Light& spot) {
+    const glm::dvec3& axis = spot.cone->axis;
+    const auto across = acrossOf(axis);
+    const double angle = widened(*spot.cone);
+    std::vector<glm::dvec4> planes = {{axis, -glm::dot(axis, glm::dvec3(spot.position))}};
+    for (int side = 0; side < sides; ++side) {
+        const glm::dvec3 inside =
+            std::sin(angle) * axis - std::cos(angle) * towardsSide(across, side);
+        planes.emplace_back(inside, -glm::dot(inside, glm::dvec3(spot.position)));
+    }
+    return planes;
+}
+
+Ball ballAround(const Light& spot, double reach) {
+    const double cosine = std::cos(widened(*spot.cone));
+    const double radius = reach * widening;
+    const glm::dvec3 light(spot.position);
+    // Around the tip and the rim; or, where the cone is wide, around the rim alone.
+    if (2.0 * cosine * cosine > 1.0) {
+        const double half = 0.5 * radius / cosine;
+        return {light + half * spot.cone->axis, half};
+    }
+    return {light + radius * cosine * spot.cone->axis, radius * std::sqrt(1.0 - cosine * cosine)};
+}
+
+bool hasPyramid(const Light& spot) {
+    return spot.cone->outer <= widestPyramid;
+}
+
+std::array<glm::dvec3, 9> pyramidAround(const Light& spot, double reach) {
+    const auto across = acrossOf(spot.cone->axis);
+    const double along = reach * widening;
+    const double aside = along * std::tan(widened(*spot.cone)) / std::cos(std::numbers::pi / sides);
+    const glm::dvec3 light(spot.position);
+    std::array<glm::dvec3, 9> corners;
+    corners[0] = light;
+    for (int side = 0; side < sides; ++side)
+        corners[static_cast<std::size_t>(side) + 1] =
+            light + along * spot.cone->axis + aside * towardsSide(across, side + 0.5);
+    return corners;
+}
+
+} // namespace edgeshade

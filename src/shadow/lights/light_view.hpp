@@ -1,0 +1,32 @@
+#pragma once
+
+#include "src/shadow/lights/face_outline.hpp"
+#include "src/shadow/lights/light.hpp"
+
+#include <vector>
+
+namespace edgeshade {
+
+/// The scene as a light sees it: rays to its points, on the six faces of a cube around a point
+/// light or on the one plane across a directional light, where a ray is the point (x, y, 1).
+struct LightView {
+    explicit LightView(const Light& light);
+
+    glm::dvec3 rayTo(const glm::dvec3& world) const {
+        return directional ? glm::dvec3(glm::dot(across, world), glm::dot(upward, world), 1.0)
+                           : world - position;
+    }
+    /// A face as far as it goes.
+    Outline wholeFace() const {
+        const double end = directional ? INFINITY : 1.0;
+        return {-end, end, -end, end};
+    }
+
+    bool directional;
+    glm::dvec3 position; ///< of a point light
+    double range;        ///< likewise; casters beyond shade nothing that it reaches
+    glm::dvec3 across{0.0}, upward{0.0};
+    std::vector<glm::dmat3> faces;
+};
+
+} // namespace edgeshade

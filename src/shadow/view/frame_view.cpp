@@ -1,0 +1,210 @@
+#include "src/shadow/view/frame_view.hpp"
+
+#include "src/shadow/geometry/box_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+constexpr double slicePays = 64.0; // ratio of depths from which one more slice is worth it
+constexpr int mostSlices = 8;
+
+/// Room before and behind the scene in an orthographic picture, as a share of its size.
+constexpr double orthographicMargin = 1e-2;
+
+/// The depths of all of the scene, with some room.
+DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
+    if (bounds.empty()) return {1.0, 2.0};
+    const Interval depths = depthsOf(frustum, bounds);
+    const double margin = orthographicMargin * std::max(bounds.diagonal(), 1e-9);
+    return {depths.low - margin, depths.high + margin};
+}
+
+/// The scene's, with those of its ground.
+Box boundsWithGround(const Scene& scene, Box bounds) {
+    for (const Batch& batch : scene.batches)
+        if (batch.ground)
+            for (const glm::vec3& position : batch.geometry->positions)
+                bounds.add(glm::dvec3(batch.worldFromBatch * glm::dvec4(position, 1.0)));
+    return bounds;
+}
+
+/// By batch: the box of its vertices, in its space, where it shares them with others.
+std::vector<std::optional<Box>> boxesOfShared(const Scene& scene) {
+    const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
+    std::vector<std::optional<Box>> boxes(first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] == i) continue;
+        std::optional<Box>& box = boxes[first[i]];
+        if (!box) {
+            box.emplace();
+            for (const glm::vec3& position : scene.batches[i].geometry->positions)
+                box->add(position);
+        }
+        boxes[i] = box;
+    }
+    return boxes;
+}
+
+/// Where a point light needs casters to be cut, see FrameLight::cut.
+std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, const Box& bounds) {
+    if (!frustum.orthographic || light.position.w == 0.0 || bounds.empty()) return std::nullopt;
+    const glm::dvec3 forward = frustum.forward();
+    const glm::dvec4 plane(forward, -glm::dot(forward, glm::dvec3(light.position)));
+    const bool among = largestOver(bounds, plane) > 0.0 && largestOver(bounds, -plane) > 0.0;
+    return among ? std::optional(plane) : std::nullopt;
+}
+
+/// Some of a light's points, as lights.
+std::vector<FrameLight> pointsOf(const FrameView& view, std::size_t light, std::size_t first,
+                                 std::size_t count) {
+    const FrameLight& of = view.lights[light];
+    std::vector<FrameLight> points;
+    for (std::size_t i = first; i < first + count; ++i) {
+        FrameLight& point = points.emplace_back();
+        point.light = of.points[i];
+        point.layers = of.layers;
+        point.drawn = of.drawn;
+        point.cut = cutAt(point.light, view.frustum, view.bounds);
+        point.atRest = false;
+        point.among = AmongPoints{light, regionOf(of.light)};
+    }
+    return points;
+}
+
+} // namespace
+
+double fittedNear(double nearest, double diagonal) {
+    const double smallest = diagonal > 0.0 ? 1e-6 * diagonal : 1e-6;
+    return std::isfinite(nearest) ? std::max(0.99 * nearest, smallest)
+                                  : std::max(0.01 * diagonal, smallest);
+}
+
+std::vector<DepthSlice> divideDepth(double near, double farthest, std::optional<int> count) {
+    const double ratio = std::max(1.0, farthest / near);
+    const int slices =
+        count ? *count
+              : std::clamp(static_cast<int>(std::ceil(std::log(ratio) / std::log(slicePays))), 1,
+                           mostSlices);
+    std::vector<DepthSlice> result;
+    for (int i = slices - 1; i >= 0; --i) {
+        DepthSlice slice;
+        slice.near = near * std::pow(ratio, static_cast<double>(i) / slices);
+        if (!result.empty()) slice.far = result.back().near;
+        result.push_back(slice);
+    }
+    return result;
+}
+
+void FrameView::divide(std::optional<int> count) {
+    if (!frustum.orthographic) slices = divideDepth(near(), farthestDepth, count);
+}
+
+FrameView makeFrameView(const Scene& scene, bool castMasked, const FrameRequest& request) {
+    FrameView view = makeFrameView(scene, request, worldBounds(scene));
+    for (FrameLight& of : view.lights)
+        of.layers = boundLayers(scene, castMasked, of.counted(), stencilLimit);
+    return view;
+}
+
+FrameView pointsView(const FrameView& view, std::size_t light, std::size_t first,
+                     std::size_t count) {
+    FrameView result = view;
+    result.lights = pointsOf(view, light, first, count);
+    result.mask = true;
+    result.sumsMasks = true;
+    return result;
+}
+
+FrameView pointsByMapView(const FrameView& view, std::size_t light, std::size_t first,
+                          std::size_t count, std::size_t atOnce) {
+    const FrameLight& of = view.lights[light];
+    FrameView result = view;
+    result.lights.clear();
+    for (std::size_t i = first; i < first + count; i += atOnce) {
+        FrameLight& pass = result.lights.emplace_back();
+        pass.light = of.light;
+        pass.light.cone = of.points[i].cone;
+        pass.drawn = of.drawn;
+        pass.atRest = false;
+        const auto begin = of.points.begin() + static_cast<std::ptrdiff_t>(i);
+        pass.points.assign(
+            begin, begin + static_cast<std::ptrdiff_t>(std::min(atOnce, first + count - i)));
+        pass.atOnce = true;
+    }
+    result.mask = true;
+    result.sumsMasks = true;
+    return result;
+}
+
+FrameView shadedByPoints(const FrameView& view) {
+    FrameView result = view;
+    result.lights.clear();
+    for (std::size_t i = 0; i < view.lights.size(); ++i) {
+        const FrameLight& light = view.lights[i];
+        if (light.points.empty()) {
+            result.lights.push_back(light);
+            continue;
+        }
+        for (FrameLight& point : pointsOf(view, i, 0, light.points.size())) {
+            point.weight = light.weight / static_cast<double>(light.points.size());
+            result.lights.push_back(std::move(point));
+        }
+    }
+    return result;
+}
+
+FrameView makeFrameView(const Scene& scene, const FrameRequest& request, const Box& bounds) {
+    requireFewLights(request.lights.size());
+    FrameView view;
+    const Box all = boundsWithGround(scene, bounds);
+    view.frustum = standingBack(request.frustum, all);
+    view.width = request.width;
+    view.height = request.height;
+    for (const Light& light : request.lights) {
+        view.lights.push_back({light, {}, true, cutAt(light, view.frustum, bounds)});
+        if (light.extent && request.lightSamples > 0)
+            view.lights.back().points = lightPoints(light, request.lightSamples);
+    }
+    view.bounds = bounds;
+    view.culls = scene.culls;
+    VisiblePart seen;
+    const std::vector<std::optional<Box>> boxes = boxesOfShared(scene);
+    for (std::size_t i = 0; i < scene.batches.size(); ++i) {
+        const Batch& batch = scene.batches[i];
+        if (batch.ground) {
+            view.ground = request.ground && isAboveGround(view.frustum, batch);
+            if (!view.ground) {
+                view.nearestDepths.push_back(DepthRange().nearest);
+                continue;
+            }
+        }
+        const auto nearest =
+            boxes[i] ? nearestOfKnown(seen, *boxes[i], batch.worldFromBatch, view.frustum)
+                     : std::nullopt;
+        if (nearest) {
+            view.nearestDepths.push_back(*nearest);
+            continue;
+        }
+        const VisiblePart part = visiblePart(scene, batch, view.frustum);
+        view.nearestDepths.push_back(part.depth.nearest);
+        seen.add(part);
+    }
+    view.visible = seen.box;
+    view.slopes = seen.slopes;
+    view.farthestDepth = seen.depth.farthest;
+    if (view.frustum.orthographic) {
+        const DepthRange depth = wholeDepth(view.frustum, all);
+        view.slices = {DepthSlice{.near = depth.nearest}};
+        view.farPlane = depth.farthest;
+        return view;
+    }
+    const double near =
+        request.depth.near.value_or(fittedNear(seen.depth.nearest, view.bounds.diagonal()));
+    view.slices = divideDepth(near, seen.depth.farthest, request.depth.slices);
+    return view;
+}
+
+} // namespace edgeshade

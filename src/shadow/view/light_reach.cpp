@@ -1,0 +1,153 @@
+#include "src/shadow/view/light_reach.hpp"
+
+#include "src/shadow/geometry/box_plane.hpp"
+#include "src/shadow/geometry/interval.hpp"
+#include "src/shadow/lights/light_cone.hpp"
+#include "src/shadow/lights/light_range.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgeshade {
+namespace {
+
+/// Bounds of x / depth over the part of a disc at depth >= near. The part is convex, so that they
+/// are taken where a line through the eye touches the circle, or at the ends of the near plane's
+/// chord.
+Interval slopesOver(double x, double depth, double radius, double near) {
+    Interval slopes;
+    const double squared = x * x + depth * depth - radius * radius; // of the tangents' length
+    if (squared > 0.0) {
+        const double length = std::sqrt(squared);
+        const double distance = std::hypot(x, depth);
+        for (const double side : {-1.0, 1.0}) {
+            // The centre's direction turned by the tangent's angle, and as far as the tangent goes.
+            const double cosine = length / distance, sine = side * radius / distance;
+            const double atX = (x * cosine + depth * sine) * length / distance;
+            const double atDepth = (depth * cosine - x * sine) * length / distance;
+            if (atDepth >= near) slopes.add(atX / atDepth);
+        }
+    }
+    const double toNear = near - depth;
+    if (std::abs(toNear) <= radius) {
+        const double half = std::sqrt(radius * radius - toNear * toNear);
+        slopes.add((x - half) / near);
+        slopes.add((x + half) / near);
+    }
+    return slopes;
+}
+
+/// First pixel and count of those that the slopes fall on, one more on both sides. `low`, `high`:
+/// the window's ends.
+std::pair<int, int> pixelsOf(const Interval& slopes, double low, double high, int count) {
+    const auto pixel = [&](double slope) {
+        return std::clamp((slope - low) / (high - low) * count, -2.0, count + 2.0);
+    };
+    const int first = std::max(0, static_cast<int>(std::floor(pixel(slopes.low))) - 1);
+    const int end = std::min(count, static_cast<int>(std::ceil(pixel(slopes.high))) + 1);
+    return {first, std::max(0, end - first)};
+}
+
+/// Those of a picture, in both directions; empty where there are none.
+PixelRectangle pixelsOf(const Slopes& slopes, const FrameView& view) {
+    const glm::dvec2 &low = view.frustum.low, &high = view.frustum.high;
+    const auto [x, width] = pixelsOf(slopes.right, low.x, high.x, view.width);
+    const auto [y, height] = pixelsOf(slopes.up, low.y, high.y, view.height);
+    if (width == 0 || height == 0) return {};
+    return {x, y, width, height};
+}
+
+/// The pixels around a ball between two depths.
+PixelRectangle pixelsAround(const Ball& ball, const Interval& depths, const FrameView& view) {
+    const glm::dvec3 center(view.frustum.viewFromWorld * glm::dvec4(ball.center, 1.0));
+    const double depth = -center.z, radius = ball.radius;
+    if (depth + radius < depths.low || depth - radius > depths.high) return {};
+    if (view.frustum.orthographic)
+        return pixelsOf(
+            {{center.x - radius, center.x + radius}, {center.y - radius, center.y + radius}}, view);
+    return pixelsOf({slopesOver(center.x, depth, radius, depths.low),
+                     slopesOver(center.y, depth, radius, depths.low)},
+                    view);
+}
+
+/// The pixels around what the corners are the hull of, between two depths. A line between any two
+/// corners is in the hull, and all of its edges are among them.
+PixelRectangle pixelsAround(const std::array<glm::dvec3, 9>& corners, const Interval& depths,
+                            const FrameView& view) {
+    const bool orthographic = view.frustum.orthographic;
+    std::array<glm::dvec3, 9> seen;
+    std::transform(corners.begin(), corners.end(), seen.begin(), [&](const glm::dvec3& corner) {
+        return glm::dvec3(view.frustum.viewFromWorld * glm::dvec4(corner, 1.0));
+    });
+    Slopes slopes;
+    const auto add = [&](const glm::dvec3& point) {
+        const double scale = orthographic ? 1.0 : -point.z;
+        slopes.right.add(point.x / scale);
+        slopes.up.add(point.y / scale);
+    };
+    for (const glm::dvec3& a : seen) {
+        if (depths.low <= -a.z && -a.z <= depths.high) add(a);
+        for (const glm::dvec3& b : seen)
+            for (const double depth : {depths.low, depths.high})
+                if (-a.z < depth && depth < -b.z) add(a + (b - a) * ((depth + a.z) / (a.z - b.z)));
+    }
+    if (slopes.right.low > slopes.right.high) return {};
+    return pixelsOf(slopes, view);
+}
+
+/// How far from the light a spot can light what is visible; infinite where nothing says.
+double reachOf(const FrameView& view, const Light& spot) {
+    double reach = spot.hasRange() ? spot.range : std::numeric_limits<double>::infinity();
+    if (view.visible.empty()) return reach;
+    double farthest = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+        farthest = std::max(farthest,
+                            glm::distance(view.visible.corner(corner), glm::dvec3(spot.position)));
+    return std::min(reach, farthest);
+}
+
+PixelRectangle spotReach(const FrameView& view, const Interval& depths, const Light& spot) {
+    const auto misses = [&](const glm::dvec4& plane) { return isOutside(view.visible, plane); };
+    const std::vector<glm::dvec4> planes = planesAround(spot);
+    if (!view.visible.empty() && std::any_of(planes.begin(), planes.end(), misses)) return {};
+    if (!view.visible.empty() && spot.hasRange() &&
+        isBeyond(view.visible, glm::dvec3(spot.position), spot.range))
+        return {};
+    const double reach = reachOf(view, spot);
+    if (!std::isfinite(reach)) return {0, 0, view.width, view.height};
+    const PixelRectangle pixels = pixelsAround(ballAround(spot, reach), depths, view);
+    if (!hasPyramid(spot)) return pixels;
+    return intersection(pixels, pixelsAround(pyramidAround(spot, reach), depths, view));
+}
+
+} // namespace
+
+PixelRectangle visiblePixels(const FrameView& view) {
+    if (view.visible.empty()) return {0, 0, view.width, view.height};
+    return pixelsOf(view.slopes, view);
+}
+
+PixelRectangle lightReach(const FrameView& view, const DepthSlice& slice, const Light& light) {
+    const Interval depths{slice.near, std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3)};
+    if (light.isSpot()) return spotReach(view, depths, light);
+    if (!light.hasRange()) return {0, 0, view.width, view.height};
+    if (!view.visible.empty() && isBeyond(view.visible, glm::dvec3(light.position), light.range))
+        return {};
+    return pixelsAround(Ball{glm::dvec3(light.position), rangeWidening * light.range}, depths,
+                        view);
+}
+
+PixelRectangle scaledReach(const PixelRectangle& reach, const FrameView& view,
+                           const glm::ivec2& size) {
+    const auto scaled = [](int first, int count, int from, int to) {
+        const double scale = static_cast<double>(to) / from;
+        const int low = static_cast<int>(std::floor(first * scale)) - 2;
+        const int high = static_cast<int>(std::ceil((first + count) * scale)) + 2;
+        return std::pair(low, high - low);
+    };
+    const auto [x, width] = scaled(reach.x, reach.width, view.width, size.x);
+    const auto [y, height] = scaled(reach.y, reach.height, view.height, size.y);
+    return intersection({x, y, width, height}, {0, 0, size.x, size.y});
+}
+
+} // namespace edgeshade

@@ -1,0 +1,54 @@
+#include "src/shadow/view/reached_part.hpp"
+
+#include "src/shadow/lights/light_range.hpp"
+#include "src/shadow/view/light_reach.hpp"
+
+#include <algorithm>
+
+namespace edgeshade {
+namespace {
+
+/// Pixels around the reach: masks of lower resolution are counted two of theirs beyond it
+/// (scaledReach()), each as wide as four.
+constexpr int margin = 16;
+
+PixelRectangle widened(const PixelRectangle& reach, const FrameView& view) {
+    return intersection(
+        {reach.x - margin, reach.y - margin, reach.width + 2 * margin, reach.height + 2 * margin},
+        {0, 0, view.width, view.height});
+}
+
+} // namespace
+
+FrameView reachedPart(const FrameView& view, const DepthSlice& slice, const Light& light) {
+    FrameView part;
+    part.frustum = view.frustum;
+    part.width = view.width;
+    part.height = view.height;
+    part.bounds = view.bounds;
+    part.slices = view.slices;
+    part.farPlane = view.farPlane;
+    part.farthestDepth = view.farthestDepth;
+    part.visible = view.visible;
+    part.slopes = view.slopes;
+    part.culls = view.culls;
+    if (!light.hasRange() && !light.isSpot()) return part;
+    const PixelRectangle pixels = widened(lightReach(view, slice, light), view);
+    if (pixels.empty()) return part;
+    const glm::dvec2 size(view.width, view.height);
+    const glm::dvec2 low(pixels.x, pixels.y);
+    const glm::dvec2 high = low + glm::dvec2(pixels.width, pixels.height);
+    part.frustum.low = view.frustum.low + view.frustum.size() * (low / size);
+    part.frustum.high = view.frustum.low + view.frustum.size() * (high / size);
+    if (!light.hasRange()) return part;
+    const double range = rangeWidening * light.range;
+    const glm::dvec3 center(light.position);
+    part.farthestDepth = std::min(view.farthestDepth, depthOf(view.frustum, center) + range);
+    if (!view.visible.empty()) {
+        part.visible.low = glm::max(view.visible.low, center - range);
+        part.visible.high = glm::min(view.visible.high, center + range);
+    }
+    return part;
+}
+
+} // namespace edgeshade

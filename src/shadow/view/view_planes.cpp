@@ -1,0 +1,18 @@
+#include "src/shadow/view/view_planes.hpp"
+
+#include <algorithm>
+#include <glm/gtc/matrix_access.hpp>
+
+namespace edgeshade {
+
+ViewPlanes viewPlanes(const FrameView& view, const DepthSlice& slice,
+                      const glm::dmat4& worldFromBatch) {
+    const glm::dmat4 viewFromBatch = view.frustum.viewFromWorld * worldFromBatch;
+    const glm::dmat4 rows = glm::transpose(view.clipFromView(slice) * viewFromBatch);
+    glm::dvec4 farthest = glm::row(viewFromBatch, 2); // depth is -z
+    farthest.w += std::min(slice.far, view.farthestDepth) * (1.0 + 1e-3);
+    return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
+            rows[3] - rows[1], rows[3] + rows[2], farthest};
+}
+
+} // namespace edgeshade

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "src/shadow/view/frame_view.hpp"
+
+#include <array>
+#include <glm/glm.hpp>
+
+namespace edgeshade {
+
+/// What a slice shows, in a batch's space: left, right, bottom, top, near, and the farthest that is
+/// visible; dot(plane, (p, 1)) >= 0 inside.
+using ViewPlanes = std::array<glm::dvec4, 6>;
+
+/// The planes for a batch placed by `worldFromBatch`.
+ViewPlanes viewPlanes(const FrameView& view, const DepthSlice& slice,
+                      const glm::dmat4& worldFromBatch);
+
+} // namespace edgeshade
