@@ -2,6 +2,7 @@
 
 #include "src/render/drawing/cull_scope.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/pass_state.hpp"
 #include "src/scene/shadow_facts.hpp"
 
 #include <algorithm>
@@ -44,10 +45,6 @@ void Renderer::drawBlended(const SlicePass& pass) {
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });
 
     const StageScope stage(pass.clock, FrameStage::lit);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_BLEND);
     for (const Item& item : items) {
         const Material& material = pass.scene.materials[item.chunk->material];
         const bool mirrored = item.batch->mirrored();
@@ -81,7 +78,7 @@ void Renderer::drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch,
 
 void Renderer::drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch,
                                  const SurfaceChunk& chunk) {
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    set(passes::seeThrough(false, false));
     SurfaceShading shading = shadingOf(pass, {});
     shading.ambient = 1.0f;
     drawBlendedChunk(pass, batch, chunk, shading);
@@ -89,7 +86,7 @@ void Renderer::drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch,
 
 void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
                               const SurfaceChunk& chunk) {
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    set(passes::seeThrough(false, true));
     bool first = true;
     for (std::size_t i = 0; i < pass.view.lights.size(); ++i) {
         const FrameLight& light = pass.view.lights[i];
@@ -102,11 +99,11 @@ void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
         shading.withAmbient = first;
         drawBlendedChunk(pass, batch, chunk, shading);
         first = false;
-        glBlendFunc(GL_ONE, GL_ONE);
+        set(passes::seeThrough(true, true));
     }
     if (first) drawBlendedChunk(pass, batch, chunk, shadingOf(pass, {}));
     if (!pass.plan.lists) return;
-    glBlendFunc(GL_ONE, GL_ONE);
+    set(passes::seeThrough(true, true));
     drawBlendedChunk(pass, batch, chunk, listedShading(pass));
 }
 

@@ -1,6 +1,7 @@
 #include "src/render/frame/frame.hpp"
 
 #include "src/gl/framebuffer_keeper.hpp"
+#include "src/render/frame/pass_state.hpp"
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/scene/build_parts.hpp"
 #include "src/scene/shadow_facts.hpp"
@@ -59,7 +60,6 @@ void Renderer::drawSlices(GpuScene& scene, const FrameView& view, StageClock* cl
     plan_ = planned(scene, view, clock);
     glViewport(0, 0, view.width, view.height);
     glDisable(GL_CULL_FACE);
-    glEnable(GL_DEPTH_TEST);
     bool marked = false;
     for (std::size_t s = 0; s < view.slices.size(); ++s) {
         const SlicePass pass{scene, view, view.slices[s], plan_.slices[s], s == 0, clock};
@@ -152,8 +152,7 @@ void Renderer::countInOnePixel(const FramePlan& plan, const GpuScene& scene,
                                const FrameView& view) {
     const gl::ScissorScope onePixel({0, 0, 1, 1});
     glDisable(GL_CULL_FACE);
-    glEnable(GL_DEPTH_TEST);
-    setCounting();
+    set(passes::counting);
     glViewport(0, 0, 1, 1);
     forEachStencil(plan, view,
                    [&](const ShadowTechnique& marking, const CountPlan& count,
@@ -166,11 +165,8 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
     const std::optional<std::size_t> light = pass.plan.withAmbient ? pass.plan.first : std::nullopt;
     if (light) drawLookedUp(pass, *light);
     const StageScope stage(pass.clock, FrameStage::ambient);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
-    glDisable(GL_BLEND);
-    glDisable(GL_STENCIL_TEST);
+    PassState state = passes::surfaces;
+    set(state);
     if (pass.first) {
         const glm::vec4 clear =
             pass.view.mask ? glm::vec4(0.0f)
@@ -188,7 +184,8 @@ void Renderer::drawDepthAndAmbient(const SlicePass& pass) {
         shading.map = mapOf(*light);
         // Alpha, which is 1, is the volumes'.
         const bool counted = pass.plan.lights[*light].isCounted();
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, counted && sum_.darkens());
+        state.color[3] = counted && sum_.darkens();
+        set(state);
     }
     drawSurfaces(pass.scene, pass.view, pass.slice, shading);
 }
@@ -208,13 +205,7 @@ void Renderer::drawShadow(const SlicePass& pass) {
 }
 
 void Renderer::drawAmbientInShadow(const SlicePass& pass) {
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_EQUAL);
-    glDisable(GL_BLEND);
-    // Of surfaces that coincide the first is drawn, as it was with the light.
-    glStencilFunc(GL_NOTEQUAL, 0, 0xFF);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    set(passes::ambientInShadow);
     drawSurfaces(pass.scene, pass.view, pass.slice, shadingOf(pass, {}));
 }
 
@@ -252,20 +243,10 @@ void Renderer::countAndMark(const SlicePass& pass, std::size_t light) {
     if (coarse_) glViewport(0, 0, pass.view.width, pass.view.height);
 }
 
-void Renderer::setCounting() {
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_LESS);
-    glDisable(GL_BLEND);
-    glEnable(GL_STENCIL_TEST);
-    glStencilMask(0xFF);
-    glStencilFunc(GL_ALWAYS, 0, 0xFF);
-}
-
 void Renderer::count(const SlicePass& pass, std::size_t light, std::size_t group) {
     const StageScope stage(pass.clock, FrameStage::volumes);
     const CountPlan& plan = pass.plan.lights[light].counts[group];
-    setCounting();
+    set(passes::counting);
     vertexRuns_ +=
         markingOf(light)->mark({pass.scene, plan, castersOf(pass.view, pass.slice, light, group),
                                 pass.plan.lights[light].reach, pass.plan.reach});

@@ -164,8 +164,6 @@ class Renderer {
     /// What surfaces look up of these; nothing where none are listed.
     void uploadListed(const SlicePass& pass);
     SurfaceShading listedShading(const SlicePass& pass) const;
-    /// State for adding light where the stencil is 0.
-    void setAddingLight(bool marked) const;
     bool mayBeListed(const FrameView& view, std::size_t light) const;
     /// Adds it where the stencil, or what countAndMark() left, has no shadow.
     void addLight(const SlicePass& pass, std::size_t light);
@@ -173,12 +171,10 @@ class Renderer {
     void drawShadow(const SlicePass& pass);
     /// What ambient light leaves, where the stencil isn't 0: the surfaces drawn once more.
     void drawAmbientInShadow(const SlicePass& pass);
-    void setLightBlending(bool marked) const;
     /// By the light, or by nothing.
     SurfaceShading shadingOf(const SlicePass& pass, std::optional<std::size_t> light) const;
     void setFull(const SlicePass& pass, SurfaceShading& shading) const;
     void countAndMark(const SlicePass& pass, std::size_t light);
-    void setCounting();
     void count(const SlicePass& pass, std::size_t light, std::size_t group);
     /// Draws what the light's surfaces look up, if its technique has them look something up.
     void drawLookedUp(const SlicePass& pass, std::size_t light);

@@ -2,6 +2,7 @@
 
 #include "src/environment/neutral.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/pass_state.hpp"
 #include "src/render/volumes/stencil_count.hpp"
 #include "src/scene/build_parts.hpp"
 
@@ -70,7 +71,7 @@ void Renderer::addLight(const SlicePass& pass, std::size_t light) {
     const StageScope stage(pass.clock, FrameStage::lit);
     const bool counted = plan.isCounted() && !coarse_ && !plan.inGroups();
     if (!counted) clearStencil();
-    setAddingLight(plan.inGroups() && !coarse_);
+    set(passes::addingLight(plan.inGroups() && !coarse_, sum_.replaces));
     drawLit(pass, light);
 }
 
@@ -101,28 +102,9 @@ void Renderer::addListed(const SlicePass& pass) {
     const StageScope stage(pass.clock, FrameStage::lit);
     const gl::ScissorScope cut(pass.plan.lists->reach);
     clearStencil();
-    setAddingLight(false);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_EQUAL);
+    set(passes::addingLight(false, sum_.replaces));
     drawSurfaces(pass.scene, pass.view, pass.slice, listedShading(pass));
     glDisable(GL_STENCIL_TEST);
-}
-
-void Renderer::setAddingLight(bool marked) const {
-    setLightBlending(marked);
-    // Of surfaces that coincide the first is lit, as it is by ambient light.
-    glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_EQUAL, 0, 0xFF);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-}
-
-/// `marked`: what a group has shaded has alpha 0 and takes no light.
-void Renderer::setLightBlending(bool marked) const {
-    glEnable(GL_BLEND);
-    const GLenum light = marked ? GL_DST_ALPHA : GL_ONE;
-    const GLenum dark = marked ? GL_ONE_MINUS_DST_ALPHA : GL_ZERO;
-    glBlendFuncSeparate(light, sum_.replaces ? dark : GL_ONE, GL_ZERO, GL_ONE);
 }
 
 SurfaceShading Renderer::shadingOf(const SlicePass& pass, std::optional<std::size_t> index) const {
@@ -174,9 +156,6 @@ void Renderer::setFull(const SlicePass& pass, SurfaceShading& shading) const {
 }
 
 void Renderer::drawLit(const SlicePass& pass, std::size_t light) {
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_FALSE);
-    glDepthFunc(GL_EQUAL);
     SurfaceShading shading = shadingOf(pass, light);
     shading.map = mapOf(light);
     CoarseMaskLookup mask;

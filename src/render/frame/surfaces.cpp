@@ -2,6 +2,7 @@
 
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/frame/frame.hpp"
+#include "src/render/frame/pass_state.hpp"
 #include "src/shadow/view/light_reach.hpp"
 
 #include <GLES2/gl2.h>
@@ -28,11 +29,8 @@ void Renderer::drawNearness(const GpuScene& scene, const FrameView& view) {
     if (view.frustum.orthographic)
         space.depthRange = static_cast<float>(view.farPlane - view.near());
     glViewport(0, 0, view.width, view.height);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LESS);
-    glEnable(GL_DEPTH_TEST);
-    for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_DITHER, GL_STENCIL_TEST})
+    set(passes::surfaces);
+    for (const GLenum off : {GL_CULL_FACE, GL_DITHER})
         glDisable(off);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -52,6 +50,7 @@ void Renderer::drawCoarseSurfaces(const SlicePass& pass) {
     const gl::FramebufferKeeper keeper;
     coarse_->bindSurfaces();
     const gl::ScissorScope cut(scaledReach(pass.plan.reach, pass.view, coarse_->size()));
+    set(passes::surfaces);
     glDisable(GL_DITHER); // the bytes are no colour
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -67,10 +66,9 @@ void Renderer::restoreAlpha(const GpuScene& scene, const FrameView& view) {
     mark_.clear();
     if (!view.mask) return;
     // A mask's alpha says where surfaces are.
+    set(passes::alpha);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
     SurfaceShading shading;
     shading.mask = true;
     const DepthSlice whole{view.near(), std::numeric_limits<double>::infinity()};

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <GLES2/gl2.h>
+#include <optional>
+
+namespace edgeshade {
+
+/// The GL state that one pass of a frame draws with (docs/architecture.md, Passes and GL state).
+struct PassState {
+    struct Blend {
+        GLenum source, target, alphaSource, alphaTarget;
+    };
+    /// A test of the stencil against 0, all of its bits; fragments that pass it and the depth test
+    /// do `then` to the stencil, others keep it.
+    struct Stencil {
+        GLenum function, then;
+    };
+
+    std::array<bool, 4> color = {true, true, true, true}; ///< red, green, blue, alpha are written
+    bool depthWrites = false;
+    std::optional<GLenum> depth{};    ///< the depth test's function; nothing: it is off
+    std::optional<Blend> blend{};     ///< nothing: it is off
+    std::optional<Stencil> stencil{}; ///< nothing: it is off
+};
+
+/// Sets all of it.
+void set(const PassState& state);
+
+namespace passes {
+
+/// Depth and ambient light, perhaps with the first light.
+inline constexpr PassState surfaces{.depthWrites = true, .depth = GL_LESS};
+
+/// Counting and marking in the stencil, which says itself what it does there.
+inline constexpr PassState counting{.color = {false, false, false, false},
+                                    .depth = GL_LESS,
+                                    .stencil = PassState::Stencil{GL_ALWAYS, GL_KEEP}};
+
+/// Surfaces once more by ambient light alone, where there is shadow. Of surfaces that coincide the
+/// first is drawn, as it was with the light.
+inline constexpr PassState ambientInShadow{.depth = GL_EQUAL,
+                                           .stencil = PassState::Stencil{GL_NOTEQUAL, GL_ZERO}};
+
+/// Light is added where the stencil is 0. Of surfaces that coincide the first is lit, as it is by
+/// ambient light. `marked`: what a group has shaded has alpha 0 and takes no light. `replaces`: it
+/// replaces ambient light instead.
+constexpr PassState addingLight(bool marked, bool replaces) {
+    const GLenum light = marked ? GL_DST_ALPHA : GL_ONE;
+    const GLenum dark = marked ? GL_ONE_MINUS_DST_ALPHA : GL_ZERO;
+    return {.depth = GL_EQUAL,
+            .blend = PassState::Blend{light, replaces ? dark : GLenum{GL_ONE}, GL_ZERO, GL_ONE},
+            .stencil = PassState::Stencil{GL_EQUAL, GL_INCR}};
+}
+
+/// See-through surfaces. `adds`: further lights, to the first one's picture. `premultiplied`:
+/// colours come times alpha.
+constexpr PassState seeThrough(bool adds, bool premultiplied) {
+    if (adds) return {.depth = GL_LESS, .blend = PassState::Blend{GL_ONE, GL_ONE, GL_ONE, GL_ONE}};
+    return {.depth = GL_LESS,
+            .blend = PassState::Blend{premultiplied ? GLenum{GL_ONE} : GLenum{GL_SRC_ALPHA},
+                                      GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA}};
+}
+
+/// A mask's alpha, which says where surfaces are.
+inline constexpr PassState alpha{.color = {false, false, false, true}};
+
+} // namespace passes
+} // namespace edgeshade
