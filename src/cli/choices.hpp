@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
@@ -10,6 +11,11 @@ namespace edgeshade::cli {
 /// The words that an option takes, in the order in which help and messages list them.
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
+
+template <class Value, std::size_t N>
+Choices<Value> choicesOf(const std::array<std::pair<const char*, Value>, N>& words) {
+    return {words.begin(), words.end()};
+}
 
 /// The choices' words with `separator` between them.
 template <class Value>

@@ -4,6 +4,7 @@
 #include "src/cli/help.hpp"
 #include "src/cli/options.hpp"
 #include "src/environment/reading.hpp"
+#include "src/render/volumes/setting_words.hpp"
 #include "src/shadow/lights/light_extent.hpp"
 
 #include <algorithm>
@@ -22,19 +23,8 @@ const Choices<ShadowMethod> shadowWords = {{"auto", ShadowMethod::automatic},
                                            {"map", ShadowMethod::map},
                                            {"planar", ShadowMethod::planar},
                                            {"none", ShadowMethod::none}};
-const Choices<ShadowMethod> shadowNames = {{"auto", ShadowMethod::automatic},
-                                           {"volumes", ShadowMethod::volumes},
-                                           {"primitive-map", ShadowMethod::primitiveMap},
-                                           {"irregular-z-buffer", ShadowMethod::irregularZBuffer},
-                                           {"map", ShadowMethod::map},
-                                           {"planar", ShadowMethod::planar},
-                                           {"none", ShadowMethod::none}};
-const Choices<MultiplicityMethod> multiplicityNames = {
-    {"plane", MultiplicityMethod::plane},
-    {"reference-edge", MultiplicityMethod::referenceEdge},
-    {"three-edge", MultiplicityMethod::threeEdge},
-    {"single-edge", MultiplicityMethod::singleEdge},
-    {"triangle", MultiplicityMethod::triangle}};
+const Choices<ShadowMethod> shadowNames = choicesOf(words::shadows);
+const Choices<MultiplicityMethod> multiplicityNames = choicesOf(words::multiplicity);
 const Choices<VolumeLayout> layoutNames = {{"adapted", VolumeLayout::planePairs},
                                            {"published", VolumeLayout::oppositeVertices},
                                            {"brute-force", VolumeLayout::triangles}};
@@ -42,20 +32,15 @@ const Choices<BruteForceCount> countNames = {{"z-fail", BruteForceCount::zFail},
                                              {"z-pass", BruteForceCount::zPass}};
 const Choices<SilhouetteChoice> silhouetteNames = {{"proposed", SilhouetteChoice::proposed},
                                                    {"all", SilhouetteChoice::all}};
-const Choices<bool> onOffNames = {{"on", true}, {"off", false}};
 const Choices<InstancingChoice> instancingNames = {{"on", InstancingChoice::on},
                                                    {"off", InstancingChoice::off},
                                                    {"multi-draw", InstancingChoice::multiDraw}};
 
-const Choices<Shading> shadingNames = {{"full", Shading::full}, {"base", Shading::base}};
+const Choices<Shading> shadingNames = choicesOf(words::shading);
 const Choices<SoftShadows> softNames = {
     {"none", SoftShadows::none}, {"pcf", SoftShadows::pcf}, {"pcss", SoftShadows::pcss}};
-const Choices<MapKind> mapKindNames = {{"cube", MapKind::cube},
-                                       {"cascades", MapKind::cascades},
-                                       {"paraboloid", MapKind::paraboloid},
-                                       {"warped", MapKind::warped}};
-const Choices<WarpGrid> warpNames = {{"rectilinear", WarpGrid::rectilinear},
-                                     {"non-orthogonal", WarpGrid::nonOrthogonal}};
+const Choices<MapKind> mapKindNames = choicesOf(words::mapKind);
+const Choices<WarpGrid> warpNames = choicesOf(words::warp);
 const Choices<FilterChoice> filterNames = {
     {"none", FilterChoice::none}, {"pcf", FilterChoice::pcf}, {"poisson", FilterChoice::poisson},
     {"vsm", FilterChoice::vsm},   {"esm", FilterChoice::esm}, {"msm", FilterChoice::msm},

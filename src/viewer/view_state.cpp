@@ -1,7 +1,7 @@
 #include "src/viewer/view_state.hpp"
 
 #include "src/render/accumulation/subpixels.hpp"
-#include "src/scene/build_parts.hpp"
+#include "src/render/volumes/setting_words.hpp"
 #include "src/viewer/light_state.hpp"
 
 #include <algorithm>
@@ -14,44 +14,11 @@ using Json = nlohmann::ordered_json;
 constexpr int smallestMap = 16;
 constexpr int largestMap = 16384;
 
-/// The first word of each is the one that is written.
-constexpr Words<ShadowMethod, 7> shadowWordsOfPages = {
-    {{"auto", ShadowMethod::automatic},
-     {"volumes", ShadowMethod::volumes},
-     {"primitive-map", ShadowMethod::primitiveMap},
-     {"lookup", ShadowMethod::primitiveMap},
-     {"map", ShadowMethod::map},
-     {"planar", ShadowMethod::planar},
-     {"none", ShadowMethod::none}}};
-constexpr auto shadowWords = [] {
-    if constexpr (hasPoints) {
-        Words<ShadowMethod, 9> words{};
-        auto end = std::copy(shadowWordsOfPages.begin(), shadowWordsOfPages.end(), words.begin());
-        *end++ = {"irregular-z-buffer", ShadowMethod::irregularZBuffer};
-        *end = {"points", ShadowMethod::irregularZBuffer};
-        return words;
-    } else {
-        return shadowWordsOfPages;
-    }
-}();
-constexpr Words<MultiplicityMethod, 5> multiplicityWords = {
-    {{"plane", MultiplicityMethod::plane},
-     {"reference-edge", MultiplicityMethod::referenceEdge},
-     {"three-edge", MultiplicityMethod::threeEdge},
-     {"single-edge", MultiplicityMethod::singleEdge},
-     {"triangle", MultiplicityMethod::triangle}}};
-constexpr Words<MapKind, 4> mapKindWords = {{{"cube", MapKind::cube},
-                                             {"cascades", MapKind::cascades},
-                                             {"paraboloid", MapKind::paraboloid},
-                                             {"warped", MapKind::warped}}};
-constexpr Words<WarpGrid, 2> warpWords = {
-    {{"rectilinear", WarpGrid::rectilinear}, {"non-orthogonal", WarpGrid::nonOrthogonal}}};
 constexpr Words<MapFilter, 5> filterWords = {{{"pcf", MapFilter::compare},
                                               {"poisson", MapFilter::poisson},
                                               {"vsm", MapFilter::variance},
                                               {"esm", MapFilter::exponential},
                                               {"msm", MapFilter::moments}}};
-constexpr Words<Shading, 2> shadingWords = {{{"full", Shading::full}, {"base", Shading::base}}};
 constexpr Words<bool, 2> cullWords = {{{"auto", true}, {"off", false}}};
 constexpr Words<DebugView, 2> debugWords = {
     {{"none", DebugView::none}, {"volumes", DebugView::volumes}}};
@@ -122,15 +89,15 @@ int stepFrom(const Field& field) {
 SideSettings sideFrom(const Field& field, SideSettings side) {
     field.forEachMember([&](const std::string& key, const Field& value) {
         if (key == "shadows")
-            side.shadows = value.oneOf(shadowWords);
+            side.shadows = value.oneOf(words::shadows);
         else if (key == "map_size")
             side.mapSize = value.integer(smallestMap, largestMap);
         else if (key == "multiplicity")
-            side.multiplicity = value.oneOf(multiplicityWords);
+            side.multiplicity = value.oneOf(words::multiplicity);
         else if (key == "mask_scale")
             side.maskScale = maskScaleFrom(value);
         else if (key == "map_kind")
-            side.mapKind = value.oneOf(mapKindWords);
+            side.mapKind = value.oneOf(words::mapKind);
         else if (key == "cascades")
             side.cascades = value.integer(1, mostCascades);
         else if (key == "filter")
@@ -138,7 +105,7 @@ SideSettings sideFrom(const Field& field, SideSettings side) {
         else if (key == "pcf")
             side.pcf = filterWidthFrom(value);
         else if (key == "warp")
-            side.warp = value.oneOf(warpWords);
+            side.warp = value.oneOf(words::warp);
         else
             return false;
         return true;
@@ -147,15 +114,15 @@ SideSettings sideFrom(const Field& field, SideSettings side) {
 }
 
 Json toJson(const SideSettings& side) {
-    return {{"shadows", wordOf(shadowWords, side.shadows)},
+    return {{"shadows", wordOf(words::shadows, side.shadows)},
             {"map_size", side.mapSize},
-            {"multiplicity", wordOf(multiplicityWords, side.multiplicity)},
+            {"multiplicity", wordOf(words::multiplicity, side.multiplicity)},
             {"mask_scale", side.maskScale},
-            {"map_kind", wordOf(mapKindWords, side.mapKind)},
+            {"map_kind", wordOf(words::mapKind, side.mapKind)},
             {"cascades", side.cascades},
             {"filter", wordOf(filterWords, side.filter)},
             {"pcf", side.pcf},
-            {"warp", wordOf(warpWords, side.warp)}};
+            {"warp", wordOf(words::warp, side.warp)}};
 }
 
 /// The number as a person types it: 0.35, where the float nearest to it is 0.34999999.
@@ -186,7 +153,7 @@ Json toJson(const ViewState& state) {
             {"day_playing", state.dayPlays},
             {"sun_hours", state.sunHours},
             {"sun_hours_step", state.sunHoursStep},
-            {"shading", wordOf(shadingWords, state.shading)},
+            {"shading", wordOf(words::shading, state.shading)},
             {"ambient", shortDecimal(state.ambient)},
             {"exposure", shortDecimal(state.exposure)},
             {"background", toJson(state.background)},
@@ -237,7 +204,7 @@ ViewState changed(const ViewState& base, const Json& changes) {
         else if (key == "ambient")
             state.ambient = static_cast<float>(value.number(0.0, 1.0));
         else if (key == "shading")
-            state.shading = value.oneOf(shadingWords);
+            state.shading = value.oneOf(words::shading);
         else if (key == "exposure")
             state.exposure = static_cast<float>(value.number(-mostExposure, mostExposure));
         else if (key == "background")
