@@ -40,8 +40,11 @@ export interface PointLight extends LightStrength {
 /** As an array, or by names; the state has names where an array doesn't say all. */
 export type Light = PlainLight | SunLight | PointLight;
 
-/** `auto`: exact, looked up in a primitive map where a light rests and it pays, else volumes. */
-export type Shadows = 'auto' | 'volumes' | 'primitive-map' | 'map' | 'none';
+/**
+ * `auto`: exact, `lookup` where a light rests and it pays, else `volumes`. The state writes `lookup`
+ * by its old name, `primitive-map`.
+ */
+export type Shadows = 'auto' | 'volumes' | 'lookup' | 'primitive-map' | 'map' | 'none';
 
 /** How one side of the split is drawn; the left one is the whole picture where there is no split. */
 export interface SideSettings {
@@ -250,7 +253,7 @@ export interface EdgeshadeViewerEventMap {
  *               of lights at rest, and in shadow maps
  *   cull        auto (the default): surfaces of materials that aren't double-sided are seen from their
  *               front alone, and cast from either side; off: all are seen from both sides
- *   shadows     auto (the default), volumes, primitive-map, map or none; map-size: of a map, in
+ *   shadows     auto (the default), volumes, lookup, map or none; map-size: of a map, in
  *               texels; multiplicity; mask-scale: 1, 2 or 4, pixels along the edge of those that
  *               volumes are counted once for
  *   split       present: two settings side by side; split-shadows, split-map-size,
