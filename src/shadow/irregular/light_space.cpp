@@ -3,7 +3,6 @@
 #include "src/shadow/geometry/vectors.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace edgeshade {
 namespace {
@@ -12,13 +11,6 @@ namespace {
 constexpr float faceEnd = 1.0f + 1e-5f;
 
 } // namespace
-
-void FaceExtent::add(const FaceExtent& other) {
-    low = glm::min(low, other.low);
-    high = glm::max(high, other.high);
-    nearest = std::min(nearest, other.nearest);
-    farthest = std::max(farthest, other.farthest);
-}
 
 LightSpace::LightSpace(const Light& light, const glm::dvec3& near)
     : directional_(light.position.w == 0.0),

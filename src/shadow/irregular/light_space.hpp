@@ -11,10 +11,6 @@ struct LightBox {
     glm::vec3 low{std::numeric_limits<float>::infinity()};
     glm::vec3 high{-std::numeric_limits<float>::infinity()};
 
-    static LightBox everything() {
-        constexpr float infinity = std::numeric_limits<float>::infinity();
-        return {glm::vec3(-infinity), glm::vec3(infinity)};
-    }
     bool empty() const { return low.x > high.x; }
     /// Wider by so much on all sides.
     LightBox grown(float by) const { return {low - by, high + by}; }
@@ -29,12 +25,6 @@ struct FaceExtent {
     float farthest = -std::numeric_limits<float>::infinity();
 
     bool empty() const { return low.x > high.x; }
-    void add(const FaceExtent& other);
-    /// Whether some ray may meet both, `other` no farther from the light than this.
-    bool mayBeBehind(const FaceExtent& other) const {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-               other.low.y <= high.y && farthest >= other.nearest;
-    }
 };
 
 /// Places as a light sees them. Of a directional light x and y are across it and z grows away from

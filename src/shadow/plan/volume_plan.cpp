@@ -219,14 +219,15 @@ void keepBeforeFarPlane(const ShadowCluster& cluster, const PlanePairShadow& sha
     }
 }
 
-} // namespace
-
+/// Adds a cluster behind those left out; to its neighbour, where the reason is one.
 void leaveOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why) {
     if (!all.empty() && all.back().clusters.end() == cluster && all.back().why == why)
         ++all.back().clusters.count;
     else
         all.push_back({{cluster, 1}, why});
 }
+
+} // namespace
 
 PlanView planView(const FrameView& view, const DepthSlice& slice, const Light& light,
                   const glm::dmat4& worldFromBatch, int mantissaBits) {

@@ -66,9 +66,6 @@ struct LeftOut {
     Why why = Why::outsideView;
 };
 
-/// Adds a cluster behind those left out; to its neighbour, where the reason is one.
-void leaveOut(std::vector<LeftOut>& all, std::uint32_t cluster, LeftOut::Why why);
-
 /// What is drawn of a batch for one light, and what is not.
 struct VolumePlan {
     std::vector<ClusterPlan> drawn; ///< in the order of clusters; as are those left out
