@@ -14,6 +14,7 @@
 #include "src/render/frame/prepare_scene.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
 #include "src/scene/pose.hpp"
+#include "src/scene/shadow_facts.hpp"
 #include "src/shadow/view/scene_cameras.hpp"
 #include "src/viewer/light_state.hpp"
 
@@ -166,11 +167,7 @@ void render(const RenderOptions& options) {
     task.request.depth.slices = options.settings.depthSlices;
     task.request.lightSamples = options.settings.render.countedPoints();
     requireFitting(options, task.request.lights);
-    const FrameView view = viewOf(loaded, task, 0);
-    const std::vector<std::string> more = warningsOf(view);
-    printWarnings(more);
-    warnings.insert(warnings.end(), more.begin(), more.end());
-
+    FrameView view = viewOf(loaded, task, 0);
     const gl::HeadlessContext context({view.width, view.height, options.samples, options.glLimits});
     const gl::Capabilities& capabilities = context.capabilities();
     RenderSettings settings = options.settings.render;
@@ -178,6 +175,12 @@ void render(const RenderOptions& options) {
     Renderer renderer(settings, capabilities);
     GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
     const double loadSeconds = watch.lap();
+    makeLookups(scene, loaded, view, settings, capabilities);
+    boundCountedLayers(view, loaded, scene, renderer.policyFor(sceneFactsOf(scene)),
+                       options.shadeSamples);
+    const std::vector<std::string> more = warningsOf(view);
+    printWarnings(more);
+    warnings.insert(warnings.end(), more.begin(), more.end());
 
     task.prepared = [&] {
         const std::vector<std::string> others =

@@ -4,7 +4,6 @@
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/accumulation/subpixels.hpp"
 #include "src/render/frame/prepare_scene.hpp"
-#include "src/shadow/view/kept_layers.hpp"
 #include "src/shadow/view/light_budget.hpp"
 
 #include <algorithm>
@@ -153,10 +152,7 @@ FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n
     request.frustum = sampledAt(request.frustum, subpixelOffset(n), request.width, request.height);
     FrameView view =
         makeFrameView(loaded.scene, request, like ? like->bounds : worldBounds(loaded.scene));
-    if (!like) {
-        chooseLights(view, task.shadowedLights);
-        KeptLayers().fill(loaded.scene, loaded.settings.castMasked, view.lights);
-    }
+    if (!like) chooseLights(view, task.shadowedLights);
     for (std::size_t i = 0; like && i < view.lights.size(); ++i) {
         const FrameLight& known = like->lights[i];
         if (!known.shadowed) leaveWithoutShadow(view.lights[i]);

@@ -27,7 +27,7 @@ struct StillTask {
 bool isGrey(const StillTask& task);
 
 /// What frame the task's n-th picture is. `like`: of another one, whose layers are the same; null:
-/// none.
+/// none, and its layers are left to boundCountedLayers().
 FrameView viewOf(const LoadedScene& loaded, const StillTask& task, std::size_t n,
                  const FrameView* like = nullptr);
 

@@ -3,6 +3,7 @@
 #include "src/gl/framebuffer_keeper.hpp"
 #include "src/render/accumulation/extended_lights.hpp"
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/scene/shadow_facts.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -301,6 +302,28 @@ TEST(PictureSum, ShowsTheMean) {
     EXPECT_NEAR(pixels[1], 51, 1);
     EXPECT_EQ(pixels[2], 255);
     EXPECT_EQ(pixels[3], 255);
+}
+
+TEST(ExtendedLights, ThatAreLookedUpNeedNoBoundOfLayers) {
+    RenderSettings settings;
+    settings.shadows = ShadowMethod::primitiveMap;
+    Course course(yard().scene(), settings);
+    const gl::Capabilities& capabilities = course.context.capabilities();
+    if (!deviceFactsOf(capabilities).floatTables) GTEST_SKIP() << "needs float textures";
+    Light lamp = pointLight({0.3, 4, 0.7});
+    lamp.extent = {.shape = LightExtent::Shape::sphere, .radius = 0.5};
+    FrameView view = course.view(lamp, 8);
+    const auto boundsWith = [&](bool pointsAreLights) {
+        view.lights.front().layers = {};
+        boundCountedLayers(view, course.loaded, *course.gpu,
+                           course.renderer->policyFor(sceneFactsOf(*course.gpu)), pointsAreLights);
+        return view.lights.front().layers.most;
+    };
+    EXPECT_GT(boundsWith(false), 0u); // counted until there is a map
+    makeLookups(*course.gpu, course.loaded, view, settings, capabilities);
+    ASSERT_NE(extendedMapOf(*course.gpu, lamp), nullptr);
+    EXPECT_EQ(boundsWith(false), 0u);
+    EXPECT_GT(boundsWith(true), 0u);
 }
 
 } // namespace

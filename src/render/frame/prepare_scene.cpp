@@ -3,6 +3,7 @@
 #include "src/scene/build_parts.hpp"
 #include "src/scene/shadow_facts.hpp"
 #include "src/shadow/lights/light_range.hpp"
+#include "src/shadow/view/kept_layers.hpp"
 #include "src/shadow/view/light_budget.hpp"
 
 #include <algorithm>
@@ -82,12 +83,35 @@ MapDemand demandOf(const ShadowPolicy& policy, const GpuScene& scene, const Fram
 
 } // namespace
 
-void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                  const RenderSettings& settings, const gl::Capabilities& capabilities) {
+void makeLookups(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
+                 const RenderSettings& settings, const gl::Capabilities& capabilities) {
     const ShadowPolicy policy = policyFor(scene, loaded, view, settings, capabilities, false);
     if (policy.usesLookups())
         scene.primitiveMaps.make(loaded, demandOf(policy, scene, view), settings.primitiveMap,
                                  capabilities);
+}
+
+void boundCountedLayers(FrameView& view, const LoadedScene& loaded, const GpuScene& scene,
+                        const ShadowPolicy& policy, bool pointsAreLights) {
+    std::vector<FrameLight> counted;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < view.lights.size(); ++i) {
+        const FrameLight& of = view.lights[i];
+        const bool alone = pointsAreLights && !of.points.empty();
+        const LightChoice choice =
+            policy.choose(lightFactsOf(of), alone ? LookupFacts{} : lookupFactsOf(scene, of.light));
+        if (choice.counted != Technique::volumes) continue;
+        counted.push_back(of);
+        places.push_back(i);
+    }
+    KeptLayers().fill(loaded.scene, loaded.settings.castMasked, counted);
+    for (std::size_t i = 0; i < counted.size(); ++i)
+        view.lights[places[i]].layers = std::move(counted[i].layers);
+}
+
+void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
+                  const RenderSettings& settings, const gl::Capabilities& capabilities) {
+    makeLookups(scene, loaded, view, settings, capabilities);
     if constexpr (hasRivals)
         if (settings.shadows == ShadowMethod::planar) scene.planes.make(loaded, settings.planes);
     const auto records = settings.records();

@@ -13,6 +13,17 @@ namespace edgeshade {
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                   const RenderSettings& settings, const gl::Capabilities& capabilities);
 
+/// Makes the primitive maps alone; prepareScene() finds them made.
+void makeLookups(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
+                 const RenderSettings& settings, const gl::Capabilities& capabilities);
+
+/// Bounds the layers of those of the view's lights whose volumes are counted: of lights that are
+/// looked up, whose maps must be made, nobody asks for them. A light with an extent takes a bound
+/// for each of its points. `pointsAreLights`: each of these is drawn as a light of its own, which
+/// no map of all of the light serves.
+void boundCountedLayers(FrameView& view, const LoadedScene& loaded, const GpuScene& scene,
+                        const ShadowPolicy& policy, bool pointsAreLights);
+
 /// Goes on with primitive maps of those of the view's lights that are at rest, in the background,
 /// or for so long where there are no threads, and forgets those of others. Returns whether one is
 /// new.
