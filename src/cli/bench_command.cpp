@@ -193,9 +193,7 @@ void bench(const BenchOptions& options, const CLI::App& verb) {
 
 void addBenchCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "bench",
-        "Measure frame times over a camera flight around and through a scene, by stage; or "
-        "what evaluating edges costs");
+        "bench", "Measure frame times by stage over a flight through a scene, or what edges cost");
     const auto options = std::make_shared<BenchOptions>();
     verb->add_option("FILE", options->input, "The scene, .gltf or .glb, packed or not");
     verb->add_flag(

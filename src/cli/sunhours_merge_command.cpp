@@ -32,8 +32,8 @@ void merge(const MergeOptions& options) {
 
 void addSunHoursMergeCommand(CLI::App& program) {
     CLI::App* verb = program.add_subcommand(
-        "sunhours-merge", "Put the parts of a run of sunhours together: what it would have made "
-                          "that had not been split, byte for byte");
+        "sunhours-merge",
+        "Join the parts of a run of sunhours, byte for byte what a whole run makes");
     const auto options = std::make_shared<MergeOptions>();
     verb->add_option("OUT", options->files.picture, "The picture, .png")->required();
     verb->add_option("PARTS", options->parts, "All parts of the run, in any order")->required();

@@ -115,8 +115,8 @@ constexpr std::array obstaclesOfExtents{
 
 template <std::size_t N>
 std::string firstOf(const std::array<Obstacle, N>& all, const Facts& facts) {
-    const auto found = std::ranges::find_if(
-        all, [&](const Obstacle& obstacle) { return obstacle.applies(facts); });
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&](const Obstacle& obstacle) { return obstacle.applies(facts); });
     return found == all.end() ? "" : found->why;
 }
 
@@ -149,8 +149,8 @@ const char* wordFor(Technique technique) {
 
 LightChoice ShadowPolicy::choose(const LightFacts& light, const LookupFacts& lookup) const {
     const Facts facts{settings_, device_, scene_, light, lookup};
-    const Rule& rule =
-        *std::ranges::find_if(rules, [&](const Rule& of) { return of.applies(facts); });
+    const Rule& rule = *std::find_if(rules.begin(), rules.end(),
+                                     [&](const Rule& of) { return of.applies(facts); });
     LightChoice choice{rule.technique, rule.technique, rule.name, rule.reason(facts)};
     if (choice.technique == Technique::lookup)
         choice.counted = !scene_.anyAnimated                     ? Technique::none

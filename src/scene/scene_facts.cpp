@@ -19,7 +19,8 @@ std::size_t silhouettesOf(const LoadedScene& loaded, const Light& light) {
 }
 
 bool anyAlphaTested(const PlanePairShadow& shadow) {
-    return std::ranges::any_of(shadow.clusters, &ShadowCluster::alphaTested);
+    return std::any_of(shadow.clusters.begin(), shadow.clusters.end(),
+                       [](const ShadowCluster& cluster) { return cluster.alphaTested; });
 }
 
 } // namespace
@@ -34,17 +35,18 @@ DeviceFacts deviceFactsOf(const gl::Capabilities& capabilities) {
 }
 
 SceneFacts sceneFactsOf(const LoadedScene& loaded) {
-    const std::vector<Batch>& batches = loaded.scene.batches;
-    const auto isAnimated = [](const Batch& batch) { return batch.isAnimated(); };
-    return {
-        .triangles = loaded.scene.triangleCount(),
-        .anyAnimated = std::ranges::any_of(batches, isAnimated),
-        .allAnimated = !batches.empty() && std::ranges::all_of(batches, isAnimated),
-        .simplified = std::ranges::any_of(
-            batches, [](const Batch& of) { return of.geometry->simplifiedCasters.has_value(); }),
-        .alphaTested = std::ranges::any_of(
-            loaded.planePairs, [](const auto& shadow) { return anyAlphaTested(*shadow); }),
-        .cutoutsCast = loaded.cutoutsCast};
+    SceneFacts facts;
+    facts.triangles = loaded.scene.triangleCount();
+    facts.allAnimated = !loaded.scene.batches.empty();
+    for (const Batch& batch : loaded.scene.batches) {
+        facts.anyAnimated = facts.anyAnimated || batch.isAnimated();
+        facts.allAnimated = facts.allAnimated && batch.isAnimated();
+        facts.simplified = facts.simplified || batch.geometry->simplifiedCasters.has_value();
+    }
+    for (const auto& shadow : loaded.planePairs)
+        facts.alphaTested = facts.alphaTested || anyAlphaTested(*shadow);
+    facts.cutoutsCast = loaded.cutoutsCast;
+    return facts;
 }
 
 LightFacts lightFactsOf(const Light& light, const LoadedScene& loaded) {

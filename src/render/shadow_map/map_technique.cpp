@@ -17,7 +17,8 @@ void MapTechnique::beginFrame(const FrameStart& start) {
         const auto isWarped = [&](const FrameLight& of) {
             return of.drawn && mapKindOf(of.light, settings_) == ShadowMapKind::warped;
         };
-        if (!places_ || std::ranges::none_of(start.view.lights, isWarped)) return;
+        const std::vector<FrameLight>& lights = start.view.lights;
+        if (!places_ || std::none_of(lights.begin(), lights.end(), isWarped)) return;
         const StageScope stage(start.clock, FrameStage::map);
         visible_ = places_->find(start.view, start.drawNearness);
     }
