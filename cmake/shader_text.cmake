@@ -14,3 +14,11 @@ function(read_with_includes path result)
   endwhile()
   set(${result} "${text}" PARENT_SCOPE)
 endfunction()
+
+# A shader's text without its comments, which GLSL compilers don't need: compilers of C++ must take
+# no strings of more than 65,536 characters, and pages download each.
+function(without_comments text result)
+  string(REGEX REPLACE "[ \t]*//[^\n]*" "" text "${text}")
+  string(REGEX REPLACE "\n\n+" "\n" text "${text}")
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()

@@ -384,7 +384,7 @@ TEST_F(SunHours, ALogHasALineAStage) {
 }
 
 TEST_F(SunHours, HelpNamesTheOptions) {
-    const ProcessResult help = runEdgeshade({"sunhours", "--help"});
+    const ProcessResult help = runEdgeshade({"sunhours", "--help-all"});
     for (const char* word :
          {"--place", "--date", "--from", "--to", "--step", "--hours", "--utc-offset",
           "--min-altitude", "--north", "--plan", "--counts", "--report", "--at", "--threshold",
