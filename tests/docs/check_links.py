@@ -4,7 +4,8 @@
 * Relative links in every Markdown file lead to a file, and to a heading of it where they name one.
 * What code cites of docs/method.md, "docs/method.md, C8" or "docs/method.md, The closed chain", is a
   heading there. Paths of documents in code exist.
-* Paths and tests that docs/*.md name in backticks exist.
+* Paths and tests that docs/*.md name in backticks exist, and files that are named `beside` such a path
+  lie in its folder.
 
 Prints a sentence for each that isn't, and ends with status 1.
 """
@@ -92,6 +93,20 @@ def missing_names(document, tests):
             yield f"{document} names the test {name}, which does not exist."
 
 
+def misplaced_neighbours(document):
+    """A file that is named without a folder lies in the folder of the path that was named last."""
+    for line in without_code(text_of(document)).replace("\n  ", " ").splitlines():
+        folder = None
+        for named in re.finditer(r"`([^`\n]+)`", line):
+            path = re.fullmatch(rf"((?:{FOLDERS})/(?:[\w-]+/)*)[\w.-]+", named.group(1))
+            if path:
+                folder = path.group(1)
+            elif (folder and re.fullmatch(r"\w+\.(?:cpp|hpp|js|py|glsl|vert|frag)", named.group(1))
+                  and re.match(r"(?: and `[^`]+`)? beside it", line[named.end():])
+                  and not (ROOT / folder / named.group(1)).exists()):
+                yield f"{document} names {named.group(1)} beside {folder}, where it isn't."
+
+
 def main():
     files = list(files_here())
     documents = [path for path in files if path.suffix == ".md"]
@@ -106,7 +121,7 @@ def main():
                if source != pathlib.Path("tests/docs/check_links.py")
                for fault in broken_citations(source, method, conditions)]
     faults += [fault for document in documents if document.parts[0] == "docs"
-               for fault in missing_names(document, tests)]
+               for fault in (*missing_names(document, tests), *misplaced_neighbours(document))]
     print("\n".join(faults) or f"{len(documents)} documents, {len(sources)} sources: all is there")
     return 1 if faults else 0
 
