@@ -148,9 +148,9 @@ void benchScene(const BenchOptions& options) {
         });
         report.add(task, settings, measured);
         for (std::size_t i = 0; i < measured.results.size(); ++i)
-            for (const std::string& sentence :
-                 fallbackWarnings(settings[i].settings.render.shadows, measured.results[i].lights))
-                if (fallbacks.insert(sentence).second) printWarnings({sentence});
+            printNewWarnings(
+                fallbackWarnings(settings[i].settings.render.shadows, measured.results[i].lights),
+                fallbacks);
     }
     printWarnings(report.warningsOfMeasuring());
     printResult(report.table(), options.report);

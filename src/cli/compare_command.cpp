@@ -92,8 +92,7 @@ template <typename Result>
 void warnOfFallbacks(const std::vector<Result>& results) {
     std::set<std::string> warned;
     for (const Result& result : results)
-        for (const std::string& sentence : fallbackWarnings(result.settings.shadows, result.lights))
-            if (warned.insert(sentence).second) printWarnings({sentence});
+        printNewWarnings(fallbackWarnings(result.settings.shadows, result.lights), warned);
 }
 
 /// Of lights with an extent: how many of their points reach a pixel is what is compared.

@@ -428,13 +428,9 @@ DrawSettings settingsFrom(const DrawSettings& base, const std::string& text) {
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {
         parser.parse(words);
-    } catch (const CLI::ExtrasError&) {
-        const auto names = [](const std::string& word) { return word.starts_with("--"); };
-        const std::vector<std::string> left = parser.remaining();
-        const auto unknown = std::ranges::find_if(left, names);
+    } catch (const CLI::ExtrasError& error) {
         throw Error(ExitStatus::usage,
-                    "--against " + text + ": " +
-                        unknownOption(parser, unknown == left.end() ? left.front() : *unknown));
+                    "--against " + text + ": " + unknownOption(parser, parser.remaining(), error));
     } catch (const CLI::ParseError& error) {
         throw Error(ExitStatus::usage, "--against " + text + ": " + error.what() + ".");
     }

@@ -268,16 +268,20 @@ void setHelp(CLI::App& program) {
     }
 }
 
-std::string unknownOption(const CLI::App& verb, const std::string& word) {
-    const std::string name = word.substr(0, word.find('='));
+std::string unknownOption(const CLI::App& verb, const std::vector<std::string>& words,
+                          const CLI::ExtrasError& error) {
+    const auto option =
+        std::ranges::find_if(words, [](const std::string& word) { return word.starts_with("--"); });
+    if (option == words.end()) return error.what() + std::string(".");
+    const std::string name = option->substr(0, option->find('='));
     const std::string sentence = "There is no option " + name;
     if (const auto gone = removed().find(name); gone != removed().end())
         return sentence + " any more, as it did not pay: " + gone->second +
                " (docs/what-did-not-pay.md).";
     std::string nearest;
     std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
-    for (const CLI::Option* option : verb.get_options())
-        for (const std::string& long_ : option->get_lnames())
+    for (const CLI::Option* known : verb.get_options())
+        for (const std::string& long_ : known->get_lnames())
             if (const std::size_t distance = distanceBetween(name, "--" + long_);
                 distance < least) {
                 least = distance;

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace edgeshade::cli {
 
@@ -9,8 +10,9 @@ namespace edgeshade::cli {
 /// --help-all of every option by group, the laboratory's last.
 void setHelp(CLI::App& program);
 
-/// One sentence about an option that the verb doesn't have, typed as `word`: what became of it, or
-/// which name is the nearest.
-std::string unknownOption(const CLI::App& verb, const std::string& word);
+/// One sentence about the words that the verb can't take: of the first option among them what
+/// became of it, or which name is the nearest; where none is an option, what `error` says.
+std::string unknownOption(const CLI::App& verb, const std::vector<std::string>& words,
+                          const CLI::ExtrasError& error);
 
 } // namespace edgeshade::cli

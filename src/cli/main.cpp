@@ -2,7 +2,6 @@
 #include "src/cli/commands.hpp"
 #include "src/cli/help.hpp"
 
-#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <new>
@@ -58,14 +57,11 @@ int run(int argc, char** argv) {
     try {
         program.parse(argc, argv);
     } catch (const CLI::ExtrasError& error) {
-        const std::vector<std::string> words = program.remaining(true);
-        const auto option = std::ranges::find_if(
-            words, [](const std::string& word) { return word.starts_with("--"); });
         const std::vector<CLI::App*> typed = program.get_subcommands();
-        if (option == words.end() || typed.empty())
-            throw edgeshade::Error(ExitStatus::usage, error.what() + std::string("."));
         throw edgeshade::Error(ExitStatus::usage,
-                               edgeshade::cli::unknownOption(*typed.front(), *option));
+                               typed.empty() ? error.what() + std::string(".")
+                                             : edgeshade::cli::unknownOption(
+                                                   *typed.front(), program.remaining(true), error));
     } catch (const CLI::ParseError& error) {
         const int status = program.exit(error, std::cout, std::cerr);
         return static_cast<int>(status == 0 ? ExitStatus::done : ExitStatus::usage);

@@ -39,6 +39,11 @@ void printWarnings(const std::vector<std::string>& warnings) {
         std::cerr << "warning: " << warning << "\n";
 }
 
+void printNewWarnings(const std::vector<std::string>& warnings, std::set<std::string>& printed) {
+    for (const std::string& warning : warnings)
+        if (printed.insert(warning).second) printWarnings({warning});
+}
+
 ProgressBar::ProgressBar() : drawn_(isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() {

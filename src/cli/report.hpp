@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ void printResult(const std::string& text, const std::string& reportPath);
 
 /// Warnings, a line each, on standard error.
 void printWarnings(const std::vector<std::string>& warnings);
+
+/// The same of those that are not in `printed`, where they are from then on.
+void printNewWarnings(const std::vector<std::string>& warnings, std::set<std::string>& printed);
 
 /// A bar on standard error where that is a terminal. Its line ends with a share of 1, or when the
 /// work ends before, so that an error's message has a line of its own. In a log each stage of the

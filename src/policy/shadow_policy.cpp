@@ -35,21 +35,21 @@ struct Rule {
     const char* name;
     bool (*applies)(const Facts&);
     Technique technique;
-    std::string (*reason)(const Facts&);
+    std::string_view (*reason)(const Facts&);
 };
 
-std::string asked(const Facts&) {
+std::string_view asked(const Facts&) {
     return {};
 }
 
 constexpr std::array rules{
     Rule{"light without a shadow", [](const Facts& of) { return !of.light.isShadowed; },
          Technique::none,
-         [](const Facts&) -> std::string {
+         [](const Facts&) -> std::string_view {
              return "others are estimated to add more to the picture";
          }},
     Rule{"light out of sight", [](const Facts& of) { return !of.light.isDrawn; }, Technique::none,
-         [](const Facts&) -> std::string { return "it reaches nothing that is visible"; }},
+         [](const Facts&) -> std::string_view { return "it reaches nothing that is visible"; }},
     Rule{"no shadows asked for", [](const Facts& of) { return asks(of, ShadowMethod::none); },
          Technique::none, asked},
     Rule{"shadow map asked for", [](const Facts& of) { return asks(of, ShadowMethod::map); },
@@ -66,19 +66,24 @@ constexpr std::array rules{
     Rule{"points cost less than volumes",
          [](const Facts& of) { return pointsPay(of.settings, of.device, of.scene); },
          Technique::points,
-         [](const Facts&) -> std::string {
+         [](const Facts&) -> std::string_view {
              return "it has no primitive map, and filling volumes is estimated to take longer";
          }},
     Rule{"lookup was given up", [](const Facts& of) { return of.lookup.isSettled; },
          Technique::volumes, [](const Facts& of) { return of.lookup.reason; }},
     Rule{"light with an extent", [](const Facts& of) { return of.light.hasExtent; },
-         Technique::volumes, [](const Facts&) -> std::string { return "it has an extent"; }},
+         Technique::volumes, [](const Facts&) -> std::string_view { return "it has an extent"; }},
     Rule{"lookup is not built yet", [](const Facts& of) { return of.light.rests; },
          Technique::volumes,
-         [](const Facts&) -> std::string { return "its primitive map is not built"; }},
+         [](const Facts&) -> std::string_view { return "its primitive map is not built"; }},
     Rule{"light that moves", [](const Facts&) { return true; }, Technique::volumes,
-         [](const Facts&) -> std::string { return "it moves"; }},
+         [](const Facts&) -> std::string_view { return "it moves"; }},
 };
+
+const Rule& ruleFor(const Facts& facts) {
+    return *std::find_if(rules.begin(), rules.end(),
+                         [&](const Rule& of) { return of.applies(facts); });
+}
 
 /// Why casters or light can't be in a lookup.
 struct Obstacle {
@@ -148,10 +153,8 @@ const char* wordFor(Technique technique) {
 }
 
 LightChoice ShadowPolicy::choose(const LightFacts& light, const LookupFacts& lookup) const {
-    const Facts facts{settings_, device_, scene_, light, lookup};
-    const Rule& rule = *std::find_if(rules.begin(), rules.end(),
-                                     [&](const Rule& of) { return of.applies(facts); });
-    LightChoice choice{rule.technique, rule.technique, rule.name, rule.reason(facts)};
+    const Rule& rule = ruleFor({settings_, device_, scene_, light, lookup});
+    LightChoice choice{rule.technique, rule.technique, rule.name};
     if (choice.technique == Technique::lookup)
         choice.counted = !scene_.anyAnimated                     ? Technique::none
                          : pointsPay(settings_, device_, scene_) ? Technique::points
@@ -159,8 +162,13 @@ LightChoice ShadowPolicy::choose(const LightFacts& light, const LookupFacts& loo
     return choice;
 }
 
+std::string ShadowPolicy::reasonFor(const LightFacts& light, const LookupFacts& lookup) const {
+    const Facts facts{settings_, device_, scene_, light, lookup};
+    return std::string(ruleFor(facts).reason(facts));
+}
+
 LookupWish ShadowPolicy::lookupWish(const LightFacts& light) const {
-    if (!usesLookups()) return {};
+    if (!settings_.usesLookups()) return {};
     const bool forSeeThrough = !settings_.asksForLookups();
     const bool byName = settings_.asked == ShadowMethod::primitiveMap;
     if (light.hasExtent && !byName && !settings_.inBackground) return {};

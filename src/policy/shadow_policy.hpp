@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace edgeshade {
 
@@ -28,6 +29,10 @@ struct PolicySettings {
     bool asksForLookups() const {
         return asked == ShadowMethod::primitiveMap || asked == ShadowMethod::automatic;
     }
+    /// Whether lookups are built at all.
+    bool usesLookups() const {
+        return asksForLookups() || (asked == ShadowMethod::volumes && seeThroughReceives);
+    }
 };
 
 /// What the GL can do.
@@ -45,9 +50,8 @@ struct SceneFacts {
     std::size_t triangles = 0;
     bool anyAnimated = false;
     bool allAnimated = false;
-    bool simplified = false; ///< casters are others than the surfaces that are seen
-    bool alphaTested =
-        false; ///< some records are of casters whose alpha is tested as they are drawn
+    bool simplified = false;  ///< casters are others than the surfaces that are seen
+    bool alphaTested = false; ///< some records are of casters that are tested as they are drawn
     bool cutoutsCast = false; ///< a lookup can tell where alpha leaves holes
 };
 
@@ -66,9 +70,9 @@ struct LightFacts {
 
 /// What became of one light's lookup, which is built once and kept.
 struct LookupFacts {
-    bool isSettled = false; ///< it was built, or given up
-    bool isUsable = false;  ///< it was built, and is what this pass can ask
-    std::string reason{};   ///< once it is settled
+    bool isSettled = false;    ///< it was built, or given up
+    bool isUsable = false;     ///< it was built, and is what this pass can ask
+    std::string_view reason{}; ///< once it is settled; somebody else's text
 };
 
 /// What building a lookup came to.
@@ -83,8 +87,7 @@ struct LightChoice {
     /// What counts the casters that a lookup doesn't hold, which are animated; for other
     /// techniques the same as `technique`.
     Technique counted = Technique::none;
-    std::string rule;   ///< of the table in shadow_policy.cpp
-    std::string reason; ///< a clause; empty: it was asked for by name
+    std::string_view rule; ///< its name in the table of shadow_policy.cpp
 };
 
 /// Whether a light takes part in lookups.
@@ -104,13 +107,11 @@ class ShadowPolicy {
 
     LightChoice choose(const LightFacts& light, const LookupFacts& lookup) const;
 
-    LookupWish lookupWish(const LightFacts& light) const;
+    /// Why choose() chooses so; a clause, empty: it was asked for by name. Apart from that, as
+    /// frames choose for every light and nobody reads it there.
+    std::string reasonFor(const LightFacts& light, const LookupFacts& lookup) const;
 
-    /// Whether lookups are built at all.
-    bool usesLookups() const {
-        return settings_.asksForLookups() ||
-               (settings_.asked == ShadowMethod::volumes && settings_.seeThroughReceives);
-    }
+    LookupWish lookupWish(const LightFacts& light) const;
 
     /// Why no lookup should be built for a light, as long as scene and light rest; a clause, empty:
     /// one should.

@@ -47,6 +47,11 @@ class PrimitiveMaps {
 
     /// Null: nobody has made one yet.
     const PrimitiveMapState* of(const Light& light) const;
+    /// Null: there is none.
+    const GpuPrimitiveMap* mapOf(const Light& light) const {
+        const PrimitiveMapState* state = of(light);
+        return state ? state->map.get() : nullptr;
+    }
 
     void clear();
     std::size_t bytes() const;

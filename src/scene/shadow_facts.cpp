@@ -28,8 +28,8 @@ LookupFacts lookupFactsOf(const GpuScene& scene, const Light& light) {
 
 LookupFacts lookupFactsOf(const GpuScene& scene, const FrameLight& light) {
     LookupFacts facts = lookupFactsOf(scene, light.light);
-    if (facts.isUsable)
-        facts.isUsable = scene.primitiveMaps.of(light.light)->map->extended == light.atOnce;
+    const GpuPrimitiveMap* map = scene.primitiveMaps.mapOf(light.light);
+    facts.isUsable = map && map->extended == light.atOnce;
     return facts;
 }
 

@@ -422,12 +422,15 @@ void Viewer::Parts::advanceMaps(double now) {
     if (!side) return;
     RenderSettings wanted = settings.render;
     wanted.shading = state.shading;
-    wanted.shadows = seeThrough ? ShadowMethod::primitiveMap : side->shadows;
-    if (!mayLookUp(*gpu->scene, *loaded, wanted, gpu->capabilities)) return;
+    // What volumes can't give shadows alone would do, but the other side may look up all.
+    wanted.shadows = looksUp(*side) ? side->shadows : ShadowMethod::primitiveMap;
+    const ShadowPolicy policy = backgroundPolicy(*gpu->scene, *loaded, wanted, gpu->capabilities);
+    if (!policy.mayLookUp(restingEdges(*loaded))) return;
     FrameView view = viewAt(glm::dvec2(0.0));
     for (FrameLight& of : view.lights)
         of.atRest = rest.rests(of.light, now);
-    if (prepareSceneMeanwhile(*gpu->scene, *loaded, view, wanted, gpu->capabilities, buildingMs)) {
+    if (prepareSceneMeanwhile(*gpu->scene, *loaded, view, policy, wanted.primitiveMap,
+                              gpu->capabilities, buildingMs)) {
         dirty = true;
         ++changes;
     }

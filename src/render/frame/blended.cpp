@@ -18,12 +18,6 @@ double distanceFrom(const Frustum& frustum, const glm::dvec3& point) {
                                 : glm::distance(frustum.position(), point);
 }
 
-/// The light's own primitive map, whichever technique it has; null: it has none.
-const GpuPrimitiveMap* primitiveMapOf(const GpuScene& scene, const FrameLight& of) {
-    const LookupFacts lookup = lookupFactsOf(scene, of);
-    return lookup.isUsable ? scene.primitiveMaps.of(of.light)->map.get() : nullptr;
-}
-
 } // namespace
 
 void Renderer::drawBlended(const SlicePass& pass) {
@@ -45,6 +39,7 @@ void Renderer::drawBlended(const SlicePass& pass) {
                      [](const Item& a, const Item& b) { return a.distance > b.distance; });
 
     const StageScope stage(pass.clock, FrameStage::lit);
+    set(passes::seeThrough(false, true)); // chunks change how they blend alone
     for (const Item& item : items) {
         const Material& material = pass.scene.materials[item.chunk->material];
         const bool mirrored = item.batch->mirrored();
@@ -78,7 +73,7 @@ void Renderer::drawBlendedChunk(const SlicePass& pass, const GpuBatch& batch,
 
 void Renderer::drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch,
                                  const SurfaceChunk& chunk) {
-    set(passes::seeThrough(false, false));
+    set(passes::seeThroughBlend(false, false));
     SurfaceShading shading = shadingOf(pass, {});
     shading.ambient = 1.0f;
     drawBlendedChunk(pass, batch, chunk, shading);
@@ -86,7 +81,7 @@ void Renderer::drawAsInFullLight(const SlicePass& pass, const GpuBatch& batch,
 
 void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
                               const SurfaceChunk& chunk) {
-    set(passes::seeThrough(false, true));
+    set(passes::seeThroughBlend(false, true));
     bool first = true;
     for (std::size_t i = 0; i < pass.view.lights.size(); ++i) {
         const FrameLight& light = pass.view.lights[i];
@@ -94,16 +89,18 @@ void Renderer::drawSeeThrough(const SlicePass& pass, const GpuBatch& batch,
         if (!light.drawn || plan.listed || plan.reach.empty()) continue;
         SurfaceShading shading = shadingOf(pass, i);
         shading.visibility = nullptr; // of what is behind
-        const bool lookedUp = light.shadowed && techniques_.volumes();
-        shading.primitives = lookedUp ? primitiveMapOf(pass.scene, light) : nullptr;
+        // Whichever technique it has: these surfaces are not counted for.
+        const bool lookedUp =
+            light.shadowed && techniques_.volumes() && lookupFactsOf(pass.scene, light).isUsable;
+        shading.primitives = lookedUp ? pass.scene.primitiveMaps.mapOf(light.light) : nullptr;
         shading.withAmbient = first;
         drawBlendedChunk(pass, batch, chunk, shading);
         first = false;
-        set(passes::seeThrough(true, true));
+        set(passes::seeThroughBlend(true, true));
     }
     if (first) drawBlendedChunk(pass, batch, chunk, shadingOf(pass, {}));
     if (!pass.plan.lists) return;
-    set(passes::seeThrough(true, true));
+    set(passes::seeThroughBlend(true, true));
     drawBlendedChunk(pass, batch, chunk, listedShading(pass));
 }
 

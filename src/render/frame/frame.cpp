@@ -91,27 +91,24 @@ FramePlan Renderer::planned(GpuScene& scene, const FrameView& view, StageClock* 
                    .open = gl::scissored(view.width, view.height),
                    .ownStencil = coarse_.has_value(),
                    .ambientApart = sum_.full && !sum_.replaces,
-                   .groupCount = [](std::size_t) { return std::size_t{0}; },
-                   .planCount = {}};
-    bool everywhere = false;
-    techniques_.forEach(
-        [&](ShadowTechnique& of) { everywhere = everywhere || of.marksEverywhere(); });
-    if (!everywhere) task.open = intersection(task.open, visiblePixels(view));
-    task.groupCount = [&](std::size_t light) -> std::size_t {
-        const ShadowTechnique* marking = markingOf(light);
-        return marking ? marking->stencils(scene, view.lights[light]) : 0;
-    };
-    task.planCount = [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
-        return markingOf(light)->plan(scene, castersOf(view, slice, light, group));
-    };
+                   .groupCount =
+                       [&](std::size_t light) {
+                           const ShadowTechnique* marking = markingOf(light);
+                           return marking ? marking->stencils(scene, view.lights[light]) : 0;
+                       },
+                   .planCount =
+                       [&](const DepthSlice& slice, std::size_t light, std::size_t group) {
+                           return markingOf(light)->plan(scene,
+                                                         castersOf(view, slice, light, group));
+                       }};
+    if (!techniques_.any(&ShadowTechnique::marksEverywhere))
+        task.open = intersection(task.open, visiblePixels(view));
     if constexpr (listsLights)
         if (table_) {
             task.mayBeListed = [&](std::size_t light) { return mayBeListed(view, light); };
             task.list = listLights;
         }
-    bool byVolumes = false;
-    techniques_.forEach([&](ShadowTechnique& of) { byVolumes = byVolumes || of.marksByVolumes(); });
-    if (!byVolumes) return planFrame(task);
+    if (!techniques_.any(&ShadowTechnique::marksByVolumes)) return planFrame(task);
     if (clock && clock->wantsSilhouette()) {
         const StageScope stage(clock, FrameStage::silhouette);
         const FramePlan plan = planFrame(task);

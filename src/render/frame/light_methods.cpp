@@ -35,11 +35,13 @@ std::vector<LightMethod> lightMethods(const GpuScene& scene, const FrameView& vi
     const ShadowPolicy policy = renderer.policyFor(sceneFactsOf(scene));
     std::vector<LightMethod> methods;
     for (const FrameLight& of : view.lights) {
-        const LightChoice choice = policy.choose(lightFactsOf(of), lookupFactsOf(scene, of.light));
+        const LightFacts light = lightFactsOf(of);
+        const LookupFacts lookup = lookupFactsOf(scene, of.light);
+        const LightChoice choice = policy.choose(light, lookup);
         LightMethod& method = methods.emplace_back();
         method.method = wordFor(choice.technique);
         method.rule = choice.rule;
-        method.why = choice.reason;
+        method.why = policy.reasonFor(light, lookup);
         if (choice.technique == Technique::map) {
             method.why = mapWords(of.light, settings.map);
             method.bytes = renderer.mapBytesOf(of.light);

@@ -27,6 +27,9 @@ struct PassState {
 /// Sets all of it.
 void set(const PassState& state);
 
+/// Sets how what is drawn blends, where it does.
+void set(const PassState::Blend& blend);
+
 namespace passes {
 
 /// Depth and ambient light, perhaps with the first light.
@@ -55,11 +58,13 @@ constexpr PassState addingLight(bool marked, bool replaces) {
 
 /// See-through surfaces. `adds`: further lights, to the first one's picture. `premultiplied`:
 /// colours come times alpha.
+constexpr PassState::Blend seeThroughBlend(bool adds, bool premultiplied) {
+    if (adds) return {GL_ONE, GL_ONE, GL_ONE, GL_ONE};
+    return {premultiplied ? GLenum{GL_ONE} : GLenum{GL_SRC_ALPHA}, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
+            GL_ONE_MINUS_SRC_ALPHA};
+}
 constexpr PassState seeThrough(bool adds, bool premultiplied) {
-    if (adds) return {.depth = GL_LESS, .blend = PassState::Blend{GL_ONE, GL_ONE, GL_ONE, GL_ONE}};
-    return {.depth = GL_LESS,
-            .blend = PassState::Blend{premultiplied ? GLenum{GL_ONE} : GLenum{GL_SRC_ALPHA},
-                                      GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA}};
+    return {.depth = GL_LESS, .blend = seeThroughBlend(adds, premultiplied)};
 }
 
 /// A mask's alpha, which says where surfaces are.

@@ -3,7 +3,6 @@
 #include "src/scene/build_parts.hpp"
 #include "src/scene/shadow_facts.hpp"
 #include "src/shadow/lights/light_range.hpp"
-#include "src/shadow/view/kept_layers.hpp"
 #include "src/shadow/view/light_budget.hpp"
 
 #include <algorithm>
@@ -47,18 +46,8 @@ bool mayReachSeeThrough(const GpuScene& scene, const Light& light) {
 
 /// Whether there are surfaces to look up that volumes can't give shadows: they are seen together
 /// with what is behind them, for which the stencil counts.
-bool receivesSeeThrough(const GpuScene& scene, const FrameView& view,
-                        const RenderSettings& settings) {
-    return settings.shading == Shading::full && scene.seeThrough && view.drawBlended && !view.mask;
-}
-
-ShadowPolicy policyFor(const GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                       const RenderSettings& settings, const gl::Capabilities& capabilities,
-                       bool inBackground) {
-    PolicySettings asked = settings.policy();
-    asked.seeThroughReceives = receivesSeeThrough(scene, view, settings);
-    asked.inBackground = inBackground;
-    return {asked, deviceFactsOf(capabilities), sceneFactsOf(loaded)};
+bool receivesSeeThrough(const GpuScene& scene, const RenderSettings& settings) {
+    return settings.shading == Shading::full && scene.seeThrough;
 }
 
 MapDemand demandOf(const ShadowPolicy& policy, const GpuScene& scene, const FrameView& view) {
@@ -85,28 +74,25 @@ MapDemand demandOf(const ShadowPolicy& policy, const GpuScene& scene, const Fram
 
 void makeLookups(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
                  const RenderSettings& settings, const gl::Capabilities& capabilities) {
-    const ShadowPolicy policy = policyFor(scene, loaded, view, settings, capabilities, false);
-    if (policy.usesLookups())
-        scene.primitiveMaps.make(loaded, demandOf(policy, scene, view), settings.primitiveMap,
-                                 capabilities);
+    PolicySettings asked = settings.policy();
+    asked.seeThroughReceives =
+        receivesSeeThrough(scene, settings) && view.drawBlended && !view.mask;
+    if (!asked.usesLookups()) return;
+    const ShadowPolicy policy(asked, deviceFactsOf(capabilities), sceneFactsOf(loaded));
+    scene.primitiveMaps.make(loaded, demandOf(policy, scene, view), settings.primitiveMap,
+                             capabilities);
 }
 
 void boundCountedLayers(FrameView& view, const LoadedScene& loaded, const GpuScene& scene,
                         const ShadowPolicy& policy, bool pointsAreLights) {
-    std::vector<FrameLight> counted;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < view.lights.size(); ++i) {
-        const FrameLight& of = view.lights[i];
+    for (FrameLight& of : view.lights) {
         const bool alone = pointsAreLights && !of.points.empty();
         const LightChoice choice =
             policy.choose(lightFactsOf(of), alone ? LookupFacts{} : lookupFactsOf(scene, of.light));
-        if (choice.counted != Technique::volumes) continue;
-        counted.push_back(of);
-        places.push_back(i);
+        if (choice.counted == Technique::volumes)
+            of.layers =
+                boundLayers(loaded.scene, loaded.settings.castMasked, of.counted(), stencilLimit);
     }
-    KeptLayers().fill(loaded.scene, loaded.settings.castMasked, counted);
-    for (std::size_t i = 0; i < counted.size(); ++i)
-        view.lights[places[i]].layers = std::move(counted[i].layers);
 }
 
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
@@ -118,24 +104,25 @@ void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& v
     if (records) scene.groups.upload(loaded, view.lights, *records);
 }
 
+ShadowPolicy backgroundPolicy(const GpuScene& scene, const LoadedScene& loaded,
+                              const RenderSettings& settings,
+                              const gl::Capabilities& capabilities) {
+    PolicySettings asked = settings.policy();
+    asked.seeThroughReceives = receivesSeeThrough(scene, settings);
+    asked.inBackground = true;
+    return {asked, deviceFactsOf(capabilities), sceneFactsOf(loaded)};
+}
+
 bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                           const RenderSettings& settings, const gl::Capabilities& capabilities,
-                           double milliseconds) {
-    const ShadowPolicy policy = policyFor(scene, loaded, view, settings, capabilities, true);
-    return scene.primitiveMaps.advance(loaded, demandOf(policy, scene, view), settings.primitiveMap,
+                           const ShadowPolicy& policy, const PrimitiveMapSettings& settings,
+                           const gl::Capabilities& capabilities, double milliseconds) {
+    return scene.primitiveMaps.advance(loaded, demandOf(policy, scene, view), settings,
                                        capabilities, milliseconds);
 }
 
-bool mayLookUp(const GpuScene& scene, const LoadedScene& loaded, const RenderSettings& settings,
-               const gl::Capabilities& capabilities) {
-    const FrameView picture;
-    return policyFor(scene, loaded, picture, settings, capabilities, true)
-        .mayLookUp(restingEdges(loaded));
-}
-
 const GpuPrimitiveMap* extendedMapOf(const GpuScene& scene, const Light& light) {
-    const PrimitiveMapState* state = scene.primitiveMaps.of(light);
-    return state && state->map && state->map->extended ? state->map.get() : nullptr;
+    const GpuPrimitiveMap* map = scene.primitiveMaps.mapOf(light);
+    return map && map->extended ? map : nullptr;
 }
 
 } // namespace edgeshade

@@ -24,16 +24,16 @@ void makeLookups(GpuScene& scene, const LoadedScene& loaded, const FrameView& vi
 void boundCountedLayers(FrameView& view, const LoadedScene& loaded, const GpuScene& scene,
                         const ShadowPolicy& policy, bool pointsAreLights);
 
+/// Decides whose primitive maps are built beside drawing, as long as the scene stays as it is.
+ShadowPolicy backgroundPolicy(const GpuScene& scene, const LoadedScene& loaded,
+                              const RenderSettings& settings, const gl::Capabilities& capabilities);
+
 /// Goes on with primitive maps of those of the view's lights that are at rest, in the background,
 /// or for so long where there are no threads, and forgets those of others. Returns whether one is
-/// new.
+/// new. `policy`: backgroundPolicy().
 bool prepareSceneMeanwhile(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                           const RenderSettings& settings, const gl::Capabilities& capabilities,
-                           double milliseconds);
-
-/// Whether that may ever make a map; false is certain as long as the scene stays as it is.
-bool mayLookUp(const GpuScene& scene, const LoadedScene& loaded, const RenderSettings& settings,
-               const gl::Capabilities& capabilities);
+                           const ShadowPolicy& policy, const PrimitiveMapSettings& settings,
+                           const gl::Capabilities& capabilities, double milliseconds);
 
 /// The map of all of a light that has an extent; null: there is none, and its points are counted
 /// one by one.

@@ -11,18 +11,18 @@
 namespace edgeshade {
 
 Techniques::Techniques(const RenderSettings& settings, const gl::Capabilities& capabilities) {
-    const auto at = [&](Technique technique) -> std::shared_ptr<ShadowTechnique>& {
+    const auto at = [&](Technique technique) -> std::unique_ptr<ShadowTechnique>& {
         return all_[static_cast<std::size_t>(technique)];
     };
     if (auto volumes = makeVolumeRenderer(settings, capabilities))
         at(Technique::volumes) =
-            std::make_shared<VolumesTechnique>(std::move(volumes), settings, capabilities);
-    if (settings.looksUpPrimitives()) at(Technique::lookup) = std::make_shared<LookupTechnique>();
+            std::make_unique<VolumesTechnique>(std::move(volumes), settings, capabilities);
+    if (settings.looksUpPrimitives()) at(Technique::lookup) = std::make_unique<LookupTechnique>();
     if (settings.shadows == ShadowMethod::map)
-        at(Technique::map) = std::make_shared<MapTechnique>(settings.map, capabilities);
+        at(Technique::map) = std::make_unique<MapTechnique>(settings.map, capabilities);
     if (settings.shadows == ShadowMethod::planar) {
         if constexpr (hasRivals)
-            at(Technique::planar) = std::make_shared<PlanarTechnique>();
+            at(Technique::planar) = std::make_unique<PlanarTechnique>();
         else
             throw Error(ExitStatus::unavailable, "This build has no planar shadows.");
     }
@@ -34,7 +34,7 @@ Techniques::Techniques(const RenderSettings& settings, const gl::Capabilities& c
                     "'--shadows volumes' does without.");
     if constexpr (hasPoints)
         if (policy.mayAskPoints())
-            at(Technique::points) = std::make_shared<PointsTechnique>(capabilities);
+            at(Technique::points) = std::make_unique<PointsTechnique>(capabilities);
 }
 
 } // namespace edgeshade

@@ -27,6 +27,13 @@ class Techniques {
             if (technique) use(*technique);
     }
 
+    /// Whether some technique answers yes.
+    bool any(bool (ShadowTechnique::*question)() const) const {
+        bool answer = false;
+        forEach([&](const ShadowTechnique& of) { answer = answer || (of.*question)(); });
+        return answer;
+    }
+
     std::size_t bytes() const {
         std::size_t total = 0;
         forEach([&](const ShadowTechnique& of) { total += of.bytes(); });
@@ -41,8 +48,8 @@ class Techniques {
     MapTechnique* map() const { return static_cast<MapTechnique*>(of(Technique::map)); }
 
   private:
-    static constexpr std::size_t count = 6;                     ///< of Technique
-    std::array<std::shared_ptr<ShadowTechnique>, count> all_{}; ///< shared with nobody
+    static constexpr std::size_t count = 6; ///< of Technique
+    std::array<std::unique_ptr<ShadowTechnique>, count> all_{};
 };
 
 } // namespace edgeshade

@@ -9,8 +9,7 @@ namespace edgeshade {
 class LookupTechnique : public ShadowTechnique {
   public:
     const GpuPrimitiveMap* primitivesOf(const GpuScene& scene, const Light& light) const override {
-        const PrimitiveMapState* state = scene.primitiveMaps.of(light);
-        return state ? state->map.get() : nullptr;
+        return scene.primitiveMaps.mapOf(light);
     }
 };
 

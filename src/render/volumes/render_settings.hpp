@@ -52,9 +52,7 @@ struct RenderSettings {
         return shadows == ShadowMethod::map && map.soft != SoftShadows::none ? 0 : lightSamples;
     }
 
-    bool looksUpPrimitives() const {
-        return shadows == ShadowMethod::primitiveMap || shadows == ShadowMethod::automatic;
-    }
+    bool looksUpPrimitives() const { return policy().asksForLookups(); }
 
     /// What a ShadowPolicy has to know of them; a scene's see-through surfaces are another matter.
     PolicySettings policy() const {
