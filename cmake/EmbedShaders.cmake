@@ -2,10 +2,11 @@
 # `#include "file"` lines replaced by that file. The shaders have no other preprocessing here;
 # the runtime puts the #define lines of a variant in front.
 set(EDGESHADE_SHADER_DIR ${PROJECT_SOURCE_DIR}/shaders_es2)
-# Of what pages leave out (src/scene/build_parts.hpp).
+# Files that pages leave out: src/scene/build_parts.hpp.
 if(EMSCRIPTEN)
-  set(EDGESHADE_SHADERS_LEFT_OUT
-    cascades.glsl,filtered_distance.glsl,filtered_map.glsl,light_table.glsl,moments.glsl,moment_shadow.glsl,poisson.glsl,shadow_map_blur.frag,warp.glsl,near_cap.vert,projected.frag,projected_caster.vert,triangle_volume.vert)
+  file(GLOB_RECURSE left_out RELATIVE ${EDGESHADE_SHADER_DIR} ${EDGESHADE_SHADER_DIR}/rivals/*)
+  list(APPEND left_out light_table.glsl)
+  list(JOIN left_out "," EDGESHADE_SHADERS_LEFT_OUT)
 endif()
 set(EDGESHADE_GENERATED_DIR ${PROJECT_BINARY_DIR}/generated)
 file(GLOB_RECURSE EDGESHADE_SHADER_FILES CONFIGURE_DEPENDS

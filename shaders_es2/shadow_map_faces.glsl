@@ -38,7 +38,7 @@ float largestAxis(vec3 v) {
 #include "cascades.glsl"
 #endif
 #ifdef MAP_WARPED
-#include "warp.glsl"
+#include "rivals/maps/warp.glsl"
 #endif
 
 #ifdef MAP_FACES

@@ -43,11 +43,11 @@ vec3 biasedReceiver(vec3 normal, vec3 light, float width) {
 #include "receiver_plane.glsl"
 #endif
 #ifdef POISSON
-#include "poisson.glsl"
+#include "rivals/maps/poisson.glsl"
 #endif
 #if defined(VSM) || defined(ESM) || defined(MSM)
 #define FILTERED
-#include "filtered_map.glsl"
+#include "rivals/maps/filtered_map.glsl"
 #endif
 
 #ifdef PCSS

@@ -19,11 +19,11 @@ ROOMS = (
     "preprocess/base", "src/sun", "preprocess/scene", "preprocess/mesh", "preprocess/volumes/published",
     "preprocess/volumes",
     "src/shadow/geometry", "src/shadow/lights", "src/shadow/layers", "src/shadow/view",
-    "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/plan", "src/shadow/plan/published", "src/shadow/plan/brute_force", "src/shadow/irregular", "src/shadow/planar", "src/policy",
+    "src/shadow/primitive_map", "src/shadow/silhouette", "src/shadow/plan", "src/shadow/irregular", "src/policy",
     "preprocess/gltf", "preprocess/reading", "preprocess/packing",
     "src/image", "src/hours", "src/environment", "src/gl", "src/scene", "src/render/drawing", "src/render/timing", "src/render/technique",
-    "src/render/shadow_map", "src/render/planar", "src/render/lookup", "src/render/volumes", "src/render/volumes/published", "src/render/volumes/brute_force", "src/render/irregular", "src/render/frame", "src/render/accumulation",
-    "src/engine", "src/lab", "src/bench", "src/plot",
+    "src/render/shadow_map", "src/render/lookup", "src/render/volumes", "src/render/irregular", "src/render/frame", "src/render/accumulation",
+    "src/engine", "src/rivals/published", "src/rivals/brute_force", "src/rivals/planar", "src/rivals/maps", "src/rivals", "src/lab", "src/bench", "src/plot",
     "src/viewer", "src/desktop", "src/cli", "web")
 
 # Libraries' headers, by the start of the name that is included, and the rooms that may see them.
@@ -33,7 +33,7 @@ PURE = ROOMS[:ROOMS.index("preprocess/gltf")]                      # neither GL 
 NO_GL = ROOMS[:ROOMS.index("src/environment")]
 # Nor do these see JSON: what draws and what judges know nothing of files.
 NO_FILES = PURE + ("src/gl",) + tuple(
-    room for room in ROOMS if room.startswith(("src/render/", "src/lab", "src/bench", "src/plot")))
+    room for room in ROOMS if room.startswith(("src/render/", "src/rivals", "src/lab", "src/bench", "src/plot")))
 
 # tinygltf is seen by the sources of two rooms alone, by one header, and includes stay small.
 TINYGLTF = "tiny_gltf.h"

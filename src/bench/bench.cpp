@@ -31,7 +31,6 @@ struct Needs {
     bool seeThroughLooksUp = false;        ///< where volumes are counted
     std::size_t mapBytes = 0;              ///< what primitive maps may take, where there may be any
     std::optional<std::size_t> shadowed{}; ///< lights that have shadows; nothing: all
-    std::size_t planes = 0;                ///< shadows are projected onto
 
     auto operator<=>(const Needs&) const = default;
 };
@@ -46,7 +45,6 @@ Needs needsOf(const RenderSettings& settings) {
     if (needs.primitiveMaps || needs.seeThroughLooksUp)
         needs.mapBytes = settings.primitiveMap.mostBytes;
     if (needs.volumes) needs.shadowed = settings.shadowedLights;
-    if (settings.shadows == ShadowMethod::planar) needs.planes = settings.planes;
     return needs;
 }
 
@@ -81,13 +79,13 @@ class Stage {
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
     /// With the groups of casters and the maps that the lights of `view`, a contender's, need.
-    GpuScene& sceneFor(const Needs& needs, const FrameView& view, const RenderSettings& settings) {
+    GpuScene& sceneFor(const Needs& needs, const FrameView& view, const Renderer& renderer) {
         auto found = scenes_.find(needs);
         if (found == scenes_.end())
             found =
                 scenes_.emplace(needs, uploadScene(loaded_, needs.volumes, capabilities_)).first;
         GpuScene& scene = found->second;
-        prepareScene(scene, loaded_, view, settings, capabilities_);
+        prepareScene(scene, loaded_, view, renderer);
         return scene;
     }
 
@@ -287,8 +285,8 @@ class Course {
         Stage& stage = contender.stage;
         const FrameView view = viewFor(contender);
         drawWithExtents(contender.renderer, contender.extendedLights,
-                        stage.sceneFor(contender.needs, view, contender.renderer.settings()),
-                        stage.loaded(), view, clock);
+                        stage.sceneFor(contender.needs, view, contender.renderer), stage.loaded(),
+                        view, clock);
         gl::requireNoError("drawing for measuring");
     }
 
@@ -308,8 +306,7 @@ class Course {
 
     double frameMs(Contender& contender) {
         // What is made on first use is no part of a frame; of lights that move, nothing is first.
-        contender.stage.sceneFor(contender.needs, viewFor(contender),
-                                 contender.renderer.settings());
+        contender.stage.sceneFor(contender.needs, viewFor(contender), contender.renderer);
         return timed([&] {
                    timer_.begin(0);
                    draw(contender, nullptr);
@@ -342,8 +339,7 @@ class Course {
             result.fill = sum.times(1.0 / static_cast<double>(contender.fills.size()));
         }
         const FrameView view = viewFor(contender);
-        const GpuScene& scene =
-            contender.stage.sceneFor(contender.needs, view, contender.renderer.settings());
+        const GpuScene& scene = contender.stage.sceneFor(contender.needs, view, contender.renderer);
         result.sideBytes = scene.groups.sideBytes();
         result.capBytes = scene.groups.capBytes();
         for (const GpuBatch& batch : scene.batches) {
@@ -355,8 +351,7 @@ class Course {
             result.sideBytes += volumes->sideBytes();
             result.capBytes += volumes->capBytes();
         }
-        result.mapBytes =
-            contender.renderer.mapBytes() + scene.primitiveMaps.bytes() + scene.planes.bytes();
+        result.mapBytes = contender.renderer.mapBytes() + scene.primitiveMaps.bytes();
         result.tableBytes = contender.renderer.tableBytes();
         result.maskBytes = contender.renderer.maskBytes() + contender.extendedLights.bytes();
         result.lights = lightMethods(scene, view, contender.renderer);

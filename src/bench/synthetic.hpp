@@ -3,7 +3,7 @@
 #include "src/bench/equation_fit.hpp"
 #include "src/bench/synthetic_mesh.hpp"
 #include "src/gl/span_timer.hpp"
-#include "src/render/volumes/published/volume_program.hpp"
+#include "src/rivals/published/volume_program.hpp"
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "src/bench/synthetic_layouts.hpp"
 
 #include "src/render/volumes/plane_pair_volumes.hpp"
-#include "src/render/volumes/published/sides_pass.hpp"
+#include "src/rivals/published/sides_pass.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "src/bench/synthetic_mesh.hpp"
 #include "src/gl/capabilities.hpp"
-#include "src/render/volumes/published/volume_program.hpp"
+#include "src/rivals/published/volume_program.hpp"
 
 #include <functional>
 #include <memory>

@@ -5,6 +5,7 @@
 #include "src/cli/options.hpp"
 #include "src/environment/reading.hpp"
 #include "src/render/volumes/setting_words.hpp"
+#include "src/rivals/planar/largest_planes.hpp"
 #include "src/shadow/lights/light_extent.hpp"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "src/cli/options.hpp"
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/light_methods.hpp"
+#include "src/rivals/rivals.hpp"
 
 #include <algorithm>
 #include <CLI/CLI.hpp>
@@ -22,7 +23,10 @@ enum class FilterChoice { none, pcf, poisson, vsm, esm, msm, pcss };
 
 /// How pictures are drawn, as typed: what `--against` can vary.
 struct DrawSettings {
-    DrawSettings() { render.shading = Shading::full; }
+    DrawSettings() {
+        render.shading = Shading::full;
+        render.rivals = &allRivals();
+    }
 
     RenderSettings render;
     std::optional<MultiplicityMethod> multiplicity; ///< as typed; see resolve()

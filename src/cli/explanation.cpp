@@ -2,6 +2,7 @@
 
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/light_methods.hpp"
+#include "src/rivals/maps/map_filters.hpp"
 #include "src/shadow/plan/explain.hpp"
 
 #include <cmath>
@@ -36,7 +37,7 @@ std::string mapsOf(const Renderer& renderer, const GpuScene& scene, const FrameV
     for (std::size_t i = 0; i < methods.size(); ++i)
         text += "\nlight " + std::to_string(i) + ": " + methods[i].why + ", " +
                 std::to_string(methods[i].bytes) + " bytes";
-    if (const std::size_t all = renderer.mapBytes(); renderer.settings().map.isFiltered())
+    if (const std::size_t all = renderer.mapBytes(); isFiltered(renderer.settings().map))
         text += "\nall maps and what filters them: " + std::to_string(all) + " bytes";
     return text;
 }
@@ -72,7 +73,7 @@ std::string explanationOf(const Renderer& renderer, const GpuScene& scene, const
     case ShadowMethod::planar:
         return "planar: all casters are projected " +
                lightMethods(scene, view, renderer).front().why + ", " +
-               std::to_string(scene.planes.bytes()) + " bytes";
+               std::to_string(renderer.mapBytes()) + " bytes";
     case ShadowMethod::automatic:
     case ShadowMethod::primitiveMap:
         methods = methodsOf(renderer, scene, view);

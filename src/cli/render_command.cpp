@@ -175,7 +175,7 @@ void render(const RenderOptions& options) {
     Renderer renderer(settings, capabilities);
     GpuScene scene = uploadScene(loaded, settings.records(), capabilities);
     const double loadSeconds = watch.lap();
-    makeLookups(scene, loaded, view, settings, capabilities);
+    makeLookups(scene, loaded, view, renderer);
     boundCountedLayers(view, loaded, scene, renderer.policyFor(sceneFactsOf(scene)),
                        options.shadeSamples);
     const std::vector<std::string> more = warningsOf(view);

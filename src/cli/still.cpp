@@ -88,7 +88,7 @@ class Sitting {
         const double share = 1.0 / static_cast<double>(task_.subpixels);
         for (std::size_t n = 0; n < task_.subpixels; ++n) {
             const FrameView view = n == 0 ? first : viewOf(loaded_, task_, n, &first);
-            prepareScene(scene_, loaded_, view, renderer_.settings(), context_.capabilities());
+            prepareScene(scene_, loaded_, view, renderer_);
             if (n == 0 && task_.prepared) task_.prepared();
             draw(view, static_cast<double>(n) * share, share);
             progress_(static_cast<double>(n + 1) * share);

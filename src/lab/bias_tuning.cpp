@@ -1,5 +1,7 @@
 #include "src/lab/bias_tuning.hpp"
 
+#include "src/rivals/maps/map_filters.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,7 @@ namespace {
 /// Texels. Filtered maps, which know how steep what they show is, do with less.
 std::vector<float> mapBiases(const ShadowMapSettings& map) {
     std::vector<float> biases = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f};
-    if (map.isFiltered()) biases.insert(biases.begin(), {0.0f, 0.25f});
+    if (isFiltered(map)) biases.insert(biases.begin(), {0.0f, 0.25f});
     return biases;
 }
 constexpr std::size_t tuningViews = 3;

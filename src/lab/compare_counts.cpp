@@ -22,7 +22,7 @@ LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
     GpuScene& scene = studio.sceneFor(loaded, renderer.settings().records());
     LitCounter counter(studio.capabilities());
     counter.begin(frame.width, frame.height);
-    prepareScene(scene, loaded, frame, renderer.settings(), studio.capabilities());
+    prepareScene(scene, loaded, frame, renderer);
     counter.addPoints(renderer, scene, loaded, frame, 0, 0, frame.lights.front().points.size());
     gl::requireNoError("drawing for comparison");
     lights = lightMethods(scene, frame, renderer);

@@ -28,7 +28,7 @@ class Studio {
                                    std::span<const VisibilityLookup> visibility = {}) {
         const auto records = renderer.settings().records();
         GpuScene& scene = sceneFor(loaded, records);
-        prepareScene(scene, loaded, view, renderer.settings(), context_.capabilities());
+        prepareScene(scene, loaded, view, renderer);
         renderer.draw(scene, view, nullptr, visibility);
         methods_ = lightMethods(scene, view, renderer);
         gl::requireNoError("drawing for comparison");

@@ -1,44 +1,49 @@
 #pragma once
 
 #include "src/scene/plane_pair_buffers.hpp"
-#include "src/scene/shadow_buffers.hpp"
+#include "src/scene/record_source.hpp"
 
-#include <compare>
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace edgeshade {
 
-/// What shadow volumes are drawn from.
-enum class VolumeLayout {
-    planePairs,       ///< records that hold what the scene requires:
-                      ///< preprocess/volumes/plane_pair_data.hpp
-    oppositeVertices, ///< one global multiplicity, every edge, opposite vertices: the baseline
-    triangles,        ///< casting triangles alone, each with a volume of its own: brute force
+/// Records of a layout other than plane pairs, with what makes them again where a batch deforms.
+struct FurtherRecords {
+    VolumeRecords made;
+    std::shared_ptr<RecordBuffers> buffers;
 };
 
-/// Which records are on the GPU, and how they reach the vertex shader.
-struct VolumeRecords {
-    VolumeLayout volumes = VolumeLayout::planePairs;
-    SidesLayout layout = SidesLayout::instanced;
-
-    auto operator<=>(const VolumeRecords&) const = default;
-};
-
-/// One batch's shadow data on the GPU, in one of the layouts or several; null where there are none.
-/// Batches that share their geometry share these.
+/// One batch's shadow data on the GPU, in one layout or several. Batches that share their geometry
+/// share these.
 struct BatchVolumes {
-    std::shared_ptr<PlanePairBuffers> planePairs;
-    std::shared_ptr<ShadowBuffers> oppositeVertices;
-    std::shared_ptr<ShadowBuffers> triangles; ///< as caps
+    std::shared_ptr<PlanePairBuffers> planePairs; ///< null: not uploaded
+    std::vector<FurtherRecords> further{};        ///< at most one of each layout
+
+    /// Null where there are none in that layout.
+    RecordBuffers* recordsOf(VolumeLayout layout) const {
+        const auto found =
+            std::find_if(further.begin(), further.end(),
+                         [&](const FurtherRecords& of) { return of.made.volumes == layout; });
+        return found != further.end() ? found->buffers.get() : nullptr;
+    }
+    bool has(VolumeLayout layout) const {
+        return layout == VolumeLayout::planePairs ? planePairs != nullptr
+                                                  : recordsOf(layout) != nullptr;
+    }
 
     std::size_t sideBytes() const {
-        return (planePairs ? planePairs->sideBytes() : 0) +
-               (oppositeVertices ? oppositeVertices->sideBytes() : 0);
+        std::size_t total = planePairs ? planePairs->sideBytes() : 0;
+        for (const FurtherRecords& of : further)
+            total += of.buffers->sideBytes();
+        return total;
     }
     std::size_t capBytes() const {
-        return (planePairs ? planePairs->capBytes() : 0) +
-               (oppositeVertices ? oppositeVertices->capBytes() : 0) +
-               (triangles ? triangles->capBytes() : 0);
+        std::size_t total = planePairs ? planePairs->capBytes() : 0;
+        for (const FurtherRecords& of : further)
+            total += of.buffers->capBytes();
+        return total;
     }
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 };

@@ -9,12 +9,8 @@ inline constexpr bool isForPages = true;
 inline constexpr bool isForPages = false;
 #endif
 
-/// Whether this build has all kinds and filters of shadow maps, or cubes, single maps and PCF
-/// alone.
-inline constexpr bool allMapKinds = !isForPages;
-
-/// Whether it has brute-force volumes and planar shadows, which are there to be compared with.
-inline constexpr bool hasRivals = !isForPages;
+/// Whether batches keep what they were uploaded of, for casters that the processor cuts.
+inline constexpr bool keepsGeometry = !isForPages;
 
 /// Whether it lists lights by tile.
 inline constexpr bool listsLights = !isForPages;

@@ -10,12 +10,10 @@ struct HoleSource {
     CasterMesh mesh;
 };
 
-std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& batch,
-                                     CasterMesh (*welded)(const Batch& batch,
-                                                          const Casters& casters)) {
+std::optional<HoleSource> holeSource(const LoadedScene& loaded, const Batch& batch) {
     if (!loaded.settings.castMasked) return std::nullopt;
     HoleSource source{castersOf(batch, loaded.scene.materials, true), {}};
-    source.mesh = welded(batch, source.casters);
+    source.mesh = weldForRecords(batch, source.casters);
     return source;
 }
 
@@ -29,7 +27,7 @@ void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout)
         }
         const Batch& batch = loaded.scene.batches[i];
         const auto& shadow = loaded.planePairs[i];
-        const auto source = holeSource(loaded, batch, weldForRecords);
+        const auto source = holeSource(loaded, batch);
         planePairs = std::make_shared<PlanePairBuffers>(
             shadow,
             source ? alphaCorners(batch, source->casters, source->mesh, *shadow)
@@ -38,52 +36,15 @@ void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout)
     }
 }
 
-std::shared_ptr<ShadowBuffers> uploadOppositeVertices(const LoadedScene& loaded, const Batch& batch,
-                                                      const BatchShadow& shadow,
-                                                      SidesLayout layout) {
-    const auto source = holeSource(loaded, batch, [](const Batch& of, const Casters& casters) {
-        return weldCasters(of, casters);
-    });
-    return std::make_shared<ShadowBuffers>(uploadShadow(
-        shadow,
-        source ? alphaCorners(batch, source->casters, source->mesh) : std::vector<glm::vec4>(),
-        layout));
-}
-
 /// See GpuBatch::geometry.
 void keepGeometry([[maybe_unused]] GpuBatch& of, [[maybe_unused]] const Batch& batch) {
-    if constexpr (allMapKinds) of.geometry = batch.geometry;
+    if constexpr (keepsGeometry) of.geometry = batch.geometry;
 }
 
-void addOppositeVertices(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
-    const Shadows shadows = loaded.shadows.empty()
-                                ? buildShadows(loaded.scene, loaded.settings.castMasked)
-                                : loaded.shadows;
-    const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
+void addFurther(GpuScene& gpu, const LoadedScene& loaded, const VolumeRecords& records) {
+    const auto made = records.source->ofScene(loaded, records.layout);
     for (std::size_t i = 0; i < gpu.batches.size(); ++i)
-        gpu.batches[i].volumes.oppositeVertices =
-            first[i] != i
-                ? gpu.batches[first[i]].volumes.oppositeVertices
-                : uploadOppositeVertices(loaded, loaded.scene.batches[i], *shadows[i], layout);
-    gpu.oppositeVertexLayout = layout;
-}
-
-[[maybe_unused]] std::shared_ptr<ShadowBuffers>
-trianglesOf(const LoadedScene& loaded, const Batch& batch, SidesLayout layout) {
-    const bool alphaTested = loaded.settings.castMasked;
-    const Casters casters = castersOf(batch, loaded.scene.materials, alphaTested);
-    const CasterMesh mesh = weldCasters(batch, casters);
-    return std::make_shared<ShadowBuffers>(uploadTriangles(
-        mesh, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(), layout));
-}
-
-[[maybe_unused]] void addTriangles(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout) {
-    const std::vector<std::size_t> first = firstOfGeometry(loaded.scene.batches);
-    for (std::size_t i = 0; i < gpu.batches.size(); ++i)
-        gpu.batches[i].volumes.triangles =
-            first[i] != i ? gpu.batches[first[i]].volumes.triangles
-                          : trianglesOf(loaded, loaded.scene.batches[i], layout);
-    gpu.triangleLayout = layout;
+        gpu.batches[i].volumes.further.push_back({records, made[i]});
 }
 
 } // namespace
@@ -157,24 +118,17 @@ void uploadShape(GpuScene& gpu, const LoadedScene& loaded, std::size_t batch) {
     keepGeometry(to, from);
     BatchVolumes& volumes = to.volumes;
     if (volumes.planePairs) volumes.planePairs->take(loaded.planePairs[batch]);
-    if (volumes.oppositeVertices)
-        volumes.oppositeVertices = uploadOppositeVertices(
-            loaded, from, buildShadow(from, gpu.materials, loaded.settings.castMasked),
-            gpu.oppositeVertexLayout);
-    if (hasRivals && volumes.triangles)
-        volumes.triangles = trianglesOf(loaded, from, gpu.triangleLayout);
+    for (FurtherRecords& of : volumes.further)
+        of.buffers = of.made.source->ofBatch(loaded, from, of.made.layout);
 }
 
 void addVolumes(GpuScene& gpu, const LoadedScene& loaded, VolumeRecords records) {
     if (gpu.batches.empty()) return;
-    const BatchVolumes& there = gpu.batches.front().volumes;
-    if (records.volumes == VolumeLayout::planePairs && !there.planePairs)
+    if (gpu.batches.front().volumes.has(records.volumes)) return;
+    if (records.volumes == VolumeLayout::planePairs)
         addPlanePairs(gpu, loaded, records.layout);
-    if (records.volumes == VolumeLayout::oppositeVertices && !there.oppositeVertices)
-        addOppositeVertices(gpu, loaded, records.layout);
-    if constexpr (hasRivals)
-        if (records.volumes == VolumeLayout::triangles && !there.triangles)
-            addTriangles(gpu, loaded, records.layout);
+    else if (records.source)
+        addFurther(gpu, loaded, records);
 }
 
 } // namespace edgeshade

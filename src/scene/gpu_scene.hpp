@@ -4,7 +4,6 @@
 #include "src/scene/batch_volumes.hpp"
 #include "src/scene/overflow_groups.hpp"
 #include "src/scene/primitive_maps.hpp"
-#include "src/scene/shadow_planes.hpp"
 #include "src/scene/surface_buffers.hpp"
 #include "src/scene/textures.hpp"
 
@@ -41,10 +40,7 @@ struct GpuScene {
     bool castMasked = false;  ///< MASK and BLEND surfaces cast too
     bool cutoutsCast = false; ///< LoadedScene's
     bool seeThrough = false;  ///< some surfaces are BLEND and take light
-    SidesLayout oppositeVertexLayout = SidesLayout::instanced; ///< of what is there of them
-    SidesLayout triangleLayout = SidesLayout::instanced;       ///< likewise
-    ShadowPlanes planes{}; ///< where shadows are projected onto planes
-    bool plain = false;    ///< all that its surfaces do is scatter light, see Material::isPlain()
+    bool plain = false; ///< all that its surfaces do is scatter light, see Material::isPlain()
     /// Tells this upload from any other, also from one at the same address later.
     std::shared_ptr<const int> identity = std::make_shared<const int>(0);
 

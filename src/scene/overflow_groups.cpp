@@ -1,11 +1,9 @@
 #include "src/scene/overflow_groups.hpp"
 
-#include "src/scene/build_parts.hpp"
 #include "src/scene/layered_shadow.hpp"
 #include "src/shadow/layers/cut_casters.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -109,17 +107,10 @@ class GroupUpload {
                 alphaTested ? alphaCorners(batch, casters, mesh, *shadow)
                             : std::vector<glm::vec4>(),
                 records_.layout);
-        } else if (hasRivals && records_.volumes == VolumeLayout::triangles) {
-            volumes.triangles = std::make_shared<ShadowBuffers>(uploadTriangles(
-                mesh, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(),
-                records_.layout));
         } else {
-            const BatchShadow shadow{
-                buildSides(mesh.welded.positions, edges, recordMultiplicityFor(largest)),
-                buildCaps(mesh.welded), mesh.groups};
-            volumes.oppositeVertices = std::make_shared<ShadowBuffers>(uploadShadow(
-                shadow, alphaTested ? alphaCorners(batch, casters, mesh) : std::vector<glm::vec4>(),
-                records_.layout));
+            volumes.further.push_back(
+                {records_,
+                 records_.source->ofGroup(batch, topology, alphaTested, largest, records_.layout)});
         }
         return volumes;
     }
@@ -156,20 +147,22 @@ GroupedShadow uploadGroups(const LoadedScene& loaded, const FrameLight& light,
     return GroupUpload(cut.scene, loaded.settings, groupOf, records).upload(light.groupCount());
 }
 
+/// The records of a batch of a group, which has them in one layout.
+const void* recordsIn(const BatchVolumes& volumes) {
+    if (volumes.planePairs) return volumes.planePairs.get();
+    return volumes.further.empty() ? nullptr : volumes.further.front().buffers.get();
+}
+
 /// The sum of `bytesOf` over all batches of all groups.
 template <class Kept, class BytesOf>
 std::size_t sumOver(const std::vector<Kept>& kept, BytesOf bytesOf) {
     std::size_t total = 0;
-    std::set<std::array<const void*, 3>> counted; // what several batches have
+    std::set<const void*> counted; // what several batches have
     for (const Kept& light : kept)
         for (const auto& [layout, groups] : light.groups)
             for (const auto& group : groups)
                 for (const BatchVolumes& volumes : group)
-                    if (counted
-                            .insert({volumes.planePairs.get(), volumes.oppositeVertices.get(),
-                                     volumes.triangles.get()})
-                            .second)
-                        total += bytesOf(volumes);
+                    if (counted.insert(recordsIn(volumes)).second) total += bytesOf(volumes);
     return total;
 }
 

@@ -2,7 +2,7 @@
 
 #include "preprocess/volumes/plane_pair_data.hpp"
 #include "src/gl/objects.hpp"
-#include "src/scene/shadow_buffers.hpp"
+#include "src/scene/sides_layout.hpp"
 #include "src/shadow/plan/volume_draw.hpp"
 
 #include <memory>

@@ -21,6 +21,8 @@ class Renderers {
     /// doesn't use.
     void dropUnusedTargets(const ViewState& state);
 
+    const RenderSettings& base() const { return base_; }
+
     /// How many are at hand.
     std::size_t size() const { return renderers_.size(); }
 

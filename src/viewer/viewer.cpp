@@ -80,7 +80,7 @@ struct Viewer::Parts {
         }
 
         VolumeRecords recordsOf(const SideSettings& side) const {
-            return {volumeLayoutOf(side.multiplicity), layout};
+            return renderers.base().recordsOf(side.multiplicity, layout);
         }
 
         gl::Capabilities capabilities;
@@ -309,13 +309,11 @@ bool Viewer::Parts::asksPoints(const SideSettings& side) {
     return gpu->renderers.of(side, state).policyFor(sceneFactsOf(*gpu->scene)).asksPoints();
 }
 
-/// Puts the casters in groups that a stencil can count, and finds planes where shadows are planar.
+/// Puts the casters in groups that a stencil can count, and prepares the sides' techniques.
 void Viewer::Parts::groupCasters(FrameView& view) {
     for (const SideSettings* side : {&state.left, &state.right}) {
         if (side == &state.right && !state.split) continue;
-        if constexpr (hasRivals)
-            if (side->shadows == ShadowMethod::planar)
-                gpu->scene->planes.make(*loaded, settings.render.planes);
+        gpu->renderers.of(*side, state).techniques().prepareScene(*gpu->scene, *loaded);
         if (!mayCount(*side)) continue;
         if (state.debug != DebugView::volumes && asksPoints(*side)) continue;
         layers.fill(loaded->scene, loaded->settings.castMasked, view.lights);

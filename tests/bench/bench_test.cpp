@@ -3,6 +3,7 @@
 #include "src/bench/bench.hpp"
 #include "src/bench/flythrough.hpp"
 #include "src/gl/headless_context.hpp"
+#include "src/rivals/rivals.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -70,6 +71,7 @@ TEST(Bench, OnlyVolumesHaveRecordsAndOnlyMapsHaveMaps) {
     Task task = taskFor(loaded);
     task.settings.push_back(settingOf(ShadowMethod::volumes));
     task.settings.back().render.multiplicity = MultiplicityMethod::referenceEdge;
+    task.settings.back().render.rivals = &allRivals();
     const Report report = measure(loaded, task, ignore);
     const Result &planePairs = report.results[0], &map = report.results[1],
                  &none = report.results[2], &volumes = report.results[3];

@@ -1,6 +1,7 @@
 #include "tests/lab/extreme_check.hpp"
 
 #include "src/lab/texture_alpha.hpp"
+#include "src/rivals/rivals.hpp"
 #include "tests/support/headless.hpp"
 
 #include <iomanip>
@@ -24,6 +25,7 @@ std::string row(const std::string& name, const std::string& provokes,
 std::vector<std::pair<const char*, RenderSettings>> waysToDraw() {
     RenderSettings byPlanes, byEdges, byMap, byPoints;
     byEdges.multiplicity = MultiplicityMethod::referenceEdge;
+    byEdges.rivals = &allRivals();
     byMap.shadows = ShadowMethod::primitiveMap;
     byPoints.shadows = ShadowMethod::irregularZBuffer;
     std::vector<std::pair<const char*, RenderSettings>> ways = {

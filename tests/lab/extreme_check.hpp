@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/lab/verdicts.hpp"
-#include "src/render/volumes/published/volume_program.hpp"
+#include "src/rivals/published/volume_program.hpp"
 #include "tests/lab/extreme.hpp"
 
 namespace edgeshade::test {

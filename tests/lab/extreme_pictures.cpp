@@ -36,7 +36,7 @@ lab::Pictures drawPictures(const Extreme& extreme, const LoadedScene& scene,
         {extreme.seen(), extreme.width, extreme.height, extreme.lights, extreme.depth});
     near = frame.near();
     GpuScene gpu = uploadScene(scene, shadows.records(), capabilities);
-    prepareScene(gpu, scene, frame, shadows, capabilities);
+    prepareScene(gpu, scene, frame, Renderer(shadows, capabilities));
     const auto draw = [&](const RenderSettings& drawn, const FrameView& view) {
         Renderer(drawn, capabilities).draw(gpu, view);
         gl::requireNoError("drawing an extreme");

@@ -1,6 +1,7 @@
 // Lights that lie on casters and suns that lie in walls, turned and moved by ordinary numbers, held
 // against rays by every method and layout (docs/method.md, C47).
 #include "src/lab/compare.hpp"
+#include "src/rivals/rivals.hpp"
 #include "src/shadow/lights/light_contact.hpp"
 #include "src/shadow/lights/scene_lights.hpp"
 #include "tests/lab/extreme_scenes.hpp"
@@ -23,6 +24,7 @@ lab::Contender contender(const std::string& name,
     made.name = name;
     made.settings.shading = Shading::base;
     choose(made.settings);
+    made.settings.rivals = &allRivals();
     return made;
 }
 

@@ -65,7 +65,7 @@ LitCounts drawn(const Case& test, ShadowMethod method) {
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
     const FrameView view = viewOf(test);
-    prepareScene(gpu, loaded, view, settings, context.capabilities());
+    prepareScene(gpu, loaded, view, renderer);
     if (method == ShadowMethod::primitiveMap) {
         const LightMethod made = lightMethods(gpu, view, renderer).front();
         EXPECT_EQ(made.method, "primitive-map") << made.why;

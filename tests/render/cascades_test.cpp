@@ -31,7 +31,7 @@ ShadowMapView viewOf(const FrameView& frame, const Light& light = sun({0.5, 1, -
     settings.size = 512;
     settings.kind = MapKind::cascades;
     settings.cascades = count;
-    return shadowMapView(light, subject, frame, settings, 24);
+    return sunMapView(glm::dvec3(light.position), subject, frame, settings);
 }
 
 /// Where a place is in a cascade, 0..1 in its inner part.

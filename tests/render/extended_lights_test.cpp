@@ -42,7 +42,7 @@ struct Course {
     }
 
     std::vector<std::uint8_t> draw(const FrameView& frame) {
-        prepareScene(*gpu, loaded, frame, renderer->settings(), context.capabilities());
+        prepareScene(*gpu, loaded, frame, *renderer);
         renderer->draw(*gpu, frame);
         gl::requireNoError("drawing a test scene");
         return context.readPixels();
@@ -62,7 +62,7 @@ struct Course {
     }
 
     LitCounts counted(const FrameView& frame, std::size_t atOnce) {
-        prepareScene(*gpu, loaded, frame, renderer->settings(), context.capabilities());
+        prepareScene(*gpu, loaded, frame, *renderer);
         ExtendedLights lights(context.capabilities());
         while (lights.counted() < frame.lights.front().points.size())
             lights.advance(*renderer, *gpu, loaded, frame, atOnce);
@@ -180,8 +180,7 @@ struct Shaded {
 
 Shaded shaded(Course& course, const Light& light, std::size_t points) {
     const FrameView frame = course.view(light, points);
-    prepareScene(*course.gpu, course.loaded, frame, course.renderer->settings(),
-                 course.context.capabilities());
+    prepareScene(*course.gpu, course.loaded, frame, *course.renderer);
     ExtendedLights lights(course.context.capabilities());
     drawWithExtents(*course.renderer, lights, *course.gpu, course.loaded, frame);
     Shaded result{course.context.readPixels(), {}, lights.counts(0)};
@@ -320,7 +319,7 @@ TEST(ExtendedLights, ThatAreLookedUpNeedNoBoundOfLayers) {
         return view.lights.front().layers.most;
     };
     EXPECT_GT(boundsWith(false), 0u); // counted until there is a map
-    makeLookups(*course.gpu, course.loaded, view, settings, capabilities);
+    makeLookups(*course.gpu, course.loaded, view, *course.renderer);
     ASSERT_NE(extendedMapOf(*course.gpu, lamp), nullptr);
     EXPECT_EQ(boundsWith(false), 0u);
     EXPECT_GT(boundsWith(true), 0u);

@@ -113,7 +113,7 @@ class Drawing {
         request.lights = {light};
         FrameView view = makeFrameView(loaded_.scene, false, request);
         view.lights.front().atRest = atRest;
-        prepareScene(scene_, loaded_, view, renderer_.settings(), context_.capabilities());
+        prepareScene(scene_, loaded_, view, renderer_);
         renderer_.draw(scene_, view);
         methods_ = lightMethods(scene_, view, renderer_);
         gl::requireNoError("drawing");

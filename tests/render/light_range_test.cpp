@@ -2,6 +2,7 @@
 // out because they can't reach it.
 
 #include "src/gl/headless_context.hpp"
+#include "src/rivals/rivals.hpp"
 #include "src/shadow/view/light_reach.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/hard_lights.hpp"
@@ -238,6 +239,7 @@ std::size_t runsWith(const Light& light, int maskScale = 1,
             builder.box({2.0 * x, 0.2f, 2.0 * z}, {2.0 * x + 1.0, 1, 2.0 * z + 1.0});
     const gl::HeadlessContext context(test::testPicture(width, height));
     RenderSettings settings;
+    settings.rivals = &allRivals();
     settings.maskScale = maskScale;
     settings.multiplicity = method;
     settings.layout = bestLayout(context.capabilities());

@@ -159,7 +159,7 @@ Work workFor(const Scene& scene, const std::vector<Light>& lights, const RenderS
     chooseLights(view, drawn.shadowedLights);
     GpuScene gpu = uploadScene(loaded, drawn.records(), context.capabilities());
     Renderer renderer(drawn, context.capabilities());
-    prepareScene(gpu, loaded, view, drawn, context.capabilities());
+    prepareScene(gpu, loaded, view, renderer);
     renderer.draw(gpu, view);
     gl::requireNoError("drawing many lights");
     Work work;

@@ -50,7 +50,7 @@ class Stage {
         for (FrameLight& of : view_.lights)
             of.atRest = true;
         chooseLights(view_, settings_.shadowedLights);
-        prepareScene(gpu_, loaded_, view_, settings_, context_.capabilities());
+        prepareScene(gpu_, loaded_, view_, renderer_);
         renderer_.draw(gpu_, view_);
         gl::requireNoError("drawing maps of many lights");
         return context_.readPixels();

@@ -48,8 +48,9 @@ std::vector<std::uint8_t> draw(const GltfBuilder& gltf, const test::TestView& vi
     FrameView frame =
         makeFrameView(loaded.scene, false, {view.seen(), view.width, view.height, view.lights, {}});
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
-    prepareScene(gpu, loaded, frame, settings, context.capabilities());
-    Renderer(settings, context.capabilities()).draw(gpu, frame);
+    Renderer renderer(settings, context.capabilities());
+    prepareScene(gpu, loaded, frame, renderer);
+    renderer.draw(gpu, frame);
     gl::requireNoError("drawing a material");
     return context.readPixels();
 }

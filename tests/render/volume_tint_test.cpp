@@ -2,6 +2,7 @@
 // plan and of nothing else.
 #include "src/render/frame/frame.hpp"
 #include "src/render/frame/volume_tint_pass.hpp"
+#include "src/rivals/rivals.hpp"
 #include "tests/support/headless.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -214,6 +215,7 @@ TEST(VolumeTint, WhatCountsTwiceIsGreen) {
 TEST(VolumeTint, PublishedVolumesAreRedAndBlue) {
     RenderSettings settings;
     settings.multiplicity = MultiplicityMethod::referenceEdge;
+    settings.rivals = &allRivals();
     const Pictures drawn = pictures(
         boxOverFloor, request(fromTheSide, lampAbove), false, settings, [](FramePlan& plan) {
             std::erase_if(

@@ -1,6 +1,7 @@
 #include "tests/support/headless.hpp"
 
 #include "src/render/frame/prepare_scene.hpp"
+#include "src/rivals/rivals.hpp"
 #include "src/scene/shadow_facts.hpp"
 #include "src/shadow/view/light_budget.hpp"
 
@@ -53,6 +54,7 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
                                     RenderSettings settings, bool castMasked) {
     const gl::HeadlessContext context(testPicture(test.width, test.height));
     if (!context.capabilities().instancing) settings.layout = SidesLayout::notInstanced;
+    settings.rivals = &allRivals();
     const LoadedScene loaded{
         {},
         scene,
@@ -71,7 +73,7 @@ std::vector<std::uint8_t> drawScene(const Scene& scene, const TestView& test,
     if (!test.nearDiscard) view.nearestDepths.assign(scene.batches.size(), INFINITY);
     GpuScene gpu = uploadScene(loaded, settings.records(), context.capabilities());
     Renderer renderer(settings, context.capabilities());
-    prepareScene(gpu, loaded, view, settings, context.capabilities());
+    prepareScene(gpu, loaded, view, renderer);
     renderer.draw(gpu, view);
     gl::requireNoError("drawing a test scene");
     return context.readPixels();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "preprocess/volumes/shadow_data.hpp"
-#include "src/render/volumes/published/volume_program.hpp"
+#include "src/rivals/published/volume_program.hpp"
 #include "tests/support/probe_points.hpp"
 
 #include <map>

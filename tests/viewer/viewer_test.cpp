@@ -5,6 +5,7 @@
 #include "preprocess/reading/animation_reading.hpp"
 #include "preprocess/reading/flatten.hpp"
 #include "src/gl/headless_context.hpp"
+#include "src/rivals/rivals.hpp"
 #include "src/viewer/viewer.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/headless.hpp"
@@ -25,6 +26,13 @@ constexpr int height = 120;
 LoadedScene yardScene() {
     const Scene scene = test::yard().scene();
     return {{}, scene, {}, buildPlanePairs(scene, false), {}, {}};
+}
+
+/// With all methods that there are to compare with.
+ViewerSettings withRivals() {
+    ViewerSettings settings;
+    settings.render.rivals = &allRivals();
+    return settings;
 }
 
 /// A viewer with the yard in a context of its own, without handles.
@@ -62,7 +70,7 @@ class ViewerTest : public testing::Test {
     }
 
     gl::HeadlessContext context{test::testPicture(width, height)};
-    Viewer viewer{context.capabilities()};
+    Viewer viewer{context.capabilities(), withRivals()};
 };
 
 /// The columns [from, to) of a picture.
@@ -323,7 +331,7 @@ TEST_F(ViewerTest, WhereThereIsNoFloorShadowsAreCaught) {
 TEST(ViewerAfterALostContext, DrawsTheSameInANewOne) {
     Pixels before;
     auto context = std::make_unique<gl::HeadlessContext>(test::testPicture(width, height));
-    Viewer viewer(context->capabilities());
+    Viewer viewer(context->capabilities(), withRivals());
     viewer.resize(width, height, 1.0);
     viewer.show(yardScene());
     viewer.frame(0.0);

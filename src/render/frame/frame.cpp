@@ -26,8 +26,8 @@ SidesLayout bestLayout(const gl::Capabilities& capabilities) {
 }
 
 Renderer::Renderer(const RenderSettings& settings, const gl::Capabilities& capabilities)
-    : settings_(settings), device_(deviceFactsOf(capabilities)),
-      techniques_(settings, capabilities), surfaces_(capabilities, settings.map.pcf) {
+    : settings_(settings), capabilities_(capabilities), device_(deviceFactsOf(capabilities)),
+      techniques_(settings, capabilities), surfaces_(capabilities) {
     if (settings.shading == Shading::full && LinearTarget::isPossible(capabilities))
         linear_.emplace(capabilities);
     if constexpr (listsLights)

@@ -87,13 +87,11 @@ class Renderer {
         if (MapTechnique* map = techniques_.map()) map->setBias(texels);
     }
 
-    /// Memory of the shadow maps that were drawn so far, with what warps them.
-    std::size_t mapBytes() const { return techniques_.map() ? techniques_.map()->bytes() : 0; }
+    const Techniques& techniques() const { return techniques_; }
+    const gl::Capabilities& capabilities() const { return capabilities_; }
 
-    /// Bytes of the shadow map that lights of this kind share.
-    std::size_t mapBytesOf(const Light& light) const {
-        return techniques_.map() ? techniques_.map()->bytesOf(light) : 0;
-    }
+    /// Memory of the shadow maps that were drawn so far and of planes, with all that they need.
+    std::size_t mapBytes() const { return techniques_.mapBytes(); }
 
     /// What draws shadow volumes; null where shadows are something else.
     const VolumeRenderer* volumes() const {
@@ -201,6 +199,7 @@ class Renderer {
                              const SurfaceShading& shading);
 
     RenderSettings settings_;
+    gl::Capabilities capabilities_;
     DeviceFacts device_;
     std::vector<LightChoice> choices_; ///< of the lights of this frame
     Techniques techniques_;

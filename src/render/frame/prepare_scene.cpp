@@ -73,7 +73,9 @@ MapDemand demandOf(const ShadowPolicy& policy, const GpuScene& scene, const Fram
 } // namespace
 
 void makeLookups(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                 const RenderSettings& settings, const gl::Capabilities& capabilities) {
+                 const Renderer& renderer) {
+    const RenderSettings& settings = renderer.settings();
+    const gl::Capabilities& capabilities = renderer.capabilities();
     PolicySettings asked = settings.policy();
     asked.seeThroughReceives =
         receivesSeeThrough(scene, settings) && view.drawBlended && !view.mask;
@@ -96,11 +98,10 @@ void boundCountedLayers(FrameView& view, const LoadedScene& loaded, const GpuSce
 }
 
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                  const RenderSettings& settings, const gl::Capabilities& capabilities) {
-    makeLookups(scene, loaded, view, settings, capabilities);
-    if constexpr (hasRivals)
-        if (settings.shadows == ShadowMethod::planar) scene.planes.make(loaded, settings.planes);
-    const auto records = settings.records();
+                  const Renderer& renderer) {
+    makeLookups(scene, loaded, view, renderer);
+    renderer.techniques().prepareScene(scene, loaded);
+    const auto records = renderer.settings().records();
     if (records) scene.groups.upload(loaded, view.lights, *records);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/render/volumes/render_settings.hpp"
+#include "src/render/frame/frame.hpp"
 #include "src/scene/gpu_scene.hpp"
 #include "src/shadow/view/frame_view.hpp"
 
@@ -8,14 +8,13 @@ namespace edgeshade {
 
 /// Makes and uploads what the view's lights need of a scene beyond its records: groups of casters
 /// that a stencil can count, planes, and primitive maps, also those that see-through surfaces alone
-/// are looked up in. Kept while lights and casters rest. For a renderer of `settings` in the
-/// context of `capabilities`. Throws Error(unavailable) if the GL can't.
+/// are looked up in. Kept while lights and casters rest. Throws Error(unavailable) if the GL can't.
 void prepareScene(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                  const RenderSettings& settings, const gl::Capabilities& capabilities);
+                  const Renderer& renderer);
 
 /// Makes the primitive maps alone; prepareScene() finds them made.
 void makeLookups(GpuScene& scene, const LoadedScene& loaded, const FrameView& view,
-                 const RenderSettings& settings, const gl::Capabilities& capabilities);
+                 const Renderer& renderer);
 
 /// Bounds the layers of those of the view's lights whose volumes are counted: of lights that are
 /// looked up, whose maps must be made, nobody asks for them. A light with an extent takes a bound

@@ -4,7 +4,6 @@
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/cull_scope.hpp"
 #include "src/render/frame/cone_window.hpp"
-#include "src/render/shadow_map/map_defines.hpp"
 #include "src/scene/build_parts.hpp"
 #include "src/scene/srgb.hpp"
 #include "src/shadow/geometry/box_plane.hpp"
@@ -52,7 +51,7 @@ void setFullShading(gl::Program& program, const FullShading& full) {
 
 /// Which units the lookups of light.glsl leave to a material, the environment and its textures.
 constexpr int unitsOfLookups(const SurfaceShading& shading) {
-    if (shading.map) return 1 + std::max(shading.map->faces, 1) + (shading.map->warp ? 1 : 0);
+    if (shading.map) return 1 + shading.map->units();
     if (shading.primitives) return shading.primitives->cutouts ? 5 : 4;
     if (shading.visibility || shading.listed) return 2;
     return shading.coarse ? 3 : 1;
@@ -65,19 +64,6 @@ void setPcss(gl::Program& program, const PcssLight& light) {
     program.set("u_lightFacing", light.facing);
     program.set("u_leastSpread", light.leastSpread);
     program.set("u_nearestCaster", light.nearestCaster);
-}
-
-/// See shaders_es2/warp.glsl.
-void setWarp([[maybe_unused]] gl::Program& program, [[maybe_unused]] const ShadowMapLookup& map) {
-    if constexpr (allMapKinds) {
-        if (!map.warp) return;
-        const int unit = 1 + map.faces;
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        glBindTexture(GL_TEXTURE_2D, map.warp);
-        program.setSampler("u_warp", unit);
-        program.set("u_warpInner", map.warpInner);
-        program.set("u_warpOuter", map.warpOuter);
-    }
 }
 
 void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& view, bool casts) {
@@ -95,16 +81,13 @@ void setMap(gl::Program& program, const ShadowMapLookup& map, const BatchView& v
     program.set("u_mapTexel", map.texel);
     program.set("u_mapBias", map.biasTexels);
     program.set("u_mapShare", map.share);
-    program.set("u_mapTexels", map.texels);
     program.set("u_mapScale", map.mapScale);
-    if (map.kind == ShadowMapKind::cascades) {
-        program.set(
-            "u_cascades[0]",
-            std::span<const glm::vec4>(map.cascades).first(static_cast<std::size_t>(map.faces)));
+    if (map.cascadeCount > 0) {
+        program.set("u_cascades[0]",
+                    std::span<const glm::vec4>(map.cascades).first(map.cascadeCount));
         program.set("u_cascadeMargin", map.cascadeMargin);
     }
-    setWarp(program, map);
-    program.set("u_bleeding", map.bleeding);
+    if (map.further) map.further->set(program, 1 + std::max(map.faces, 1));
     program.set("u_casts", casts ? 1.0f : 0.0f);
     if (map.pcss) setPcss(program, *map.pcss);
 }
@@ -345,7 +328,7 @@ SurfacePass::Variant SurfacePass::variantOf(const GpuScene& scene, const Surface
     const Material& material = scene.materials[chunk.material];
     Variant variant{};
     variant.alphaMode = material.alphaMode;
-    if (shading.map) variant.map = {shading.map->kind, shading.map->faces, shading.map->filter};
+    if (shading.map) variant.map = shading.map->defines;
     variant.softMap = shading.map && shading.map->soft;
     variant.pcss = variant.softMap && shading.map->pcss;
     variant.rectangle = variant.pcss && shading.map->pcss->rectangle;
@@ -401,9 +384,7 @@ gl::Program& SurfacePass::program(const Variant& variant) {
     if (variant.sliced) defines.push_back("SLICED");
     if (variant.map) {
         defines.push_back("MAP");
-        for (const auto& of : {filterDefines(variant.map->filter, pcf_),
-                               faceDefines(variant.map->kind, variant.map->faces)})
-            defines.insert(defines.end(), of.begin(), of.end());
+        defines.insert(defines.end(), variant.map->begin(), variant.map->end());
         if (variant.softMap) defines.push_back("SOFT_MAP");
         if (variant.pcss) defines.push_back("PCSS");
         if (variant.rectangle) defines.push_back("PCSS_RECTANGLE");

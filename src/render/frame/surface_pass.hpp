@@ -84,10 +84,9 @@ BatchView surfaceViewOf(const GpuScene& scene, const GpuBatch& batch, const Fram
 /// whatever the light; masks show where it falls on them.
 class SurfacePass {
   public:
-    /// `pcf`: how many texels of a shadow map are compared, along each axis; odd.
-    explicit SurfacePass(const gl::Capabilities& capabilities, int pcf = 1)
+    explicit SurfacePass(const gl::Capabilities& capabilities)
         : textureUnits_(capabilities.textureUnits),
-          derivatives_(capabilities.has("GL_OES_standard_derivatives")), pcf_(pcf) {}
+          derivatives_(capabilities.has("GL_OES_standard_derivatives")) {}
 
     /// Draws the batch's surfaces of the given kind, in the order of its chunks. Returns vertex
     /// runs.
@@ -107,17 +106,10 @@ class SurfacePass {
 
         auto operator<=>(const PrimitiveMapVariant&) const = default;
     };
-    struct MapVariant {
-        ShadowMapKind kind;
-        int faces;
-        MapFilter filter;
-
-        auto operator<=>(const MapVariant&) const = default;
-    };
     struct Variant {
         AlphaMode alphaMode;
         std::optional<MaterialFeatures> material; ///< of material.frag
-        std::optional<MapVariant> map;
+        const std::vector<std::string>* map;      ///< ShadowMapLookup::defines; null: looks up none
         std::optional<PrimitiveMapVariant> primitives;
         bool softMap;        ///< the map is that of a light with an extent
         bool pcss;           ///< which gets percentage-closer soft shadows
@@ -178,7 +170,6 @@ class SurfacePass {
 
     int textureUnits_;
     bool derivatives_;
-    int pcf_;
     std::map<Variant, gl::Program> programs_;
 };
 

@@ -4,11 +4,22 @@
 #include "src/render/frame/volume_renderers.hpp"
 #include "src/render/irregular/points_technique.hpp"
 #include "src/render/lookup/lookup_technique.hpp"
-#include "src/render/planar/planar_technique.hpp"
 #include "src/scene/build_parts.hpp"
 #include "src/scene/scene_facts.hpp"
 
 namespace edgeshade {
+namespace {
+
+std::unique_ptr<ShadowMapPass> makeMapPass(const RenderSettings& settings,
+                                           const gl::Capabilities& capabilities) {
+    if (settings.map.isPlain()) return std::make_unique<ShadowMapPass>(settings.map, capabilities);
+    if (settings.rivals)
+        if (auto pass = settings.rivals->maps(settings, capabilities)) return pass;
+    throw Error(ExitStatus::unavailable,
+                "This build's shadow maps are cubes, single ones and cascades, compared, alone.");
+}
+
+} // namespace
 
 Techniques::Techniques(const RenderSettings& settings, const gl::Capabilities& capabilities) {
     const auto at = [&](Technique technique) -> std::unique_ptr<ShadowTechnique>& {
@@ -19,12 +30,11 @@ Techniques::Techniques(const RenderSettings& settings, const gl::Capabilities& c
             std::make_unique<VolumesTechnique>(std::move(volumes), settings, capabilities);
     if (settings.looksUpPrimitives()) at(Technique::lookup) = std::make_unique<LookupTechnique>();
     if (settings.shadows == ShadowMethod::map)
-        at(Technique::map) = std::make_unique<MapTechnique>(settings.map, capabilities);
+        at(Technique::map) = std::make_unique<MapTechnique>(makeMapPass(settings, capabilities));
     if (settings.shadows == ShadowMethod::planar) {
-        if constexpr (hasRivals)
-            at(Technique::planar) = std::make_unique<PlanarTechnique>();
-        else
+        if (!settings.rivals)
             throw Error(ExitStatus::unavailable, "This build has no planar shadows.");
+        at(Technique::planar) = settings.rivals->planar(settings);
     }
     const ShadowPolicy policy(settings.policy(), deviceFactsOf(capabilities), {});
     if (settings.shadows == ShadowMethod::irregularZBuffer && !policy.mayAskPoints())

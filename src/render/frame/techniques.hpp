@@ -27,6 +27,11 @@ class Techniques {
             if (technique) use(*technique);
     }
 
+    /// See ShadowTechnique.
+    void prepareScene(const GpuScene& scene, const LoadedScene& loaded) const {
+        forEach([&](ShadowTechnique& of) { of.prepareScene(scene, loaded); });
+    }
+
     /// Whether some technique answers yes.
     bool any(bool (ShadowTechnique::*question)() const) const {
         bool answer = false;
@@ -37,6 +42,14 @@ class Techniques {
     std::size_t bytes() const {
         std::size_t total = 0;
         forEach([&](const ShadowTechnique& of) { total += of.bytes(); });
+        return total;
+    }
+
+    /// Memory of shadow maps and planes.
+    std::size_t mapBytes() const {
+        std::size_t total = 0;
+        for (const Technique technique : {Technique::map, Technique::planar})
+            if (const ShadowTechnique* made = of(technique)) total += made->bytes();
         return total;
     }
 

@@ -11,6 +11,12 @@ class LookupTechnique : public ShadowTechnique {
     const GpuPrimitiveMap* primitivesOf(const GpuScene& scene, const Light& light) const override {
         return scene.primitiveMaps.mapOf(light);
     }
+    void describe(const GpuScene& scene, const Light& light, LightMethod& method) const override {
+        const PrimitiveMapState* state = scene.primitiveMaps.of(light);
+        if (!state) return;
+        method.buildMs = state->buildMs;
+        if (state->map) method.bytes = state->map->bytes();
+    }
 };
 
 } // namespace edgeshade

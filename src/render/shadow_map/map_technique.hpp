@@ -1,9 +1,8 @@
 #pragma once
 
 #include "src/render/shadow_map/shadow_map_pass.hpp"
-#include "src/render/shadow_map/visible_places.hpp"
-#include "src/render/technique/shadow_technique.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace edgeshade {
@@ -11,24 +10,28 @@ namespace edgeshade {
 /// Surfaces look up shadow maps.
 class MapTechnique : public ShadowTechnique {
   public:
-    /// Throws Error(unavailable) if the maps are larger than the GL allows.
-    MapTechnique(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
+    explicit MapTechnique(std::unique_ptr<ShadowMapPass> pass) : pass_(std::move(pass)) {}
 
-    void beginFrame(const FrameStart& start) override;
+    void beginFrame(const FrameStart& start) override {
+        drawn_.reset();
+        pass_->beginFrame(start);
+    }
     bool drawsLookups() const override { return true; }
-    std::size_t draw(const GpuScene& scene, const FrameView& view, const Light& light) override;
+    std::size_t draw(const GpuScene& scene, const FrameView& view, const Light& light) override {
+        drawn_ = pass_->draw(scene, view, light);
+        return pass_->vertexRuns();
+    }
     const ShadowMapLookup* map() const override { return drawn_ ? &*drawn_ : nullptr; }
+    void describe(const GpuScene&, const Light& light, LightMethod& method) const override {
+        method.why = pass_->words(light);
+        method.bytes = pass_->bytesOf(light);
+    }
 
-    void setBias(float texels) { pass_.setBias(texels); }
-    /// Of the map of the light's kind, which lights of that kind share.
-    std::size_t bytesOf(const Light& light) const { return pass_.bytesOf(light); }
-    std::size_t bytes() const override { return pass_.bytes() + (places_ ? places_->bytes() : 0); }
+    void setBias(float texels) { pass_->setBias(texels); }
+    std::size_t bytes() const override { return pass_->bytes(); }
 
   private:
-    ShadowMapSettings settings_;
-    ShadowMapPass pass_;
-    std::optional<VisiblePlaces> places_; ///< where maps are warped
-    std::vector<glm::dvec3> visible_;     ///< what this frame shows, where one is
+    std::unique_ptr<ShadowMapPass> pass_;
     std::optional<ShadowMapLookup> drawn_;
 };
 

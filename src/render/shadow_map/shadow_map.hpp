@@ -1,11 +1,15 @@
 #pragma once
 
 #include "src/gl/objects.hpp"
+#include "src/gl/program.hpp"
 #include "src/render/shadow_map/pcss_light.hpp"
 
+#include <algorithm>
 #include <array>
 #include <glm/glm.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace edgeshade {
 
@@ -57,53 +61,52 @@ struct ShadowMapSettings {
     /// nothing: as much as usual, 0.2 of variance maps, 0.02 of moments.
     std::optional<float> bleeding{};
 
-    bool isFiltered() const {
-        return filter == MapFilter::variance || filter == MapFilter::exponential ||
-               filter == MapFilter::moments;
-    }
-    /// Texels of a texture, side by side, that a map's texel takes.
-    int halves() const { return filter == MapFilter::moments ? 2 : 1; }
-    float bleedingShare() const {
-        return bleeding.value_or(filter == MapFilter::moments ? 0.02f : 0.2f);
+    /// Whether they need nothing of what Rivals::maps() adds.
+    bool isPlain() const {
+        return (kind == MapKind::cube || kind == MapKind::cascades) && filter == MapFilter::compare;
     }
 };
 
-enum class ShadowMapKind {
-    point,       ///< a cube map
-    pointApart,  ///< six textures for a cube's faces, where the GL can't hold them in one
-    paraboloid,  ///< two textures for halves of all directions
-    directional, ///< one parallel projection
-    cascades,    ///< several
-    warped,      ///< one whose texels are of different sizes
+/// The textures of a light's map.
+struct MapForm {
+    bool parallel = false; ///< the light is a sun
+    bool cube = false;     ///< all faces are in one cube map; else each is a flat texture
+    int faces = 1;         ///< six of a cube, one of a single map, or cascades
+
+    bool operator==(const MapForm&) const = default;
 };
 
-constexpr bool isParallel(ShadowMapKind kind) {
-    return kind == ShadowMapKind::directional || kind == ShadowMapKind::cascades ||
-           kind == ShadowMapKind::warped;
-}
+/// Sets what receivers' shaders read of a map beyond what all maps have.
+class MapUniforms {
+  public:
+    virtual ~MapUniforms() = default;
+    /// `unit`: the first texture unit that they may take.
+    virtual void set(gl::Program& program, int unit) const = 0;
+    virtual int units() const = 0; ///< how many they take
+};
 
 /// A light's finished map, with what a receiver needs to look itself up in it.
 struct ShadowMapLookup {
-    ShadowMapKind kind = ShadowMapKind::point;
     std::array<gl::Name, 6> textures{}; ///< of a cube map one
     int faces = 0;                      ///< how many textures; of a cube map 0
-    glm::dmat4 mapFromWorld{1.0};       ///< see ShadowMapView
+    /// #defines of the receivers' shaders; they live as long as what drew the map.
+    const std::vector<std::string>* defines = nullptr;
+    glm::dmat4 mapFromWorld{1.0}; ///< see ShadowMapView
     float step = 0.0f;  ///< from texel to texel in the map; of a point light's at distance 1
     float texel = 0.0f; ///< the same as a length in the world
     float biasTexels = 0.0f;
     bool soft = false; ///< of a light with an extent, instead of maps of its points
     std::optional<PcssLight> pcss{};
-    MapFilter filter = MapFilter::compare;
-    float texels = 0.0f;      ///< along an edge
     float share = 1.0f;       ///< see ShadowMapView
     glm::vec3 mapScale{1.0f}; ///< map space per length in the world, along each axis
-    std::array<glm::vec4, mostCascades>
-        cascades{};             ///< see ShadowMapView; unused ones repeat the last
-    float cascadeMargin = 0.0f; ///< likewise
-    float bleeding = 0.0f;      ///< see ShadowMapSettings
-    gl::Name warp = 0;          ///< nodes of its MapWarp, see WarpTable; of other kinds 0
-    glm::vec4 warpInner{0.0f, 0.0f, 1.0f, 1.0f}; ///< MapWarp::inner()
-    glm::vec4 warpOuter{0.0f};                   ///< MapWarp::outer()
+    /// See ShadowMapView: one for each texture of cascades; else none.
+    std::array<glm::vec4, mostCascades> cascades{};
+    std::size_t cascadeCount = 0;
+    float cascadeMargin = 0.0f;           ///< see ShadowMapView
+    const MapUniforms* further = nullptr; ///< null: all maps' are enough
+
+    /// How many texture units they take.
+    int units() const { return std::max(faces, 1) + (further ? further->units() : 0); }
 };
 
 } // namespace edgeshade

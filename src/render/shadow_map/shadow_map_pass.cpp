@@ -6,11 +6,9 @@
 #include "src/render/drawing/attributes.hpp"
 #include "src/render/drawing/caster_chunk.hpp"
 #include "src/render/shadow_map/pcss_view.hpp"
-#include "src/scene/build_parts.hpp"
 #include "src/shadow/lights/light_range.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <GLES2/gl2.h>
 
 namespace edgeshade {
@@ -21,86 +19,105 @@ bool hasSurfaces(const GpuScene& scene) {
                        [](const GpuBatch& batch) { return !batch.surfaces->empty(); });
 }
 
+bool isSun(const Light& light) {
+    return light.position.w == 0.0;
+}
+
 } // namespace
 
 ShadowMapPass::ShadowMapPass(const ShadowMapSettings& settings,
-                             const gl::Capabilities& capabilities)
-    : settings_(settings), capabilities_(capabilities) {
-    const bool plain = settings.kind == MapKind::cube && settings.filter == MapFilter::compare;
-    if (!allMapKinds && !plain)
-        throw Error(ExitStatus::unavailable,
-                    "This build's shadow maps are cubes and single ones, compared, alone.");
-    requireMapSize(settings, capabilities);
+                             const gl::Capabilities& capabilities, int texelWidth)
+    : settings_(settings), capabilities_(capabilities), texelWidth_(texelWidth) {
+    requireMapSize(settings.size, texelWidth, capabilities);
 }
 
-const ShadowMapTarget& ShadowMapPass::target(ShadowMapKind kind) {
-    auto found = targets_.find(kind);
-    if (found == targets_.end())
-        found = targets_.emplace(kind, ShadowMapTarget(kind, settings_, capabilities_)).first;
-    return found->second;
+MapForm ShadowMapPass::formOf(const Light& light) const {
+    if (!isSun(light)) return {.cube = !settings_.facesApart, .faces = 6};
+    return {.parallel = true,
+            .faces = settings_.kind == MapKind::cascades ? settings_.cascades : 1};
 }
 
-gl::Program& ShadowMapPass::program(const Variant& variant) {
-    auto found = programs_.find(variant);
+ShadowMapView ShadowMapPass::viewOf(const Light& light, const MapSubject& subject,
+                                    const FrameView& frame, int depthBits) {
+    const glm::dvec3 position(light.position);
+    if (isSun(light)) return sunMapView(position, subject, frame, settings_);
+    return pointMapView(position / light.position.w, subject.bounds, light.range, settings_.size,
+                        1.0, depthBits);
+}
+
+std::vector<std::string> ShadowMapPass::casterDefines(const MapForm& form) const {
+    if (form.parallel) return {"MAP_DIRECTIONAL"};
+    return {};
+}
+
+std::vector<std::string> ShadowMapPass::receiverDefines(const MapForm& form) const {
+    std::vector<std::string> defines = {"PCF " + std::to_string(settings_.pcf)};
+    if (!form.cube) defines.push_back("MAP_FACES " + std::to_string(form.faces));
+    if (form.parallel) defines.emplace_back("MAP_DIRECTIONAL");
+    if (form.parallel && settings_.kind == MapKind::cascades)
+        defines.push_back("MAP_CASCADES " + std::to_string(form.faces));
+    return defines;
+}
+
+ShadowMapPass::Kept& ShadowMapPass::kept(const Light& light) {
+    const auto found = kept_.find(isSun(light));
+    if (found != kept_.end()) return found->second;
+    ShadowMapTarget target(formOf(light), settings_.size, texelWidth_, capabilities_);
+    std::vector<std::string> defines = receiverDefines(target.form());
+    return kept_.emplace(isSun(light), Kept{std::move(target), std::move(defines)}).first->second;
+}
+
+gl::Program& ShadowMapPass::program(const MapForm& form, bool alphaTest) {
+    const std::pair key(form.parallel, alphaTest);
+    auto found = programs_.find(key);
     if (found == programs_.end()) {
-        std::vector<std::string> defines;
-        if (isParallel(variant.kind)) defines.push_back("MAP_DIRECTIONAL");
-        if (variant.kind == ShadowMapKind::paraboloid) defines.push_back("MAP_PARABOLOID");
-        if (variant.kind == ShadowMapKind::warped) defines.push_back("MAP_WARPED");
-        if (capabilities_.has("GL_OES_standard_derivatives")) defines.push_back("DERIVATIVES");
-        if (variant.alphaTest) defines.push_back("ALPHA_TEST");
-        found =
-            programs_
-                .emplace(variant, gl::Program(shaders::shadow_map_vert, shaders::shadow_map_frag,
+        std::vector<std::string> defines = casterDefines(form);
+        if (alphaTest) defines.emplace_back("ALPHA_TEST");
+        found = programs_
+                    .emplace(key, gl::Program(shaders::shadow_map_vert, shaders::shadow_map_frag,
                                               defines, casterAttributes))
-                .first;
+                    .first;
     }
+    found->second.use();
     return found->second;
 }
 
 ShadowMapLookup ShadowMapPass::draw(const GpuScene& scene, const FrameView& frame,
-                                    const Light& light, std::span<const glm::dvec3> visible) {
+                                    const Light& light) {
     if (frame.bounds.empty() && hasSurfaces(scene))
         throw Error(ExitStatus::unavailable,
                     "A shadow map needs the scene's bounds, and this view has none.");
     const gl::FramebufferKeeper keeper;
-    const ShadowMapKind kind = mapKindOf(light, settings_);
-    const ShadowMapTarget& map = target(kind);
-    const ShadowMapView view = shadowMapView(light, subjectOf(scene, frame.bounds), frame,
-                                             settings_, map.depthBits(), visible);
+    Kept& of = kept(light);
+    const ShadowMapTarget& map = of.target;
+    const ShadowMapView view =
+        viewOf(light, subjectOf(scene, frame.bounds), frame, map.depthBits());
     Drawn wanted = drawnOf(scene, view, light);
     vertexRuns_ = 0;
-    if (drawn_[kind] != wanted) {
-        drawFaces(scene, view, map, light);
-        drawn_[kind] = std::move(wanted);
+    if (of.drawn != wanted) {
+        drawFaces({scene, light, view, map});
+        of.drawn = std::move(wanted);
     }
-    ShadowMapLookup lookup{map.kind(),
-                           map.textures(),
-                           map.flatCount(),
-                           view.mapFromWorld,
-                           static_cast<float>(view.step),
-                           static_cast<float>(view.texel),
-                           settings_.biasTexels};
+    ShadowMapLookup lookup{.textures = map.textures(),
+                           .faces = map.flatCount(),
+                           .defines = &of.defines,
+                           .mapFromWorld = view.mapFromWorld,
+                           .step = static_cast<float>(view.step),
+                           .texel = static_cast<float>(view.texel),
+                           .biasTexels = settings_.biasTexels};
     lookup.soft = settings_.soft != SoftShadows::none && light.extent;
     if (settings_.soft == SoftShadows::pcss && light.extent) lookup.pcss = pcssLight(light, view);
-    lookup.filter = settings_.filter;
-    lookup.texels = static_cast<float>(settings_.size);
     lookup.share = static_cast<float>(view.share);
     lookup.mapScale = glm::vec3(view.scale());
-    for (std::size_t i = 0; i < lookup.cascades.size() && !view.cascades.empty(); ++i) {
+    lookup.further = further(light);
+    if (view.cascades.empty()) return lookup;
+    lookup.cascadeCount = static_cast<std::size_t>(lookup.faces);
+    for (std::size_t i = 0; i < lookup.cascadeCount; ++i) { // unused ones repeat the last
         const std::size_t drawn = std::min(i, view.cascades.size() - 1);
         lookup.cascades[i] = glm::vec4(view.cascades[drawn]);
         lookup.textures[i] = lookup.textures[drawn];
     }
     lookup.cascadeMargin = static_cast<float>(view.cascadeMargin);
-    lookup.bleeding = settings_.bleedingShare();
-    if constexpr (allMapKinds) {
-        if (view.warp) {
-            lookup.warp = warp_->texture();
-            lookup.warpInner = glm::vec4(view.warp->inner());
-            lookup.warpOuter = glm::vec4(view.warp->outer());
-        }
-    }
     return lookup;
 }
 
@@ -126,8 +143,7 @@ ShadowMapPass::Drawn ShadowMapPass::drawnOf(const GpuScene& scene, const ShadowM
     return drawn;
 }
 
-void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
-                              const ShadowMapTarget& map, const Light& light) {
+void ShadowMapPass::drawFaces(const MapTask& task) {
     glViewport(0, 0, settings_.size, settings_.size);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glEnable(GL_DEPTH_TEST);
@@ -138,101 +154,64 @@ void ShadowMapPass::drawFaces(const GpuScene& scene, const ShadowMapView& view,
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER); // the bytes are no colour
     glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
-    for (std::size_t face = 0; face < view.faces.size(); ++face) {
-        map.bindFace(face);
+    for (std::size_t face = 0; face < task.view.faces.size(); ++face) {
+        task.map.bindFace(face);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        if (view.warp)
-            drawWarped(scene, view);
-        else if (view.faces[face].seesScene)
-            drawCasters(scene, view, face, light);
+        if (task.view.faces[face].seesScene) drawFace(task, face);
     }
-    if constexpr (allMapKinds)
-        if (settings_.isFiltered()) {
-            if (!blur_) blur_.emplace(settings_);
-            for (std::size_t face = 0; face < view.faces.size(); ++face)
-                blur_->filter(map, face);
-            glEnable(GL_DEPTH_TEST);
-        }
+    finish(task);
     glEnable(GL_DITHER);
 }
 
-void ShadowMapPass::drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face,
-                                const Light& light) {
+void ShadowMapPass::drawFace(const MapTask& task, std::size_t face) {
+    const GpuScene& scene = task.scene;
     for (const GpuBatch& batch : scene.batches) {
         if (batch.hidden) continue;
-        const glm::dvec3 source(glm::inverse(batch.worldFromBatch) * light.position);
-        const double range = rangeInObject(light, batch.worldFromBatch);
-        const glm::dmat4 mapFromObject = view.mapFromWorld * batch.worldFromBatch;
+        const glm::dvec3 source(glm::inverse(batch.worldFromBatch) * task.light.position);
+        const double range = rangeInObject(task.light, batch.worldFromBatch);
+        const glm::dmat4 mapFromObject = task.view.mapFromWorld * batch.worldFromBatch;
         for (const SurfaceChunk& chunk : *batch.surfaces) {
             const Material& material = scene.materials[chunk.material];
             if (!scene.castsInMaps(material) || isBeyond(chunk.bounds, source, range)) continue;
             // A map can hold cutouts; BLEND surfaces, which only cast when asked to, are whole.
-            gl::Program& variant = program({view.kind, material.alphaMode == AlphaMode::mask});
-            variant.use();
-            if (view.kind == ShadowMapKind::paraboloid)
-                setHalf(variant, view, face);
-            else
-                variant.set("u_clipFromObject",
-                            glm::mat4(view.faces[face].clipFromMap * mapFromObject));
-            variant.set("u_mapFromObject", glm::mat4(mapFromObject));
-            vertexRuns_ += drawCasterChunk(scene, chunk, variant);
+            gl::Program& used = program(task.map.form(), material.alphaMode == AlphaMode::mask);
+            setProjection(used, task, face, mapFromObject);
+            used.set("u_mapFromObject", glm::mat4(mapFromObject));
+            vertexRuns_ += drawCasterChunk(scene, chunk, used);
         }
     }
 }
 
-void ShadowMapPass::drawWarped(const GpuScene& scene, const ShadowMapView& view) {
-    if constexpr (allMapKinds) {
-        if (!warp_) warp_.emplace();
-        warp_->fill(*view.warp);
-        warpedCasters_ = WarpedCasters(scene, view);
-        for (const WarpedCasters::Part& part : warpedCasters_.parts()) {
-            gl::Program& variant = program({view.kind, part.cutout.has_value()});
-            variant.use();
-            AttributeBinding binding(nullptr);
-            using Vertex = WarpedCasters::Vertex;
-            const std::size_t stride = part.cutout ? sizeof(Vertex) : sizeof(glm::vec3);
-            binding.add(part.vertices, 3, GL_FLOAT, false, stride, 0, false);
-            if (part.cutout) {
-                setCasterCutout(scene, scene.materials[*part.cutout], variant);
-                binding.add(part.vertices, 2, GL_FLOAT, false, stride, offsetof(Vertex, texcoord),
-                            false);
-                binding.add(part.vertices, 4, GL_UNSIGNED_BYTE, true, stride,
-                            offsetof(Vertex, color), false);
-            }
-            glDrawArrays(GL_TRIANGLES, 0, part.count);
-            vertexRuns_ += static_cast<std::size_t>(part.count);
-        }
-    }
+void ShadowMapPass::setProjection(const gl::Program& program, const MapTask& task, std::size_t face,
+                                  const glm::dmat4& mapFromObject) const {
+    program.set("u_clipFromObject", glm::mat4(task.view.faces[face].clipFromMap * mapFromObject));
 }
 
-/// See shaders_es2/shadow_map.vert and .frag.
-void ShadowMapPass::setHalf(const gl::Program& program, const ShadowMapView& view,
-                            std::size_t face) const {
-    program.set("u_halfSide", face == 0 ? 1.0f : -1.0f);
-    program.set("u_mapShare", static_cast<float>(view.share));
-    program.set("u_onDisc", glm::vec2(2.0 / (settings_.size * view.share), -1.0 / view.share));
+std::string ShadowMapPass::faceWords(const Light& light) const {
+    if (!isSun(light)) return "a cube's six faces";
+    return settings_.kind == MapKind::cascades
+               ? "up to " + std::to_string(settings_.cascades) + " cascades"
+               : "one map";
+}
+
+std::string ShadowMapPass::words(const Light& light) const {
+    const std::string size = std::to_string(settings_.size);
+    const std::string words = faceWords(light) + " of " + size + " x " + size + " texels, ";
+    if (settings_.soft == SoftShadows::pcss && light.extent)
+        return words + "percentage-closer soft shadows";
+    return words + filterWords() + ", " + std::to_string(settings_.pcf) + " wide";
 }
 
 std::size_t ShadowMapPass::bytes() const {
     std::size_t total = 0;
-    for (const auto& [kind, map] : targets_)
-        total += map.bytes();
-    if constexpr (allMapKinds) total += (blur_ ? blur_->bytes() : 0) + warpBytes();
+    for (const auto& [parallel, of] : kept_)
+        total += of.target.bytes();
     return total;
 }
 
 std::size_t ShadowMapPass::bytesOf(const Light& light) const {
-    const ShadowMapKind kind = mapKindOf(light, settings_);
-    const auto found = targets_.find(kind);
-    if (found == targets_.end()) return 0;
-    return found->second.bytes() + (kind == ShadowMapKind::warped ? warpBytes() : 0);
-}
-
-std::size_t ShadowMapPass::warpBytes() const {
-    if constexpr (allMapKinds)
-        return warp_ ? WarpTable::bytes() + warpedCasters_.bytes() : 0;
-    else
-        return 0;
+    const auto found = kept_.find(isSun(light));
+    return found != kept_.end() ? found->second.target.bytes() : 0;
 }
 
 } // namespace edgeshade

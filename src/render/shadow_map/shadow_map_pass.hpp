@@ -1,51 +1,88 @@
 #pragma once
 
 #include "src/gl/program.hpp"
-#include "src/render/shadow_map/map_blur.hpp"
 #include "src/render/shadow_map/shadow_map_target.hpp"
 #include "src/render/shadow_map/shadow_map_view.hpp"
-#include "src/render/shadow_map/warp_table.hpp"
-#include "src/render/shadow_map/warped_casters.hpp"
+#include "src/render/technique/shadow_technique.hpp"
 #include "src/scene/gpu_scene.hpp"
 
 #include <map>
+#include <string>
 
 namespace edgeshade {
 
 /// Draws shadow maps (Williams 1978), the method that shadow volumes are measured against: six
-/// faces of a cube or two paraboloids around a point light, one parallel projection or several for
-/// a directional light; and filters them, if so set. One map of each kind is kept, and drawn anew
-/// only for another light, where something has moved, or cascades by a texel.
+/// faces of a cube around a point light, one parallel projection or several for a directional
+/// light. One map for lamps and one for suns are kept, and drawn again only for another light,
+/// where something has moved, or when cascades move by a texel.
+///
+/// Further kinds and filters of maps derive from it (Rivals::maps()).
 class ShadowMapPass {
   public:
-    /// Throws Error(unavailable) if the maps are larger than the GL allows.
-    ShadowMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
+    /// `texelWidth`: texels of a texture, side by side, that a map's texel takes. Throws
+    /// Error(unavailable) if the maps are larger than the GL allows.
+    ShadowMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities,
+                  int texelWidth = 1);
+    virtual ~ShadowMapPass() = default;
+
+    /// Looks at what the frame shows.
+    virtual void beginFrame(const FrameStart&) {}
 
     /// Draws the light's map of all casters in its range, from both sides, for what `frame` shows.
     /// The framebuffer stays bound and the scissor as it is; viewport, depth, stencil and blending
     /// state are left changed. The map is valid until the next call.
-    /// `visible`: places of what is seen, in the world, for which maps are warped.
-    ShadowMapLookup draw(const GpuScene& scene, const FrameView& frame, const Light& light,
-                         std::span<const glm::dvec3> visible = {});
+    ShadowMapLookup draw(const GpuScene& scene, const FrameView& frame, const Light& light);
 
-    /// Of lookups from now on.
+    /// Sets the bias of lookups from now on.
     void setBias(float texels) { settings_.biasTexels = texels; }
 
-    /// Of the maps that were needed so far, with what filters and warps them.
-    std::size_t bytes() const;
-    /// Of the one that the light's kind has, without what filters it; 0 before one was drawn.
-    std::size_t bytesOf(const Light& light) const;
+    /// The map that the light gets, for people: "up to 4 cascades of 2048 x 2048 texels, compared,
+    /// 3 wide".
+    std::string words(const Light& light) const;
+
+    /// Bytes of all maps that were needed so far.
+    virtual std::size_t bytes() const;
+    /// Bytes of the map that lights of this light's kind share; 0 before one was drawn.
+    virtual std::size_t bytesOf(const Light& light) const;
 
     /// Vertices that the last call of draw() sent through shaders: 0 where the map was kept.
     std::size_t vertexRuns() const { return vertexRuns_; }
 
-  private:
-    struct Variant {
-        ShadowMapKind kind;
-        bool alphaTest;
-
-        auto operator<=>(const Variant&) const = default;
+  protected:
+    /// One map, as it is drawn.
+    struct MapTask {
+        const GpuScene& scene;
+        const Light& light;
+        const ShadowMapView& view;
+        const ShadowMapTarget& map;
     };
+
+    virtual MapForm formOf(const Light& light) const;
+    virtual ShadowMapView viewOf(const Light& light, const MapSubject& subject,
+                                 const FrameView& frame, int depthBits);
+    /// #defines of shadow_map.vert and .frag.
+    virtual std::vector<std::string> casterDefines(const MapForm& form) const;
+    /// #defines of shadow_map_lookup.glsl.
+    virtual std::vector<std::string> receiverDefines(const MapForm& form) const;
+    /// Draws all casters into a face that is bound and clear.
+    virtual void drawFace(const MapTask& task, std::size_t face);
+    /// Tells the program where the face shows casters.
+    virtual void setProjection(const gl::Program& program, const MapTask& task, std::size_t face,
+                               const glm::dmat4& mapFromObject) const;
+    /// Comes after all faces are drawn.
+    virtual void finish(const MapTask&) {}
+    virtual const MapUniforms* further(const Light&) { return nullptr; }
+    virtual std::string faceWords(const Light& light) const;
+    virtual std::string filterWords() const { return "compared"; }
+
+    /// In use.
+    gl::Program& program(const MapForm& form, bool alphaTest);
+
+    ShadowMapSettings settings_;
+    gl::Capabilities capabilities_;
+    std::size_t vertexRuns_ = 0;
+
+  private:
     /// What a map shows.
     struct Drawn {
         std::shared_ptr<const int> scene; ///< GpuScene::identity; held, so that it stays unique
@@ -56,27 +93,20 @@ class ShadowMapPass {
 
         bool operator==(const Drawn&) const = default;
     };
+    /// A map that is kept: for lamps, or for suns.
+    struct Kept {
+        ShadowMapTarget target;
+        std::vector<std::string> defines; ///< receiverDefines()
+        std::optional<Drawn> drawn{};     ///< what the target holds
+    };
     static MapSubject subjectOf(const GpuScene& scene, const Box& bounds);
     static Drawn drawnOf(const GpuScene& scene, const ShadowMapView& view, const Light& light);
-    const ShadowMapTarget& target(ShadowMapKind kind);
-    void drawFaces(const GpuScene& scene, const ShadowMapView& view, const ShadowMapTarget& map,
-                   const Light& light);
-    gl::Program& program(const Variant& variant);
-    void drawCasters(const GpuScene& scene, const ShadowMapView& view, std::size_t face,
-                     const Light& light);
-    void drawWarped(const GpuScene& scene, const ShadowMapView& view);
-    void setHalf(const gl::Program& program, const ShadowMapView& view, std::size_t face) const;
-    std::size_t warpBytes() const;
+    Kept& kept(const Light& light);
+    void drawFaces(const MapTask& task);
 
-    ShadowMapSettings settings_;
-    gl::Capabilities capabilities_;
-    std::map<ShadowMapKind, ShadowMapTarget> targets_;
-    std::map<ShadowMapKind, Drawn> drawn_; ///< what each target holds
-    std::map<Variant, gl::Program> programs_;
-    std::optional<MapBlur> blur_;   ///< once a map was filtered
-    std::optional<WarpTable> warp_; ///< once one was warped
-    WarpedCasters warpedCasters_;   ///< likewise, of the last one
-    std::size_t vertexRuns_ = 0;
+    int texelWidth_;
+    std::map<bool, Kept> kept_;                             ///< by MapForm::parallel
+    std::map<std::pair<bool, bool>, gl::Program> programs_; ///< by MapForm::parallel, alphaTest
 };
 
 } // namespace edgeshade

@@ -11,35 +11,19 @@
 namespace edgeshade {
 namespace {
 
-std::size_t faceCount(ShadowMapKind kind, int cascades) {
-    switch (kind) {
-    case ShadowMapKind::directional:
-    case ShadowMapKind::warped:
-        return 1;
-    case ShadowMapKind::cascades:
-        return static_cast<std::size_t>(cascades);
-    case ShadowMapKind::paraboloid:
-        return 2;
-    default:
-        return 6;
-    }
-}
-
-GLenum faceTarget(ShadowMapKind kind, std::size_t face) {
-    return kind == ShadowMapKind::point ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face)
-                                        : GL_TEXTURE_2D;
+GLenum faceTarget(bool cube, std::size_t face) {
+    return cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face) : GL_TEXTURE_2D;
 }
 
 /// A texture of one face, or of a cube's six; nothing if the GL has no memory for it.
-std::optional<gl::Texture> makeMapTexture(ShadowMapKind kind, int width, int size) {
+std::optional<gl::Texture> makeMapTexture(bool cube, int width, int size) {
     gl::Name name = 0;
     glGenTextures(1, &name);
     gl::Texture texture(name);
-    const bool isCube = kind == ShadowMapKind::point;
-    const GLenum target = isCube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    const GLenum target = cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
     glBindTexture(target, name);
-    for (std::size_t face = 0; face < (isCube ? 6u : 1u); ++face)
-        glTexImage2D(faceTarget(kind, face), 0, GL_RGBA, width, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+    for (std::size_t face = 0; face < (cube ? 6u : 1u); ++face)
+        glTexImage2D(faceTarget(cube, face), 0, GL_RGBA, width, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                      nullptr);
     // Packed distances can't be averaged.
     glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -60,18 +44,17 @@ Error tooLarge(int size) {
 
 } // namespace
 
-ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, const ShadowMapSettings& settings,
+ShadowMapTarget::ShadowMapTarget(const MapForm& form, int size, int texelWidth,
                                  const gl::Capabilities& capabilities)
-    : kind_(kind), size_(settings.size), width_(settings.halves() * settings.size),
-      faces_(faceCount(kind, settings.cascades)) {
+    : form_(form), size_(size), width_(texelWidth * size) {
     std::optional<gl::Texture> whole;
-    if (kind == ShadowMapKind::point) whole = makeMapTexture(kind, width_, size_);
+    if (form.cube) whole = makeMapTexture(true, width_, size_);
     if (whole) {
         textures_.push_back(std::move(*whole));
     } else {
-        if (kind == ShadowMapKind::point) kind_ = ShadowMapKind::pointApart;
-        while (textures_.size() < faces_) {
-            std::optional<gl::Texture> face = makeMapTexture(kind_, width_, size_);
+        form_.cube = false;
+        while (static_cast<int>(textures_.size()) < form_.faces) {
+            std::optional<gl::Texture> face = makeMapTexture(false, width_, size_);
             if (!face) throw tooLarge(size_);
             textures_.push_back(std::move(*face));
         }
@@ -100,8 +83,8 @@ ShadowMapTarget::ShadowMapTarget(ShadowMapKind kind, const ShadowMapSettings& se
 
 void ShadowMapTarget::bindFace(std::size_t face) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, faceTarget(kind_, face),
-                           textures_[kind_ == ShadowMapKind::point ? 0 : face].name(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, faceTarget(form_.cube, face),
+                           textures_[form_.cube ? 0 : face].name(), 0);
 }
 
 std::array<gl::Name, 6> ShadowMapTarget::textures() const {
@@ -114,12 +97,11 @@ std::array<gl::Name, 6> ShadowMapTarget::textures() const {
 std::size_t ShadowMapTarget::bytes() const {
     const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(size_);
     const std::size_t depthBytes = depthBits_ > 16 ? 4 : 2;
-    return texels * (4 * faces_ + depthBytes);
+    return texels * (4 * static_cast<std::size_t>(form_.faces) + depthBytes);
 }
 
-void requireMapSize(const ShadowMapSettings& settings, const gl::Capabilities& capabilities) {
-    const int size = settings.size;
-    int largest = std::min(size * settings.halves(), capabilities.largestTexture);
+void requireMapSize(int size, int texelWidth, const gl::Capabilities& capabilities) {
+    int largest = std::min(size * texelWidth, capabilities.largestTexture);
     for (const GLenum limit :
          {GL_MAX_TEXTURE_SIZE, GL_MAX_CUBE_MAP_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {
         GLint value = 0;
@@ -129,7 +111,7 @@ void requireMapSize(const ShadowMapSettings& settings, const gl::Capabilities& c
     GLint viewport[2] = {};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
     largest = std::min({largest, viewport[0], viewport[1]});
-    largest /= settings.halves();
+    largest /= texelWidth;
     if (largest < size)
         throw Error(ExitStatus::unavailable, "A shadow map of " + std::to_string(size) +
                                                  " texels is too large here; the largest is " +

@@ -14,29 +14,26 @@ namespace edgeshade {
 /// of their own.
 class ShadowMapTarget {
   public:
-    /// `kind`: what is wanted; a cube comes apart where it must. Textures are as many times as wide
-    /// as ShadowMapSettings::halves() says; distances are drawn into their left part.
+    /// `form`: the one that is wanted; a cube comes apart where it must. `size`: texels along an
+    /// edge. Textures are `texelWidth` times as wide; distances are drawn into their left part.
     /// Changes the framebuffer binding. Throws Error(unavailable) if the GL can't.
-    ShadowMapTarget(ShadowMapKind kind, const ShadowMapSettings& settings,
+    ShadowMapTarget(const MapForm& form, int size, int texelWidth,
                     const gl::Capabilities& capabilities);
 
     /// Binds a face for drawing. The viewport is the caller's.
     void bindFace(std::size_t face) const;
 
-    ShadowMapKind kind() const { return kind_; }
+    const MapForm& form() const { return form_; }
     /// Of a cube map one, else one for each face.
     std::array<gl::Name, 6> textures() const;
     /// How many are flat: of a cube map none.
-    int flatCount() const {
-        return kind_ == ShadowMapKind::point ? 0 : static_cast<int>(textures_.size());
-    }
+    int flatCount() const { return form_.cube ? 0 : static_cast<int>(textures_.size()); }
     int depthBits() const { return depthBits_; }
     std::size_t bytes() const;
 
   private:
-    ShadowMapKind kind_;
+    MapForm form_;
     int size_, width_;
-    std::size_t faces_;
     int depthBits_ = 0;
     std::vector<gl::Texture> textures_;
     gl::Renderbuffer depth_;
@@ -44,6 +41,6 @@ class ShadowMapTarget {
 };
 
 /// Throws Error(unavailable) if such maps are more than the GL can hold.
-void requireMapSize(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
+void requireMapSize(int size, int texelWidth, const gl::Capabilities& capabilities);
 
 } // namespace edgeshade

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/render/technique/caster_group.hpp"
+#include "src/render/technique/light_method.hpp"
 #include "src/render/timing/stage_clock.hpp"
 #include "src/shadow/geometry/pixel_rectangle.hpp"
 #include "src/shadow/plan/count_plan.hpp"
@@ -37,6 +38,10 @@ class ShadowTechnique {
   public:
     virtual ~ShadowTechnique() = default;
 
+    /// Makes what it needs of a scene that rests, beyond records and primitive maps. Kept for the
+    /// scene that was prepared last.
+    virtual void prepareScene(const GpuScene&, const LoadedScene&) {}
+
     /// Throws Error(unavailable) if it can't make shadows in such a view.
     virtual void beginFrame(const FrameStart&) {}
     /// The framebuffer shows other surfaces from now on.
@@ -72,6 +77,9 @@ class ShadowTechnique {
     virtual const GpuPrimitiveMap* primitivesOf(const GpuScene&, const Light&) const {
         return nullptr;
     }
+
+    /// Says how it makes this light's shadows: what is left as it is, reports say already.
+    virtual void describe(const GpuScene&, const Light&, LightMethod&) const {}
 
     /// Memory on the GPU beyond the scene's.
     virtual std::size_t bytes() const { return 0; }

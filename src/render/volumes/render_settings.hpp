@@ -4,6 +4,7 @@
 #include "src/environment/environment.hpp"
 #include "src/policy/shadow_policy.hpp"
 #include "src/render/shadow_map/shadow_map.hpp"
+#include "src/render/technique/rivals.hpp"
 #include "src/render/volumes/multiplicity_method.hpp"
 #include "src/shadow/primitive_map/primitive_map.hpp"
 
@@ -46,6 +47,7 @@ struct RenderSettings {
     bool softTerminator = false; ///< of full shading: see shaders_es2/terminator.glsl
     float exposure = 0.0f;       ///< of full shading, in EV: light is taken 2^exposure times
     glm::vec3 background{0.86f, 0.89f, 0.92f};
+    const Rivals* rivals = nullptr; ///< methods beyond the library's; null: there are none
 
     /// How many points of each light that has an extent are counted; 0: its map knows better.
     std::size_t countedPoints() const {
@@ -64,7 +66,13 @@ struct RenderSettings {
     /// What volumes are drawn from; nothing where there are none.
     std::optional<VolumeRecords> records() const {
         if (shadows != ShadowMethod::volumes && !looksUpPrimitives()) return std::nullopt;
-        return VolumeRecords{volumeLayoutOf(multiplicity), layout};
+        return recordsOf(multiplicity, layout);
+    }
+
+    /// The records that volumes of that multiplicity are drawn from.
+    VolumeRecords recordsOf(MultiplicityMethod method, SidesLayout sides) const {
+        const VolumeLayout volumes = volumeLayoutOf(method);
+        return {volumes, sides, rivals ? rivals->records(volumes) : nullptr};
     }
 };
 

@@ -1,7 +1,6 @@
 #include "src/render/volumes/volume_counter.hpp"
 
 #include "src/render/volumes/stencil_count.hpp"
-#include "src/scene/build_parts.hpp"
 
 #include <cmath>
 #include <GLES2/gl2.h>
@@ -52,14 +51,12 @@ void VolumeCounter::count(const CountPlan& plan, const VolumeRenderer& volumes,
     const auto drawAll = [&](const std::vector<VolumeDraw>& draws) {
         forEachDraw(draws, plan, volumes, scene, casters,
                     [&](const VolumeDraw& draw, const DrawnBatch& batch) {
-                        const bool negative =
-                            hasRivals && draw.shape == VolumeDraw::Shape::negativeSides;
+                        const bool negative = draw.shape == VolumeDraw::Shape::negativeSides;
                         countByOne(draw.zFail, batch.mirrored != negative);
                         std::optional<CulledCapOffset> offset;
                         if (draw.culled) offset.emplace(offsetSlopes_, offsetUnits_);
                         std::optional<CountAll> all;
-                        if constexpr (hasRivals)
-                            if (draw.shape == VolumeDraw::Shape::nearCaps) all.emplace();
+                        if (draw.shape == VolumeDraw::Shape::nearCaps) all.emplace();
                         volumes.draw(draw, batch);
                     });
     };

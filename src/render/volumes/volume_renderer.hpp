@@ -25,15 +25,6 @@ struct DrawnBatch {
     bool mirrored = false;
 };
 
-/// The plan of records that know triangles by their corners, before anything is drawn of them.
-BatchPlan cornerRecordPlan(const GpuBatch& batch, std::size_t index, const Light& light);
-
-/// Whether the light touches some caster (docs/method.md, C47): records that know triangles by
-/// their corners need programs of their own then, so that others need not ask.
-inline bool isInContact(const BatchPlan& plan) {
-    return plan.reach > 0.0f;
-}
-
 /// Plans and draws shadow volumes from one layout of records. Each frame: beginFrame(); plan();
 /// prepare() with what is planned; then draw(), which changes nothing but what the GL draws.
 class VolumeRenderer {

@@ -1,0 +1,66 @@
+// The shadow volume of one triangle A < B < C, no matter what is next to it (Sambeek 2007): its
+// front cap, its three sides, its back cap, all counted by the one sign of that triangle, so that it is
+// closed whatever the sign is (docs/method.md, C3).
+//
+// It takes two draws: caps and sides of multiplicity 1, then sides of multiplicity -1, whose stencil
+// operations are swapped. So the side over an edge has the same vertices in the same order whichever
+// triangle it is of, and neighbours' sides cancel in every pixel (C5).
+//
+// Vertices v: 0..2 the front cap; 3..8 the first triangles of up to two sides, 9..14 the second ones,
+// which have no area where the light is a direction; 15..17 the back cap, likewise.
+//
+// Variants: INSTANCED as in sides.vert, else u_vertices says which are drawn; those of
+// cap_corner.glsl.
+#include "record_layout.glsl"
+#include "rivals/published/multiplicity.glsl"
+#include "cap_corner.glsl"
+
+#ifdef INSTANCED
+attribute vec2 a_corner; // x: v
+#else
+uniform vec2 u_vertices; // the first, and that after the last
+#endif
+attribute vec4 a_capA; // not instanced: w = v
+attribute vec4 a_capB;
+attribute vec4 a_capC;
+
+uniform vec4 u_light;         // in object space
+uniform float u_multiplicity; // 1 or -1: that of the sides which are drawn
+
+void emitSide(float v, float facing) {
+    bool second = v > 5.5;
+    float corner = second ? v - 6.0 : v;
+    bool further = corner > 2.5; // the other side
+    float of = further ? corner - 3.0 : corner;
+    // AB and BC have the triangle's sign; the opposite vertex of AC is between its ends.
+    bool two = facing == u_multiplicity;
+    vec3 low = two && further ? a_capB.xyz : a_capA.xyz;
+    vec3 high = two && !further ? a_capB.xyz : a_capC.xyz;
+    float id = second ? of + 1.0 : 2.0 - of; // as in sides.vert
+    vec3 end = id == 0.0 || id == 2.0 ? low : high;
+    vec4 place = id > 1.5 ? toInfinity(end, u_light) : vec4(end, 1.0);
+    bool drawn = facing != 0.0 && (two || !further);
+    gl_Position = drawn ? rasterizable(u_clipFromObject, clipPosition(u_clipFromObject, place))
+                        : vec4(0.0);
+#ifdef ALPHA_TEST
+    v_alphaLookup = vec3(0.0);
+    v_isBack = 1.0; // solid
+#endif
+#ifdef NEAR_DISCARD
+    v_clipZW = vec2(0.0, 1.0); // what clips it is clipping alone
+#endif
+}
+
+void main() {
+    float facing = triangleSign(a_capA.xyz, a_capB.xyz, a_capC.xyz, u_light);
+#ifdef INSTANCED
+    float v = a_corner.x;
+#else
+    float v = a_capA.w;
+    if (v < u_vertices.x || v >= u_vertices.y) facing = 0.0;
+#endif
+    if (v > 2.5 && v < 14.5)
+        emitSide(v - 3.0, facing);
+    else
+        emitCap(v < 2.5 ? v : v - 12.0, facing, a_capA.xyz, a_capB.xyz, a_capC.xyz, u_light);
+}

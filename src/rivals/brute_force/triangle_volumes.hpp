@@ -1,0 +1,60 @@
+#pragma once
+
+#include "src/gl/program.hpp"
+#include "src/render/volumes/render_settings.hpp"
+#include "src/render/volumes/volume_renderer.hpp"
+#include "src/rivals/published/shadow_buffers.hpp"
+
+#include <map>
+#include <optional>
+
+namespace edgeshade {
+
+/// Draws the shadow volume of every casting triangle by itself (Sambeek 2007): nothing is known
+/// of edges, so that any soup of triangles is counted right, and nothing cancels before it is
+/// drawn.
+///
+/// Behind surfaces (z-fail) that is two caps and three sides each. Before them (z-pass) sides
+/// alone, and each triangle is projected by the light onto the near plane, where it says which
+/// pixels begin within its volume (ZP+: Hornus et al. 2005). Where the light all but lies in that
+/// plane nothing is seen of such a projection, and volumes are counted behind surfaces.
+class TriangleVolumes : public VolumeRenderer {
+  public:
+    /// `instancing` must be there unless the layout is notInstanced; of the others there is one.
+    /// `tints`: for debug views.
+    TriangleVolumes(BruteForceCount count, SidesLayout layout,
+                    std::optional<gl::Instancing> instancing,
+                    std::optional<VolumeTints> tints = {});
+
+    CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
+    void prepare(const CountPlan& plan, GpuScene& scene,
+                 const CasterGroupInSlice& casters) override;
+    void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
+    VolumeLayout layout() const override { return VolumeLayout::triangles; }
+
+  private:
+    struct Variant {
+        bool nearCaps, nearDiscard, alphaTest, contact;
+
+        auto operator<=>(const Variant&) const = default;
+    };
+    /// Of a record's vertices, in the order of brute_force/triangle_volume.vert.
+    struct Vertices {
+        int first, count;
+    };
+
+    static Variant variantOf(const VolumeDraw& draw, const BatchPlan& plan);
+    static Vertices verticesOf(const VolumeDraw& draw, const DrawnBatch& batch);
+    gl::Program makeProgram(const Variant& variant) const;
+    void drawRecords(const gl::Program& program, const ShadowBuffers& triangles,
+                     const RecordRange& range, const Vertices& vertices, bool alphaTested) const;
+
+    BruteForceCount count_;
+    bool copied_; ///< records are, for every vertex
+    std::optional<gl::Instancing> instancing_;
+    std::optional<VolumeTints> tints_;
+    gl::Buffer corners_; ///< v of the vertices of a record
+    std::map<Variant, gl::Program> programs_;
+};
+
+} // namespace edgeshade

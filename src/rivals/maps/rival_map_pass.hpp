@@ -1,0 +1,48 @@
+#pragma once
+
+#include "src/render/shadow_map/shadow_map_pass.hpp"
+#include "src/rivals/maps/map_blur.hpp"
+#include "src/rivals/maps/map_warper.hpp"
+
+#include <optional>
+
+namespace edgeshade {
+
+/// Draws shadow maps as two paraboloids around lamps (Brabec et al. 2002) or warped for what is
+/// visible of a sun (Rosen 2012; Milet et al. 2015), and reads maps by Poisson taps or filtered:
+/// variance, exponential and moment maps.
+class RivalMapPass : public ShadowMapPass, private MapUniforms {
+  public:
+    RivalMapPass(const ShadowMapSettings& settings, const gl::Capabilities& capabilities);
+
+    void beginFrame(const FrameStart& start) override;
+    std::size_t bytes() const override;
+    std::size_t bytesOf(const Light& light) const override;
+
+  protected:
+    MapForm formOf(const Light& light) const override;
+    ShadowMapView viewOf(const Light& light, const MapSubject& subject, const FrameView& frame,
+                         int depthBits) override;
+    std::vector<std::string> casterDefines(const MapForm& form) const override;
+    std::vector<std::string> receiverDefines(const MapForm& form) const override;
+    void drawFace(const MapTask& task, std::size_t face) override;
+    void setProjection(const gl::Program& program, const MapTask& task, std::size_t face,
+                       const glm::dmat4& mapFromObject) const override;
+    void finish(const MapTask& task) override;
+    const MapUniforms* further(const Light& light) override;
+    std::string faceWords(const Light& light) const override;
+    std::string filterWords() const override;
+
+  private:
+    bool isParaboloid(const MapForm& form) const;
+    bool isWarped(const MapForm& form) const { return warper_ && form.parallel; }
+    double faceShare(const MapForm& form) const;
+    void set(gl::Program& program, int unit) const override;
+    int units() const override { return isWarped(receivers_) ? 1 : 0; }
+
+    std::optional<MapWarper> warper_; ///< where suns' maps are warped
+    std::optional<MapBlur> blur_;     ///< once a map was filtered
+    MapForm receivers_;               ///< the form of the map that was drawn last
+};
+
+} // namespace edgeshade

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "src/gl/objects.hpp"
+#include "src/rivals/maps/map_warp.hpp"
+#include "src/scene/gpu_scene.hpp"
+
+namespace edgeshade {
+
+/// All casters of a scene as a warped map shows them, cut by the processor (WarpCuts) and uploaded.
+class WarpedCasters {
+  public:
+    struct Vertex {
+        glm::vec3 place; ///< WarpedCorner's
+        glm::vec2 texcoord;
+        std::uint8_t color[4];
+    };
+    /// Casters that are drawn alike.
+    struct Part {
+        std::optional<std::size_t> cutout; ///< the alpha-tested material; nothing: they are whole
+        gl::Buffer vertices;               ///< Vertex; of whole ones `place` alone
+        int count = 0;
+    };
+
+    WarpedCasters() = default;
+    /// `mapFromWorld`: a warped map's, see ShadowMapView. Throws Error(unavailable) if the GL has
+    /// no memory for them.
+    WarpedCasters(const GpuScene& scene, const glm::dmat4& mapFromWorld, const MapWarp& warp);
+
+    const std::vector<Part>& parts() const { return parts_; }
+    std::size_t bytes() const;
+
+  private:
+    std::vector<Part> parts_;
+};
+
+} // namespace edgeshade

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "src/render/volumes/volume_renderer.hpp"
+#include "src/rivals/published/caps_pass.hpp"
+#include "src/rivals/published/sides_pass.hpp"
+
+namespace edgeshade {
+
+/// Draws shadow volumes from opposite-vertex records: edges with the opposite vertices of their
+/// triangles. Every edge and every cap of every batch is drawn, z-fail.
+class OppositeVertexVolumes : public VolumeRenderer {
+  public:
+    /// `instancing` must be there unless the layout is notInstanced. `tints`: for debug views.
+    OppositeVertexVolumes(MultiplicityMethod method, SidesLayout layout,
+                          std::optional<gl::Instancing> instancing,
+                          std::optional<VolumeTints> tints = {});
+
+    CountPlan plan(const GpuScene& scene, const CasterGroupInSlice& casters) override;
+    void prepare(const CountPlan& plan, GpuScene& scene,
+                 const CasterGroupInSlice& casters) override;
+    void draw(const VolumeDraw& draw, const DrawnBatch& batch) const override;
+    VolumeLayout layout() const override { return VolumeLayout::oppositeVertices; }
+
+  private:
+    void setCommon(const gl::Program& program, const VolumeDraw& draw,
+                   const DrawnBatch& batch) const;
+
+    struct Passes {
+        SidesPass sides;
+        CapsPass caps;
+    };
+
+    std::optional<VolumeTints> tints_;
+    std::vector<Passes> passes_; ///< two: by isInContact()
+};
+
+} // namespace edgeshade
