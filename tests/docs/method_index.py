@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the index of all conditions into docs/method.md, from the headings of docs/method/*.md.
+"""Writes the index of conditions in docs/method.md: a row for each heading "C8. ..." of docs/method/*.md.
 
 With --check it writes nothing, and ends with status 1 if the index is stale.
 """
