@@ -3,8 +3,9 @@
 
 * Relative links in every Markdown file lead to a file, and to a heading of it where they name one.
 * What code cites of docs/method.md, "docs/method.md, C8" or "docs/method.md, The closed chain", is a
-  heading there. Paths of documents in code exist.
-* Paths and tests that docs/*.md name in backticks exist, and files that are named `beside` such a path
+  heading there or in one of its chapters, docs/method/*.md; the part before a heading's colon is enough.
+  Paths of documents in code exist.
+* Paths and tests that documents in docs/ name in backticks exist, and files that are named `beside` such a path
   lie in its folder.
 
 Prints a sentence for each that isn't, and ends with status 1.
@@ -75,7 +76,7 @@ def broken_citations(source, sections, conditions):
                 if number not in conditions:
                     yield f"{source} cites docs/method.md, {number}, which is not there."
         elif not any(rest.startswith(section) for section in sections):
-            yield f"{source} cites docs/method.md, '{rest[:30]}…', which is no section of it."
+            yield f"{source} cites docs/method.md, '{rest[:30]}…', which is no section of it or its chapters."
     for section in re.findall(r"\bmethod,? \(?sections? [\d.]+", text):
         yield f"{source} cites '{section}': docs/method.md has names and numbers of its own."
     for path in re.findall(r"\bdocs/[\w/-]+\.(?:md|svg|png)\b", text):
@@ -111,15 +112,18 @@ def main():
     files = list(files_here())
     documents = [path for path in files if path.suffix == ".md"]
     sources = [path for path in files if path.suffix in CODE or path.name in ("run", "test")]
-    method = headings(text_of("docs/method.md"))
+    method = [heading for path in documents
+              if path == pathlib.Path("docs/method.md") or path.parts[:2] == ("docs", "method")
+              for heading in headings(text_of(path))]
     conditions = {m.group(1) for m in map(re.compile(r"(C\d+)\. ").match, method) if m}
+    sections = {heading.split(":")[0] for heading in method}
     tests = {".".join(m) for path in sources if path.parts[0] == "tests"
              for m in re.findall(r"\b(?:TEST|TEST_F|TEST_P|RC_GTEST_PROP)\((\w+),\s*(\w+)",
                                  text_of(path))}
     faults = [fault for document in documents for fault in broken_links(document)]
     faults += [fault for source in sources
                if source != pathlib.Path("tests/docs/check_links.py")
-               for fault in broken_citations(source, method, conditions)]
+               for fault in broken_citations(source, sections, conditions)]
     faults += [fault for document in documents if document.parts[0] == "docs"
                for fault in (*missing_names(document, tests), *misplaced_neighbours(document))]
     print("\n".join(faults) or f"{len(documents)} documents, {len(sources)} sources: all is there")
