@@ -14,15 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The second is the first with a newer vertex codec and one filter more.
+/// The second has a newer vertex codec and one more filter than the first.
 constexpr const char* extensionNames[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr bool isKhronos(std::string_view name) {
     return name == extensionNames[1];
 }
 constexpr std::uint64_t largestDecodedView = std::uint64_t{1} << 31; // bytes
 
-/// Bytes that one compressed byte can stand for. The vertex codec's least is two bits for sixteen
-/// equal bytes, or for a block of 256 in its second version.
+/// The most bytes that one compressed byte can expand to. The vertex codec's minimum is two bits
+/// for sixteen equal bytes, or in its second version for a block of 256.
 constexpr std::uint64_t largestExpansion = 1024;
 
 /// The extension's fields (EXT_meshopt_compression, "Specifying compressed views").
@@ -34,7 +34,7 @@ struct CompressedView {
     std::string filter;
 };
 
-/// The field's value, where memory could hold that many.
+/// The field's value, which must fit a std::size_t.
 std::size_t sizeIn(const JsonField& field) {
     const std::uint64_t value = field.wholeNumber();
     if (value > std::numeric_limits<std::size_t>::max())
@@ -56,7 +56,7 @@ CompressedView readFields(const GltfDocument& document, const JsonField& extensi
             filter ? filter->text() : "NONE"};
 }
 
-/// Decodes into `decoded`, which has count * stride bytes; returns whether the data was sound.
+/// Decodes into `decoded`, which has count * stride bytes; returns whether the data was valid.
 bool decodeMode(const CompressedView& view, Bytes& decoded) {
     if (view.mode == "ATTRIBUTES")
         return meshopt_decodeVertexBuffer(decoded.data(), view.count, view.stride,

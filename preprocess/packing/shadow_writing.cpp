@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Adds views and accessors at the end of a document.
+/// Appends views and accessors to a document.
 class AccessorWriter {
   public:
     AccessorWriter(Json& json, Bytes& binary) : json_(json), binary_(binary) {}
