@@ -8,12 +8,12 @@
 
 namespace edgeshade {
 
-/// What shadow volumes are drawn from.
+/// The records from which shadow volumes are drawn.
 enum class VolumeLayout {
-    planePairs,       ///< records that hold what the scene requires:
-                      ///< preprocess/volumes/plane_pair_data.hpp
-    oppositeVertices, ///< one global multiplicity, every edge, opposite vertices: the baseline
-    triangles,        ///< casting triangles alone, each with a volume of its own: brute force
+    planePairs, ///< records of what the scene requires: preprocess/volumes/plane_pair_data.hpp
+    oppositeVertices, ///< one global multiplicity, every edge, opposite vertices: the published
+                      ///< baseline
+    triangles,        ///< casting triangles, each with its own volume: brute force
 };
 
 /// Which records are on the GPU, and how they reach the vertex shader.
@@ -24,8 +24,8 @@ struct VolumeRecords {
     auto operator<=>(const VolumeRecords&) const = default;
 };
 
-/// One batch's shadow data on the GPU, in one of the layouts or several; null where there are none.
-/// Batches that share their geometry share these.
+/// One batch's shadow data on the GPU, in one or more layouts; null where absent. Batches with the
+/// same geometry share them.
 struct BatchVolumes {
     std::shared_ptr<PlanePairBuffers> planePairs;
     std::shared_ptr<ShadowBuffers> oppositeVertices;

@@ -10,8 +10,8 @@ namespace edgeshade {
 
 /// How records reach the vertex shader (thesis, 6.2.6).
 enum class SidesLayout {
-    instanced,    ///< a record an instance, all its sides in one draw
-    multiDraw,    ///< a record an instance, one draw a side, the side's index a uniform
+    instanced, ///< one record per instance, all its sides in one draw
+    multiDraw, ///< one record per instance, one draw per side, with the side's index as a uniform
     notInstanced, ///< a copy of the record for every vertex; needs no extension
 };
 
@@ -25,16 +25,16 @@ struct RecordChunk {
 /// One batch's shadow data on the GPU.
 struct ShadowBuffers {
     int maxMultiplicity = 1;
-    std::vector<RecordChunk> sides; ///< one when instanced; else as many as keep buffers small
-    std::vector<RecordChunk> caps;  ///< likewise
+    std::vector<RecordChunk> sides; ///< one if instanced; otherwise as many as keep buffers small
+    std::vector<RecordChunk> caps;  ///< divided like the sides
     std::vector<MaterialCasters> groups;
-    gl::Buffer alphaCorners; ///< three vec4s a cap, copied six times when not instanced; or empty
+    gl::Buffer alphaCorners; ///< three vec4s per cap, copied six times if not instanced; or empty
 
     std::size_t sideBytes() const;
-    std::size_t capBytes() const; ///< with what tells their cutouts
+    std::size_t capBytes() const; ///< including alphaCorners
     std::size_t bytes() const { return sideBytes() + capBytes(); }
 
-    /// What is there to be drawn.
+    /// The records that can be drawn.
     OppositeVertexRecords records() const;
 };
 
@@ -42,7 +42,7 @@ struct ShadowBuffers {
 ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& alphaCorners,
                            SidesLayout layout);
 
-/// Uploads triangles that have a volume each, without sides.
+/// Uploads triangles that each have their own volume, without sides.
 ShadowBuffers uploadTriangles(const CasterMesh& mesh, const std::vector<glm::vec4>& alphaCorners,
                               SidesLayout layout);
 
