@@ -27,7 +27,7 @@ void deleteRenderbuffer(Name name) {
     glDeleteRenderbuffers(1, &name);
 }
 
-/// Bytes up to which browsers don't check for lack of memory, as glGetError() waits there until all
+/// Bytes below which browsers don't check for lack of memory, as glGetError() waits there until all
 /// drawing is done.
 constexpr std::size_t surelyThere = inBrowser ? 4u << 20 : 0;
 
