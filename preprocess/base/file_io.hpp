@@ -22,7 +22,7 @@ Bytes readFile(const std::filesystem::path& path,
 /// path, and leaves nothing behind.
 void writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// The same for text.
+/// As above for text.
 void writeFile(const std::filesystem::path& path, std::string_view text);
 
 } // namespace edgeshade

@@ -232,7 +232,7 @@ void checkMaterial(const JsonField& material) {
                          [](const JsonField& unlit) { unlit.requireObject(); });
 }
 
-/// `meaning`: the values, in words.
+/// `meaning`: the allowed values, in words.
 void checkOneOf(const JsonField& object, const char* key, std::initializer_list<int> values,
                 const std::string& meaning) {
     object.ifPresent(key, [&](const JsonField& field) {
@@ -251,7 +251,7 @@ void checkSampler(const JsonField& sampler) {
                "9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
 }
 
-/// Every section that is there is an array of objects; `check` looks into each.
+/// Requires a section, if present, to be an array of objects; `check` checks each object.
 template <class Check>
 void checkSection(const JsonField& root, const char* section, Check check) {
     root.ifPresent(section, [&](const JsonField& items) {
@@ -294,15 +294,16 @@ void checkSections(const JsonField& root) {
             sampler.indexInto(samplerCount, "samplers");
         });
     });
-    checkSection(root, "images", [](const JsonField&) {}); // looked into where they are drawn
+    checkSection(root, "images", [](const JsonField&) {}); // checked when they are decoded
     checkIndex(root, "scene");
     root.ifExtension("CESIUM_RTC",
                      [](const JsonField& extension) { extension.member("center").numbers(3); });
 }
 
-/// What is wrong with text that is no JSON.
+/// The error in text that isn't JSON.
 std::string jsonFault(std::string_view text, std::size_t byte, bool inGlb) {
-    const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); // a mark of UTF-8 too
+    // skips a UTF-8 byte order mark too
+    const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     const bool begun =
         start != std::string_view::npos && (text[start] == '{' || text[start] == '[');
     if (!inGlb && !begun) return " is neither GLB nor JSON.";

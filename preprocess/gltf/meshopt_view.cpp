@@ -91,7 +91,7 @@ void requireSupported(const CompressedView& view, const JsonField& extension) {
                        std::to_string(view.stride) + ", which is not allowed");
 }
 
-/// A stream's first byte has its codec in the upper four bits and its version in the lower.
+/// The upper four bits of a stream's first byte are its codec, the lower four its version.
 void requireKnownVersion(const CompressedView& view, const JsonField& extension) {
     constexpr int vertexCodec = 0xA0;
     const int version = view.bytes.empty() ? 0 : view.bytes[0] - vertexCodec;
@@ -100,7 +100,7 @@ void requireKnownVersion(const CompressedView& view, const JsonField& extension)
                        ", but this program decodes version 0 alone");
 }
 
-/// The count is checked against what is there before memory is set aside for it.
+/// Checks the count against the available data before allocating memory for it.
 void requirePlausible(const CompressedView& view, std::uint64_t viewLength,
                       const JsonField& extension) {
     const std::string count = ".count is " + std::to_string(view.count);
@@ -140,7 +140,7 @@ Bytes decodedView(GltfDocument& document, const JsonField& viewField, const Json
     return decoded;
 }
 
-/// What the extension, whichever of the two it is, says of a buffer or a view; or null.
+/// The extension of a buffer or a view, by either name, or null.
 const Json* extensionOf(const Json& object) {
     const auto extensions = object.find("extensions");
     if (extensions == object.end() || !extensions->is_object()) return nullptr;

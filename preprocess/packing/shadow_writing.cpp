@@ -24,7 +24,7 @@ class AccessorWriter {
         return add(bytes.data(), bytes.size(), bytes.size(), ComponentType::unsignedByte, "SCALAR");
     }
 
-    /// Unsigned integers in the smallest type that holds them.
+    /// Adds unsigned integers, in the smallest type that holds them.
     int add(std::span<const std::uint32_t> values) {
         const std::uint32_t largest =
             values.empty() ? 0 : *std::max_element(values.begin(), values.end());

@@ -19,7 +19,7 @@ std::size_t countInstances(const GltfDocument& document, const JsonField& attrib
         if (!count) first = attribute.key();
         count = found;
     });
-    return count.value_or(1); // withAttributes() gives none that are empty
+    return count.value_or(1); // withAttributes() never passes an empty object
 }
 
 /// The attribute's values; empty if it is missing.
