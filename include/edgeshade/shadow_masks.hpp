@@ -165,7 +165,7 @@ class ShadowMasks {
     /// GL names of RGBA textures of the view's size with nearest filtering, one for every four
     /// lights, valid until the next draw(). The host doesn't delete them.
     std::span<const unsigned> textures() const;
-    /// Of the last draw(), and valid until the next.
+    /// Nearness of the last draw(), valid until the next.
     const MaskNearness& nearness() const;
     const MaskCost& cost() const;
 

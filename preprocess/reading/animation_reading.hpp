@@ -24,7 +24,8 @@ std::vector<AnimationTitle> animationTitles(const GltfDocument& document);
 const AnimationTitle* findAnimation(const std::vector<AnimationTitle>& titles,
                                     const std::string& nameOrIndex);
 
-/// Those with a playable channel; unplayable parts of the others get their warnings.
+/// The titles of animations with a playable channel; unplayable parts of the others get their
+/// warnings.
 std::vector<AnimationTitle> playedAnimations(const GltfDocument& document, Warnings& warnings);
 
 /// Reads the animation with that index in the file, or the first playable one of animationTitles()

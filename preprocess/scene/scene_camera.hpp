@@ -11,7 +11,7 @@ namespace edgeshade {
 /// horizontal field of view, and its depth range isn't taken from the file.
 struct SceneCamera {
     std::string name;                ///< its own name, which need not be unique; empty: none
-    std::string nodeName;            ///< the node's name, likewise
+    std::string nodeName;            ///< the node's name, which need not be unique; empty: none
     NodePlace place;                 ///< place of the node
     glm::dmat4 worldFromCamera{1.0}; ///< rigid: x right, y up, looking along -z
     bool orthographic = false;

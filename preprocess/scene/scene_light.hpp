@@ -19,8 +19,8 @@ struct SceneLight {
     glm::dvec3 position{0.0};
     glm::dvec3 direction{0.0, 0.0, -1.0}; ///< direction in which it shines, of length 1; unused for
                                           ///< a point light
-    glm::dvec3 color{1.0};  ///< linear, 0 or more
-    double intensity = 1.0; ///< candela; lux for a directional light; 0 or more
+    glm::dvec3 color{1.0};                ///< linear, 0 or more
+    double intensity = 1.0;               ///< candela; lux for a directional light; 0 or more
     /// Scene units, above 0; unused for directional lights. Scaled nodes don't scale it.
     double range = std::numeric_limits<double>::infinity();
     /// A spot's angles from its direction, in radians: full light within the inner one, none from

@@ -308,8 +308,8 @@ class Course {
     }
 
     double frameMs(Contender& contender) {
-        // Uploads before timing, as it is not part of a frame, unless lights move and every frame
-        // needs it.
+        // Builds before timing what only the first use needs, as it is no part of a frame. Moving
+        // lights need nothing of that kind.
         contender.stage.sceneFor(contender.needs, viewFor(contender),
                                  contender.renderer.settings());
         return timed([&] {

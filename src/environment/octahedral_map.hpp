@@ -6,9 +6,9 @@
 
 namespace edgeshade {
 
-/// The position of a direction, of any length but 0, on the map, within [-1, 1]: the octahedron
-/// unfolded into a square, +Y in its middle, -Y in its corners (Meyer et al., "On Floating-Point
-/// Normal Vectors", 2010).
+/// The position of a direction, of any length but 0, on the map, within [-1, 1]. The map is the
+/// octahedron unfolded into a square, +Y in its middle, -Y in its corners (Meyer et al., "On
+/// Floating-Point Normal Vectors", 2010).
 glm::vec2 octahedralFromDirection(const glm::vec3& direction);
 
 /// The direction of unit length at a position on the map.

@@ -10,7 +10,7 @@ namespace {
 PixelSurface surfaceAt(const Oracle& oracle, double x, double y) {
     const std::vector<Oracle::Hit> hits = oracle.surfacesAt(x, y);
     if (hits.empty()) return {};
-    // Of coinciding surfaces takes the first one, as drawing does.
+    // Takes the first of coinciding surfaces, as drawing does.
     const auto nearest =
         std::min_element(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
             return std::pair(a.depth, a.triangle) < std::pair(b.depth, b.triangle);

@@ -18,7 +18,7 @@ struct PixelSurface {
 inline constexpr double leastCosine = 0.01;
 
 /// The area of the triangle's plane that a pixel shows, in scene units squared, if its ray meets
-/// the triangle at that depth: the pixel's solid angle, or an orthographic picture's pixel,
+/// the triangle at that depth. It is the pixel's solid angle, or an orthographic picture's pixel,
 /// projected onto the plane.
 double footprintArea(const Question& question, const EyeTriangle& triangle, const PixelRay& ray,
                      double depth);

@@ -52,7 +52,7 @@ struct SettledAnswers {
 };
 
 /// As compareWithOracle(), for an image only and without ties. Counts pixels, visiblePixels,
-/// wrongImagePixels and wrongImageBeyond1px. Judges no pixel again more than once. `expected`: the
+/// wrongImagePixels and wrongImageBeyond1px. Judges each pixel again at most once. `expected`: the
 /// picture for these answers.
 WrongCounts countWrongImage(const Oracle& oracle, SettledAnswers& answers,
                             std::span<const std::uint8_t> image, OraclePicture& expected);

@@ -30,11 +30,12 @@ LocalTime localTimeFromText(std::string_view text);
 /// The text of a time, with seconds only if they aren't 0.
 std::string textOf(const LocalTime& time);
 
-/// Parses "2026-06-21". Throws Error(usage) likewise.
+/// Parses "2026-06-21". Throws Error(usage) like localTimeFromText().
 std::chrono::sys_days dateFromText(std::string_view text);
 std::string textOf(std::chrono::sys_days date);
 
-/// Parses an offset from UTC, "+02:00" or "Z", of at most 14 hours. Throws Error(usage) likewise.
+/// Parses an offset from UTC, "+02:00" or "Z", of at most 14 hours. Throws Error(usage) like
+/// localTimeFromText().
 std::chrono::minutes offsetFromText(std::string_view text);
 std::string textOf(std::chrono::minutes offset);
 

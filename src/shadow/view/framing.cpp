@@ -12,7 +12,7 @@ constexpr double margin = 1.06;
 /// Without it a needle that points at the eye would have its tip there.
 constexpr double leastEyeDistance = 0.02 * (1.0 + 1e-6);
 
-/// Possible positions of an eye along one axis of the picture: a point at x to the side and z
+/// Possible positions of an eye along one axis of the picture. A point at x to the side and z
 /// towards the eye is visible from (eye, height) if |x - eye| <= tangent * (height - z).
 class Spread {
   public:

@@ -40,7 +40,7 @@ Frustum frustumOf(const Camera& camera, double aspect, std::optional<double> hei
 /// matrix: numbers that aren't finite, a view that shears or mirrors, a projection of neither kind.
 Frustum frustumOf(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView);
 
-/// The rigid part of a view matrix; throws likewise.
+/// The rigid part of a view matrix. Throws as frustumOf() does.
 glm::dmat4 rigidView(const glm::dmat4& viewFromWorld);
 
 /// Moves an orthographic camera back along its viewing direction until the whole box is in front of
