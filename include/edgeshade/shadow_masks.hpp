@@ -21,7 +21,7 @@ namespace edgeshade {
 ///    size: the share of light i that reaches a fragment is channel i % 4 of textures()[i / 4] at
 ///    gl_FragCoord.xy / size.
 ///
-/// The masks draw their own depth. Alpha-tested surfaces (MaskMesh::alphaTested) receive shadow
+/// ShadowMasks draws its own depth. Alpha-tested surfaces (MaskMesh::alphaTested) receive shadow
 /// where they are opaque, and surfaces seen through their holes have their own shadow. They cast
 /// whole triangles, or nothing. Leave out see-through surfaces: masks have one surface a pixel. All
 /// calls need the context, and create textures and buffers in it. All throw std::runtime_error with
@@ -35,9 +35,9 @@ struct MaskMesh {
     bool doubleSided = true; ///< otherwise only its front is visible, where it is wound
                              ///< counter-clockwise; it casts from either side
     bool bends = false;      ///< its shape changes again soon: skip lengthy preparation
-    /// Where its alpha (setAlpha()) is below the cutoff the mesh is a hole: not visible, and not
-    /// receiving shadow. If it `casts`, it casts whole triangles as if it had no holes: shadow
-    /// volumes can't follow them.
+    /// Where its alpha (setAlpha()) is below the cutoff the mesh has a hole: it isn't visible
+    /// there, and doesn't receive shadow. If it `casts`, it casts whole triangles as if it had no
+    /// holes: shadow volumes can't follow them.
     bool alphaTested = false;
     std::span<const float> texcoords =
         {}; ///< u, v per vertex, for alpha-tested meshes; empty: 0, 0
@@ -149,8 +149,8 @@ class ShadowMasks {
     /// Replaces the mesh, and keeps its place.
     void change(Id id, const PreparedMesh& mesh);
     void change(Id id, const MaskMesh& mesh);
-    /// Sets the alpha of an alpha-tested mesh, at no cost of rebuilding. Until it is set, and after
-    /// change(), the mesh has no holes.
+    /// Sets the alpha of an alpha-tested mesh, without rebuilding anything. Until it is set, and
+    /// after change(), the mesh has no holes.
     void setAlpha(Id id, const MaskAlpha& alpha);
     /// Moves a mesh, and keeps its shape.
     void move(Id id, const Matrix16& worldFromObject);
@@ -177,11 +177,11 @@ class ShadowMasks {
     /// Throws std::runtime_error if the work isn't done, or was added before.
     LookupId addLookup(const LookupWork& work);
     /// Uploads up to `mostBytes` more of the map, and at least one row, so that no frame has to
-    /// wait. Returns whether the upload is complete; where there is no map, at once.
+    /// wait. Returns whether the upload is complete, which it is at once if there is no map.
     bool uploadLookup(LookupId id, std::size_t mostBytes = std::numeric_limits<std::size_t>::max());
     const LightLookup& lookup(LookupId id) const;
-    /// Changes whenever casters, or their places, have changed: while it stays the same, lights are
-    /// at rest.
+    /// Changes whenever casters, or their places, have changed: while it stays the same, lights can
+    /// be at rest.
     std::size_t casterState() const;
     /// Whether all casters are as they were when the work began, and the light too, except for
     /// properties that shadows don't depend on. Keep the lookup when this is false: what moved may

@@ -15,7 +15,7 @@ enum class ComponentType : int {
     float32 = 5126
 };
 
-/// Element types of accessors that this program requires somewhere.
+/// Element types that requireKind() can demand.
 enum class ElementType { scalar, vec3, vec4 };
 
 /// An accessor's elements as floats, `components` per element, one element after the other.

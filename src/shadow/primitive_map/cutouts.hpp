@@ -27,8 +27,8 @@ struct CutoutTriangle {
 };
 
 /// A triangle's texture coordinates and alpha as functions of a ray in map space. They are linear
-/// over the plane z = 1 of a directional light's rays. Otherwise they are linear after division by
-/// dot(Occluder::plane, ray).
+/// over the plane z = 1 of a directional light's rays. For a point light each is a linear function
+/// of the ray, divided by dot(Occluder::plane, ray).
 struct CutoutPlanes {
     glm::dvec3 u{0.0}, v{0.0}, alpha{0.0};
     std::uint32_t material = 0;

@@ -88,8 +88,8 @@ class SlopeBounds {
         return known.low * unit <= offset - error_ && offset + error_ <= known.high * unit;
     }
     void add(Interval& known, double offset, double depth, double low, double high) const {
-        // x / d, with errors of e in both, is off by at most e (1 + |x / d|) / (d - e), which is at
-        // most about 2 e / d.
+        // x / d, with errors of e in both, is off by at most e (1 + |x / d|) / (d - e). As d > 2 e,
+        // that is at most 2 e (1 + |x / d|) / d.
         for (const double error : {-error_, error_})
             known.add(depth > nearest_ ? std::clamp((offset + error) / perUnit(depth), low, high)
                       : error < 0.0    ? low
