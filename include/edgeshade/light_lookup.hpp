@@ -8,35 +8,37 @@
 namespace edgeshade {
 
 /// Shadows of a light at rest without masks: one texture, and a function that your own fragment
-/// shader asks with a position. No pass of its own, no stencil, right on see-through surfaces and
-/// at each shaded sample.
+/// shader calls with a position. It adds no pass and no stencil, and is correct on see-through
+/// surfaces and at each shaded sample.
 ///
-/// 1. ShadowMasks::lookupWork() takes down the casters and the light as they are.
+/// 1. ShadowMasks::lookupWork() takes a snapshot of the casters and the light.
 /// 2. Do the work: advance() it, or finish() it on any thread.
-/// 3. ShadowMasks::addLookup() and uploadLookup() it; lookup() says what there is, or why nothing.
-/// 4. Put lookupSource("sun") into your shader, set its uniforms, ask sun_lit().
-/// 5. When ShadowMasks::isCurrent() no longer holds draw masks, and begin again once all rests.
+/// 3. Pass it to ShadowMasks::addLookup(), then uploadLookup(); lookup() gives the result, or the
+///    reason why there is none.
+/// 4. Put lookupSource("sun") into your shader, set its uniforms, call sun_lit().
+/// 5. When ShadowMasks::isCurrent() returns false, draw masks, and start again once everything is
+///    at rest.
 
-/// What a map may take.
+/// Limits of a map.
 struct LookupSettings {
-    /// Texels along its edge, of a point light's six sides each: a power of 2, >= 4. At most: where
-    /// casters are few it has fewer.
+    /// Texels along the map's edge, or along each of a point light's six faces: a power of 2, >= 4.
+    /// This is an upper limit: with few casters the map has fewer.
     int size = 512;
-    std::size_t mostBytes = std::size_t{64} << 20; ///< smaller maps are tried first
+    std::size_t mostBytes = std::size_t{64} << 20; ///< smaller maps are tried before giving up
 };
 
-/// The map of one light, being built: without a GL. Copies are the same work. May be given up at
-/// any time, and outlive the masks.
+/// The map of one light while it is built. Needs no GL. Copies share the same work. It may be
+/// abandoned at any time, and may outlive the masks.
 class LookupWork {
   public:
     struct Data;
 
     explicit LookupWork(std::shared_ptr<Data> data) : data_(std::move(data)) {}
 
-    /// Goes on for about so long, a single step over a large model more. Returns whether all is
-    /// done.
+    /// Continues for about `milliseconds`; a single step over a large model may exceed them.
+    /// Returns whether the map is done.
     bool advance(double milliseconds);
-    /// Does all of it, on as many threads as there are cores.
+    /// Builds the whole map, on as many threads as there are cores.
     void finish();
 
     const std::shared_ptr<Data>& data() const { return data_; }
@@ -45,44 +47,46 @@ class LookupWork {
     std::shared_ptr<Data> data_;
 };
 
-/// What a shader needs of a light, by the names of lookupSource("PREFIX").
+/// A light's uniforms, with the names that lookupSource("PREFIX") gives them.
 struct LightLookup {
-    std::string why;       ///< there is none, a clause; empty: there is one, once uploaded
-    bool uploaded = false; ///< all of it is there
-    unsigned texture = 0;  ///< PREFIX_table: GL name of a 2D texture of floats
+    std::string why; ///< why there is no lookup, a clause; empty if there is one, once uploaded
+    bool uploaded = false;            ///< the whole texture is uploaded
+    unsigned texture = 0;             ///< PREFIX_table: GL name of a 2D texture of floats
     std::array<float, 3> tableSize{}; ///< PREFIX_tableSize
     std::array<float, 2> begins{};    ///< PREFIX_begins
     float size = 0.0f;                ///< PREFIX_size
     float kind = 0.0f;                ///< PREFIX_kind
     Matrix16 mapFromWorld = identity16;
     std::size_t bytes = 0;       ///< on the GPU
-    std::size_t longestList = 0; ///< triangles that a fragment may have to ask
-    double buildMs = 0.0;        ///< worked
+    std::size_t longestList = 0; ///< the most triangles that a fragment may have to test
+    double buildMs = 0.0;        ///< milliseconds spent building
 };
 
-/// PREFIX_mapFromHost: for positions in the space of a camera, in double until here, so that a
-/// world may be large. `viewFromWorld`: affine and invertible.
+/// The value of PREFIX_mapFromHost, for positions in a camera's space. It is computed in double
+/// precision, so that the world may be large. `viewFromWorld`: affine and invertible.
 std::array<float, 16> mapFromView(const LightLookup& lookup, const Matrix16& viewFromWorld);
 
-/// For any fragment shader, of GLSL ES 1.00 or 3.00, of any light:
+/// The source to include in any fragment shader of GLSL ES 1.00 or 3.00, the same for all lights:
 ///
 ///     bool PREFIX_lit(highp vec3 position, highp vec3 towardsEye, bool casts)
 ///
-/// whether shadow lets the light through, which says nothing of cones and ranges. `position`: the
-/// fragment's, in the space of PREFIX_mapFromHost; `towardsEye`: from there, of any length:
-/// -position in a perspective camera's space. `casts`: all that is drawn there was added with
-/// MaskMesh::casts: what such triangles turn away from the light is dark. It takes derivatives: in
-/// GLSL ES 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before it, and
-/// call it where neighbours do. Without derivatives there is
+/// It returns whether the light reaches the fragment past all casters; cones and ranges are not
+/// included. `position`: the fragment's, in the space from which PREFIX_mapFromHost maps.
+/// `towardsEye`: direction from there to the eye, of any length; -position in a perspective
+/// camera's space. `casts`: every triangle drawn with this shader was added with MaskMesh::casts;
+/// where such triangles face away from the light they are dark. The function takes derivatives. In
+/// GLSL ES 1.00 enable GL_OES_standard_derivatives and define EDGESHADE_DERIVATIVES before the
+/// source, and call it where neighbouring fragments call it too. Without derivatives use
 ///
 ///     bool PREFIX_litOn(highp vec3 position, highp vec3 towardsEye, highp vec3 normal,
 ///                       highp float error, bool casts)
 ///
-/// with the triangle's own normal, of any length and either side, and how far off rounding may have
-/// put the position beyond its coordinates' 16 last places; 16.0 does for most.
+/// `normal`: the triangle's own, of any length and to either side. `error`: rounding error of the
+/// position in units of 2^-24 of its largest coordinate, beyond the 16 that are always allowed for;
+/// 16.0 is enough for most.
 ///
-/// `prefix`: letters, digits and single underscores, so that a shader may ask several lights.
-/// Throws std::runtime_error.
+/// `prefix`: letters, digits and single underscores; with a prefix for each, one shader may query
+/// several lights. Throws std::runtime_error.
 std::string lookupSource(const std::string& prefix);
 
 } // namespace edgeshade

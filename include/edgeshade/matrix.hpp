@@ -5,7 +5,7 @@
 
 namespace edgeshade {
 
-/// Column-major, as GL has them.
+/// 4x4 matrix, column-major as in GL.
 using Matrix16 = std::array<double, 16>;
 inline constexpr Matrix16 identity16 = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 

@@ -12,51 +12,52 @@
 
 namespace edgeshade {
 
-/// Exact shadows for renderers of others: what is lit in a picture, as textures.
+/// Exact shadows for other renderers: textures that say which pixels of a picture are lit.
 ///
 /// 1. With an OpenGL ES 2 or 3 context current, make a ShadowMasks.
-/// 2. add() what casts or receives shadow; move(), change() and remove() it as it does.
-/// 3. Each frame draw() with your camera's matrices, and then your own picture, of the same size:
-///    what reaches a fragment of light i is channel i % 4 of textures()[i / 4] at
+/// 2. add() everything that casts or receives shadow; move(), change() and remove() it as your
+///    scene changes.
+/// 3. Each frame call draw() with your camera's matrices, then draw your own picture at the same
+///    size: the share of light i that reaches a fragment is channel i % 4 of textures()[i / 4] at
 ///    gl_FragCoord.xy / size.
 ///
-/// It draws depth itself. Surfaces that are alpha-tested (MaskMesh::alphaTested) receive shadow
-/// where they are, and what is seen through their holes has its own; they cast whole triangles, or
-/// nothing. See-through surfaces are no part of masks, which have one surface a pixel: leave them
-/// out. All calls need the context; textures and buffers are made in it. All throw
-/// std::runtime_error with a full sentence; nothing has changed then.
+/// ShadowMasks draws its own depth. Alpha-tested surfaces (MaskMesh::alphaTested) receive shadow
+/// where they are opaque, and surfaces seen through their holes have their own shadow. They cast
+/// whole triangles, or nothing. Leave out see-through surfaces: masks have one surface a pixel. All
+/// calls need the context, and create textures and buffers in it. All throw std::runtime_error with
+/// a full sentence, and have then changed nothing.
 
-/// Triangles that move together. Nothing is kept of the spans.
+/// Triangles that move together. The spans are not kept after the call.
 struct MaskMesh {
-    std::span<const float> positions;       ///< x, y, z a vertex; finite
-    std::span<const std::uint32_t> indices; ///< three a triangle
-    bool casts = true;       ///< else it only receives, and is lit from behind as well
-    bool doubleSided = true; ///< else it is seen from its front alone, where it is wound
+    std::span<const float> positions;       ///< x, y, z per vertex; finite
+    std::span<const std::uint32_t> indices; ///< three per triangle
+    bool casts = true;       ///< otherwise it only receives, and is lit from behind as well
+    bool doubleSided = true; ///< otherwise only its front is visible, where it is wound
                              ///< counter-clockwise; it casts from either side
-    bool bends = false;      ///< another shape comes soon: nothing that takes long is worked out
-    /// Where its alpha (setAlpha()) is below the cutoff it isn't there: it isn't seen, nor does it
-    /// receive. If it `casts`, then whole triangles, as if it had no holes: shadow volumes can't
-    /// follow them.
+    bool bends = false;      ///< its shape changes again soon: skip lengthy preparation
+    /// Where its alpha (setAlpha()) is below the cutoff the mesh has a hole: it isn't visible
+    /// there, and doesn't receive shadow. If it `casts`, it casts whole triangles as if it had no
+    /// holes: shadow volumes can't follow them.
     bool alphaTested = false;
     std::span<const float> texcoords =
-        {}; ///< u, v a vertex, or empty: 0, 0; of what is alpha-tested
+        {}; ///< u, v per vertex, for alpha-tested meshes; empty: 0, 0
 };
 
-/// What an alpha-tested mesh has of alpha: `opacity` times the texture's.
+/// Alpha of an alpha-tested mesh: `opacity` times the texture's.
 struct MaskAlpha {
     enum class Channel { alpha, green };
-    /// GL name of a 2D texture of the host's, which is sampled as it is and never changed; the host
-    /// keeps it for as long as it is set. 0: none, alpha is `opacity` everywhere.
+    /// GL name of the host's 2D texture, sampled with its own settings and never changed; the host
+    /// keeps it for as long as it is set. 0: no texture, alpha is `opacity` everywhere.
     unsigned texture = 0;
-    Channel channel = Channel::alpha; ///< of the texture
+    Channel channel = Channel::alpha; ///< channel of the texture that holds alpha
     float opacity = 1.0f;
     float cutoff = 0.5f; ///< alpha below it is a hole
-    /// Column-major; (u, v, 1) times it is where the texture is looked up.
+    /// Column-major; maps (u, v, 1) to the texture coordinates of the sample.
     std::array<float, 9> texcoordTransform = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
-/// A mesh whose edges are found, which takes time linear in its triangles: on any thread, and
-/// without a GL. Copies are the same mesh, which masks keep once wherever they have it.
+/// A mesh with its edges found. Preparing it takes time linear in its triangles, on any thread and
+/// without a GL. Copies are the same mesh, which masks store once however often it is added.
 class PreparedMesh {
   public:
     struct Data;
@@ -75,53 +76,55 @@ class PreparedMesh {
 struct MaskLight {
     enum class Kind { directional, point, spot };
     Kind kind = Kind::directional;
-    std::array<double, 3> position{};                ///< of a point or spot
-    std::array<double, 3> direction{0.0, -1.0, 0.0}; ///< where a sun or spot shines; any length
-    double range =
-        std::numeric_limits<double>::infinity(); ///< > 0: dark from there on; not a sun's
-    double outerAngle = 0.7853981633974483; ///< of a spot, radians, 0..pi/2: dark from there on
-    /// Of its extent: of a point or spot the sphere's, scene units; of a sun its disc's, radians,
-    /// to pi/4; 0: its shadows are hard. Each of a spot's points shines in a cone like the
-    /// middle's.
+    std::array<double, 3> position{};                ///< of a point light or spot
+    std::array<double, 3> direction{0.0, -1.0, 0.0}; ///< in which a sun or spot shines; of any
+                                                     ///< length
+    double range = std::numeric_limits<double>::infinity(); ///< > 0: dark from this distance on;
+                                                            ///< ignored for a sun
+    double outerAngle = 0.7853981633974483; ///< of a spot, radians, 0..pi/2: dark from this angle
+                                            ///< on
+    /// The light's extent: radius of the sphere of a point light or spot, scene units; of a sun's
+    /// disc, radians, up to pi/4. 0: hard shadows. Every point of a spot shines in the same cone as
+    /// its centre.
     double radius = 0.0;
 };
 
-/// What is seen. The projection: perspective, off-axis too, or orthographic; its depths are not
-/// used. The view: a turn, a shift and one scale.
+/// The camera. The projection is perspective, off-axis too, or orthographic; its depth range is
+/// ignored. The view is a rotation, a translation and one scale.
 struct MaskView {
     Matrix16 viewFromWorld = identity16;
     Matrix16 clipFromView = identity16;
     int width = 1; ///< pixels
     int height = 1;
-    std::size_t lightSamples = 64; ///< points of each light that has an extent, 1..4096
-    bool nearness = false;         ///< nearness() is drawn too: once more all surfaces
+    std::size_t lightSamples = 64; ///< points for each light with an extent, 1..4096
+    bool nearness = false;         ///< also draw nearness(): one more pass over all surfaces
 };
 
-/// Which surface a pixel of the masks is of, for hosts whose outlines are others than the masks',
-/// as with multisampling: a fragment takes the mask's texel, of those around it, whose nearness is
-/// closest to its own. Along a plane nearness changes linearly over the picture.
+/// Identifies the surface at each pixel of the masks, for hosts whose outlines differ from those of
+/// the masks, as with multisampling. A fragment takes, of the mask's texels around it, the one
+/// whose nearness is closest to its own. Along a plane nearness changes linearly over the picture.
 struct MaskNearness {
     unsigned texture = 0; ///< GL name, RGBA: 24 bits in red, green and blue, red the highest, as a
-                          ///< share of 2^24 - 1; 0: no surface, or none was asked for
-    double scale = 0.0;   ///< nearness is scale / depth + offset of a perspective, else
-    double offset = 0.0;  ///< scale * depth + offset; depth along the viewing direction, in the
-                          ///< world's units
+                          ///< fraction of 2^24 - 1; 0: no surface, or not requested
+    double scale = 0.0;   ///< nearness is scale / depth + offset in perspective, otherwise
+    double offset = 0.0;  ///< scale * depth + offset; depth along the viewing direction, in world
+                          ///< units
 };
 
-/// Who keeps the state of the host's GL over a call.
+/// Who preserves the host's GL state during a call.
 enum class StateKeeper {
-    engine, ///< all that it touches is as before
-    host,   ///< docs/engine.md lists what is left how; errors aren't asked for either. For WebGL,
-            ///< where JavaScript alone can name the host's objects
+    engine, ///< the engine restores everything it changes
+    host,   ///< docs/engine.md lists the state left behind; glGetError() isn't called either. For
+            ///< WebGL, where only JavaScript can name the host's objects
 };
 
-/// What the last draw() took.
+/// Cost of the last draw().
 struct MaskCost {
-    double buildMs = 0.0;       ///< preparing meshes, in add() and change() since the one before
-    double drawMs = 0.0;        ///< of the CPU; a software renderer's own work may be in it
-    std::size_t vertexRuns = 0; ///< of shadow volumes' shaders, in each light's last picture
+    double buildMs = 0.0; ///< preparing meshes, in add() and change() since the previous draw()
+    double drawMs = 0.0;  ///< CPU time; may include a software renderer's own work
+    std::size_t vertexRuns = 0; ///< of the shadow volumes' shaders, in the last mask of each light
     std::size_t bytes = 0;      ///< on the GPU: records, masks, depth
-    unsigned hostError = 0;     ///< a GL error that was there before draw(), which clears it
+    unsigned hostError = 0;     ///< a GL error from before draw(), which clears it
 };
 
 class ShadowMasks {
@@ -130,7 +133,7 @@ class ShadowMasks {
     /// Maps a GL function's name to its address or null, as eglGetProcAddress() does.
     using LookUp = void* (*)(const char*);
 
-    /// Lights that one draw() can have.
+    /// The most lights of one draw().
     static constexpr std::size_t mostLights = 32;
 
     explicit ShadowMasks(LookUp lookUp, StateKeeper keeper = StateKeeper::engine);
@@ -138,50 +141,51 @@ class ShadowMasks {
     ShadowMasks(ShadowMasks&&) noexcept;
     ShadowMasks& operator=(ShadowMasks&&) noexcept;
 
-    /// A mesh of its own: nothing of the others is made anew. `worldFromObject`: affine and
-    /// invertible.
+    /// Adds a mesh; the others stay as they are. `worldFromObject`: affine and invertible.
     Id add(const PreparedMesh& mesh, const Matrix16& worldFromObject = identity16);
     Id add(const MaskMesh& mesh, const Matrix16& worldFromObject = identity16);
-    /// Uploads a mesh ahead of add(), so that no draw() takes long.
+    /// Uploads a mesh ahead of add(), so that no draw() is slowed by it.
     void upload(const PreparedMesh& mesh);
-    /// Another mesh in the same place.
+    /// Replaces the mesh, and keeps its place.
     void change(Id id, const PreparedMesh& mesh);
     void change(Id id, const MaskMesh& mesh);
-    /// Of an alpha-tested mesh; until it is set, and after change(), it has no holes. Nothing is
-    /// made anew.
+    /// Sets the alpha of an alpha-tested mesh, without rebuilding anything. Until it is set, and
+    /// after change(), the mesh has no holes.
     void setAlpha(Id id, const MaskAlpha& alpha);
-    /// Elsewhere, in the same shape.
+    /// Moves a mesh, and keeps its shape.
     void move(Id id, const Matrix16& worldFromObject);
     void remove(Id id);
 
-    /// Draws the masks: 1 where nothing opaque is between a surface and the light, its own
-    /// included, 0 in shadow, outside of cones and ranges; for a light with an extent the share of
-    /// its points that is seen; 1 where no surface is. Leaves the GL's state as it was, see
-    /// docs/engine.md.
+    /// Draws the masks: 1 where nothing opaque, the surface itself included, lies between the
+    /// surface and the light; 0 in shadow and outside cones and ranges. For a light with an extent
+    /// it is the share of its points that are visible. 1 where there is no surface. Leaves the GL's
+    /// state as it was, see docs/engine.md.
     void draw(const MaskView& view, std::span<const MaskLight> lights);
 
-    /// GL names, RGBA, as large as the view, nearest texels; one for four lights, until the next
-    /// draw(). The host doesn't delete them.
+    /// GL names of RGBA textures of the view's size with nearest filtering, one for every four
+    /// lights, valid until the next draw(). The host doesn't delete them.
     std::span<const unsigned> textures() const;
-    /// Of the last draw(), likewise.
+    /// Nearness of the last draw(), valid until the next.
     const MaskNearness& nearness() const;
     const MaskCost& cost() const;
 
     using LookupId = std::uint32_t;
 
-    /// Takes down the casters and a light as they are; see light_lookup.hpp. Needs no context.
+    /// Takes a snapshot of the casters and a light; see light_lookup.hpp. Needs no context.
     LookupWork lookupWork(const MaskLight& light, const LookupSettings& settings = {}) const;
-    /// Takes the map out of what is done and makes its texture, for uploadLookup() to fill. Throws
-    /// std::runtime_error where it isn't done, or was added before.
+    /// Takes the map out of finished work and creates its texture, which uploadLookup() fills.
+    /// Throws std::runtime_error if the work isn't done, or was added before.
     LookupId addLookup(const LookupWork& work);
-    /// Fills it; up to so many bytes and a row, so that frames needn't wait. Returns whether all is
-    /// there: of what there is none of at once.
+    /// Uploads up to `mostBytes` more of the map, and at least one row, so that no frame has to
+    /// wait. Returns whether the upload is complete, which it is at once if there is no map.
     bool uploadLookup(LookupId id, std::size_t mostBytes = std::numeric_limits<std::size_t>::max());
     const LightLookup& lookup(LookupId id) const;
-    /// Another number whenever what casts has changed, or where: lights rest while it does.
+    /// Changes whenever casters, or their places, have changed: while it stays the same, lights can
+    /// be at rest.
     std::size_t casterState() const;
-    /// Whether all that casts is as it was when the work began, and the light, but for what
-    /// shadows don't depend on. False is no harm: what moved may come back.
+    /// Whether all casters are as they were when the work began, and the light too, except for
+    /// properties that shadows don't depend on. Keep the lookup when this is false: what moved may
+    /// come back.
     bool isCurrent(LookupId id, const MaskLight& light) const;
     void removeLookup(LookupId id);
 

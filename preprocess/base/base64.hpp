@@ -7,7 +7,7 @@
 
 namespace edgeshade {
 
-/// Bytes as text (RFC 4648, section 4), padded.
+/// Base64 text of the bytes (RFC 4648, section 4), padded.
 std::string base64(std::span<const std::uint8_t> bytes);
 
 } // namespace edgeshade

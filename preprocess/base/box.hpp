@@ -19,11 +19,12 @@ struct Box {
         return glm::all(glm::lessThanEqual(low, point)) &&
                glm::all(glm::lessThanEqual(point, high));
     }
-    /// One of eight, 0 to 7: bit 0 for high x, bit 1 for high y, bit 2 for high z.
+    /// Corner 0 to 7: bit 0 for high x, bit 1 for high y, bit 2 for high z.
     glm::dvec3 corner(int i) const {
         return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
     }
-    /// No more than the point's distance to anything within; 0 of an empty box.
+    /// Distance from the point to the box, a lower bound of its distance to anything inside; 0 for
+    /// an empty box.
     double distanceTo(const glm::dvec3& point) const {
         return empty()
                    ? 0.0

@@ -14,7 +14,8 @@ class CopyOnWrite {
     const T& operator*() const { return *value_; }
     const T* operator->() const { return value_.get(); }
 
-    /// The value, of which this is the only owner from then on. Not for two threads at once.
+    /// The value, copied first if it was shared, so that this is its only owner. Not for two
+    /// threads at once.
     T& edit() {
         if (value_.use_count() > 1) value_ = std::make_shared<T>(*value_);
         return *value_;

@@ -5,7 +5,7 @@
 
 namespace edgeshade {
 
-/// The exit statuses of the program (contract of the command line).
+/// Exit statuses of the program (part of the command line's contract).
 enum class ExitStatus {
     done = 0,
     usage = 1,       ///< wrong usage
@@ -28,20 +28,19 @@ class Error : public std::runtime_error {
     ExitStatus status_;
 };
 
-/// An Error about what a user handed in.
+/// An Error about the user's input.
 class InputError : public Error {
   public:
     explicit InputError(const std::string& sentence) : Error(ExitStatus::input, sentence) {}
 };
 
-/// An InputError about a limit that the user may raise, where what passes it may be sound.
+/// An InputError about a limit that the user may raise: input beyond it may be sound.
 class LimitError : public InputError {
   public:
     explicit LimitError(const std::string& sentence) : InputError(sentence) {}
 };
 
-/// A library's message without the full stop and the line ends that it may have, to end a sentence
-/// of ours with.
+/// A library's message without its full stop and line ends, for the end of one of our sentences.
 std::string clauseOf(std::string message);
 
 } // namespace edgeshade

@@ -17,10 +17,10 @@
 namespace edgeshade {
 namespace {
 
-/// Signals that end a program unless it says otherwise, and that people and systems send.
+/// Signals that people and systems send, and that end a program by default.
 constexpr std::array heldSignals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-/// Which of them came while they were held. A handler has no other place to leave that.
+/// The held signals that arrived. A signal handler can record them nowhere else.
 volatile std::sig_atomic_t arrived[heldSignals.size()];
 
 extern "C" void noteSignal(int signal) {
@@ -28,8 +28,8 @@ extern "C" void noteSignal(int signal) {
         if (heldSignals[i] == signal) arrived[i] = 1;
 }
 
-/// Holds these signals back for its lifetime, whichever thread they reach; blocking them in this
-/// one would leave them to the others. Only one at a time.
+/// Holds these signals back for its lifetime, whichever thread they reach. Blocking them in this
+/// thread would deliver them to the others. Only one instance at a time.
 class SignalsHeld {
   public:
     SignalsHeld() : only_(mutex()) {
@@ -67,7 +67,7 @@ class SignalsHeld {
                 "'" + path.string() + "' can't be written: " + std::strerror(error) + ".");
 }
 
-/// Writes all of `bytes` to `descriptor`; returns 0 or the errno of what failed.
+/// Writes all of `bytes` to `descriptor`; returns 0 or the errno of the failure.
 int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -78,9 +78,9 @@ int writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
     return 0;
 }
 
-/// The file that `path` stands for: links are followed, also to a file that isn't there yet.
+/// Resolves links, also those to a file that doesn't exist yet.
 std::filesystem::path behindLinks(const std::filesystem::path& path) {
-    constexpr int mostLinks = 40; // as Linux follows
+    constexpr int mostLinks = 40; // Linux's own limit
     std::filesystem::path target = path;
     for (int i = 0; i < mostLinks; ++i) {
         std::error_code noLink;
@@ -91,7 +91,7 @@ std::filesystem::path behindLinks(const std::filesystem::path& path) {
     failWrite(path, ELOOP);
 }
 
-/// Writes into a device or a pipe, which stays what it is. Returns 0 or the errno of what failed.
+/// Writes into a device or a pipe without replacing it. Returns 0 or the errno of the failure.
 int writeInto(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor < 0) return errno;
@@ -99,8 +99,9 @@ int writeInto(const std::filesystem::path& path, std::span<const std::uint8_t> b
     return ::close(descriptor) != 0 && failure == 0 ? errno : failure;
 }
 
-/// A name beside `path` that no other process has, on this machine or another that shares the
-/// folder. It is not made from `path`'s: that could be longer than names may be.
+/// A name beside `path` that is unique among all processes, also on other machines that share the
+/// folder. It isn't derived from `path`'s name, as the result could exceed the longest name
+/// allowed.
 std::filesystem::path nameBeside(const std::filesystem::path& path) {
     std::random_device random;
     char name[40];
@@ -108,14 +109,14 @@ std::filesystem::path nameBeside(const std::filesystem::path& path) {
     return path.parent_path() / name;
 }
 
-/// Writes all to the disk itself, so that a full one shows before the old file is gone. Returns 0
-/// or the errno of what failed.
+/// Flushes to disk, so that a full disk is noticed before the old file is gone. Returns 0 or the
+/// errno of the failure.
 int flushToDisk(int descriptor) {
     const bool unable = ::fsync(descriptor) != 0;
     return unable && errno != EINVAL && errno != ENOTSUP ? errno : 0; // some systems have no fsync
 }
 
-/// Writes a new file beside `path` and renames it. Returns 0 or the errno of what failed.
+/// Writes a new file beside `path` and renames it. Returns 0 or the errno of the failure.
 int replaceFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
     const SignalsHeld held;
     const std::filesystem::path part = nameBeside(path);
@@ -157,7 +158,7 @@ Bytes readFile(const std::filesystem::path& path, std::uint64_t mostBytes) {
     char block[1 << 16];
     while (file.read(block, sizeof block) || file.gcount() > 0) {
         bytes.insert(bytes.end(), block, block + file.gcount());
-        requireWithin(bytes.size(), "at least "); // a pipe says no size before
+        requireWithin(bytes.size(), "at least "); // a pipe doesn't report its size beforehand
     }
     if (file.bad())
         throw InputError("'" + path.string() + "' can't be read: " + std::strerror(errno) + ".");

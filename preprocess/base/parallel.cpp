@@ -77,7 +77,7 @@ void inParallel(std::size_t count, Threads threads, const std::function<void(std
             while (others.size() + 1 < std::min(count, threads.count))
                 others.emplace_back(loop);
         } catch (const std::system_error&) {
-            // No more threads to be had: those that there are do it.
+            // No more threads are available: those already started do the work.
         }
         loop();
     }

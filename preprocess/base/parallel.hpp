@@ -6,15 +6,15 @@
 
 namespace edgeshade {
 
-/// How many threads a stage may use. What it makes is the same for any number of them.
+/// Threads that a stage may use. The result is the same for any number.
 struct Threads {
     std::size_t count = available();
 
-    /// As many as the machine runs at once, 1 to 16; in WebAssembly 1.
+    /// Threads that the machine runs at once, 1 to 16; 1 in WebAssembly.
     static std::size_t available();
 };
 
-/// With fewer small items, triangles or edges, starting a thread takes longer than it saves.
+/// Small items (triangles, edges) below which starting a thread takes longer than it saves.
 constexpr std::size_t itemsOfThread = std::size_t{1} << 14;
 
 /// Items [first, end).
@@ -25,12 +25,12 @@ struct ItemRange {
     std::size_t size() const { return end - first; }
 };
 
-/// Items [0, count) in ranges of equal size, one a thread; fewer where they would have less than
-/// `least` items. At least one range.
+/// Divides items [0, count) into equal ranges, one per thread; fewer where a range would have less
+/// than `least` items. At least one range.
 std::vector<ItemRange> partsOf(std::size_t count, std::size_t least, Threads threads);
 
-/// Calls work(0) to work(count - 1), several at once, and returns when all are done. What the first
-/// that fails throws is thrown then.
+/// Calls work(0) to work(count - 1), several at once, and returns when all are done. Rethrows the
+/// exception of the first that fails.
 void inParallel(std::size_t count, Threads threads, const std::function<void(std::size_t)>& work);
 
 /// Calls work(part, range) for each of `parts`, all at once.
@@ -48,7 +48,7 @@ void forEachItem(std::size_t count, std::size_t least, Threads threads, const Wo
     });
 }
 
-/// What each part has becomes where each begins; returns the sum.
+/// Turns each part's count into the index of its first item; returns the sum.
 template <class Number>
 Number toFirsts(std::vector<Number>& counts) {
     Number sum = 0;
@@ -60,12 +60,13 @@ Number toFirsts(std::vector<Number>& counts) {
     return sum;
 }
 
-/// `counts`, by part and bin, become where each part's items of each bin go: bin after bin, in each
-/// the parts in order. Returns where each bin begins, and at its end where the last one ends.
+/// Turns `counts`, by part and bin, into the index where each part's items of each bin go: bin
+/// after bin, the parts in order within a bin. Returns the first index of each bin and, last, the
+/// end.
 std::vector<std::size_t> toPlaces(std::vector<std::vector<std::size_t>>& counts);
 
-/// Joins what each part wrote at the beginning of its own range of `items`, `counts` of them, in
-/// order.
+/// Closes the gaps between parts: each wrote `counts` items at the start of its own range of
+/// `items`. Keeps their order.
 template <class Item>
 void closeGaps(std::vector<Item>& items, const std::vector<ItemRange>& parts,
                const std::vector<std::size_t>& counts) {

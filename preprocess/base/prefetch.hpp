@@ -2,8 +2,8 @@
 
 namespace edgeshade {
 
-/// Asks for the memory of something that is read a few steps later, where no pattern tells the
-/// processor. Changes nothing but the time.
+/// Prefetches an item read a few steps later at an address the processor can't predict. Affects
+/// only the time.
 template <class Item>
 void prefetch(const Item& item) {
     __builtin_prefetch(&item);

@@ -6,19 +6,20 @@
 namespace edgeshade {
 namespace {
 
-constexpr unsigned digitBits = 11; // as many places to write to as the first cache holds lines of
+constexpr unsigned digitBits = 11; // its 2048 bins write to as many cache lines as fit the
+                                   // first-level cache
 constexpr std::size_t digits = std::size_t{1} << digitBits;
 using Counts = std::array<std::uint32_t, digits>;
 
-/// Items up to which comparing is quicker.
+/// Up to this many items, sorting by comparison is faster.
 constexpr std::size_t fewItems = 256;
-/// Items that a thread is worth starting for.
 
 std::uint32_t digitOf(std::uint32_t word, unsigned shift) {
     return word >> shift & (digits - 1);
 }
 
-/// One digit: `from` to `to`. False where all items have the same digit, and nothing was done.
+/// Sorts by one digit, `from` to `to`. Returns false, having done nothing, if all items have the
+/// same digit.
 template <std::size_t words>
 bool sortByDigit(std::span<const Keyed<words>> from, std::span<Keyed<words>> to, std::size_t word,
                  unsigned shift, const std::vector<ItemRange>& parts, std::vector<Counts>& counts) {
@@ -52,9 +53,9 @@ class Sorter {
     Sorter(std::span<Keyed<words>> items, std::span<Keyed<words>> spare)
         : items_(items), spare_(spare) {}
 
-    /// Items of one `range`, whose words before `word` are equal.
+    /// Sorts the items of one `range`, whose words before `word` are equal.
     void sort(const ItemRange& range, std::size_t word, Threads threads) const {
-        if (word == words || range.size() < 2) return; // they were in the order of their numbers
+        if (word == words || range.size() < 2) return; // already in the order of their numbers
         if (range.size() <= fewItems) return compare(range, word);
         sortByWord(range, word, threads);
         if (items_[range.first].key[word] == items_[range.end - 1].key[word])
@@ -90,7 +91,7 @@ class Sorter {
         if (from.data() != &items_[range.first]) std::copy(from.begin(), from.end(), to.begin());
     }
 
-    /// The first after `first` whose word is another.
+    /// The end of the run of equal words that begins at `first`.
     std::size_t endOfRun(std::size_t first, std::size_t end, std::size_t word) const {
         const std::uint32_t key = items_[first].key[word];
         while (first < end && items_[first].key[word] == key)

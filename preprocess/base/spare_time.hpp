@@ -2,8 +2,8 @@
 
 namespace edgeshade {
 
-/// From now on everything else goes before the thread that calls it, and before those that it
-/// begins, where the system can tell them apart.
+/// Gives the calling thread, and threads it starts, the lowest priority, where the system has
+/// priorities by thread.
 void takeSpareTimeAlone();
 
 } // namespace edgeshade

@@ -4,7 +4,7 @@
 
 namespace edgeshade {
 
-/// Seconds since it was made or last asked to lap.
+/// Measures seconds since its construction or its last lap().
 class Stopwatch {
   public:
     double lap() {

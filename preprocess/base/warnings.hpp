@@ -8,8 +8,8 @@
 
 namespace edgeshade {
 
-/// Sentences for the user about what was left out or changed; each is kept once. Beyond a hundred
-/// they are only counted.
+/// Sentences for the user about what was left out or changed, each kept once. Beyond a hundred they
+/// are only counted.
 class Warnings {
   public:
     void add(const std::string& sentence) {
@@ -26,11 +26,12 @@ class Warnings {
 
   private:
     std::vector<std::string> sentences_;
-    std::size_t more_ = 0; ///< not among the sentences
+    std::size_t more_ = 0; ///< count of those not kept
 };
 
-/// Does `read`, which is about something that a scene can do without. What it refuses becomes a
-/// warning that ends with what comes of it, "the camera is left out". Returns whether all was well.
+/// Calls `read`, which reads an optional part of a scene. If it throws InputError, that becomes a
+/// warning, which ends with the `outcome`, such as "the camera is left out". Returns whether it
+/// succeeded.
 template <class Read>
 bool readOrWarn(Warnings& warnings, const std::string& outcome, Read read) {
     try {

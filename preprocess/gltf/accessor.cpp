@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-/// As floats they must fit into memory, which is 4 GiB in a browser.
+/// The elements must fit into memory as floats, which is 4 GiB in a browser.
 constexpr std::size_t largestCount =
     std::min(std::size_t{1} << 30, std::numeric_limits<std::size_t>::max() / (16 * sizeof(float)));
 
@@ -28,7 +28,7 @@ int componentsOf(int type) {
     case TINYGLTF_TYPE_MAT4:
         return 16;
     default:
-        return 0; // the small matrices have padding and no use here
+        return 0; // small matrices have padding and are never used here
     }
 }
 
@@ -103,7 +103,7 @@ struct ElementRange {
     std::size_t stride;
 };
 
-/// Where the elements lie. `view` and `offset` as in glTF; throws if any element is outside.
+/// Locates the elements. `view` and `offset` as in glTF; throws if any element is outside the view.
 ElementRange elements(const GltfDocument& document, int view, std::size_t offset, std::size_t count,
                       std::size_t elementSize, bool strided, const std::string& field) {
     const auto bytes = bufferViewBytes(document, view);
@@ -158,7 +158,7 @@ void forEachElement(const GltfDocument& document, const tinygltf::Accessor& acce
     }
 }
 
-/// tinygltf's name of it.
+/// tinygltf's constant for the type.
 int typeOf(ElementType type) {
     switch (type) {
     case ElementType::scalar:
@@ -170,7 +170,7 @@ int typeOf(ElementType type) {
     }
 }
 
-/// Counts what the accessor takes once it is read, a float or an index a component.
+/// Counts the accessor's memory once read: a float or an index per component.
 void takeFor(const GltfDocument& document, int index, const std::string& field,
              MemoryBudget& memory) {
     const tinygltf::Accessor& accessor = accessorAt(document, index, field);
@@ -212,7 +212,7 @@ FloatArray readFloats(const GltfDocument& document, int index, const std::string
         throw InputError(document.where(name) + " has type " + std::to_string(accessor.type) +
                          " and componentType " + std::to_string(accessor.componentType) +
                          ", which can't be read here.");
-    // Without bytes behind it an accessor is all zeros: its count is a mere claim.
+    // An accessor without a buffer view is all zeros, and no data backs its count.
     if (accessor.bufferView < 0 && accessor.count > (1u << 24))
         throw InputError(document.where(name) + ".count is " + std::to_string(accessor.count) +
                          " without any data.");

@@ -13,7 +13,7 @@ void checkAnimationSampler(const JsonField& sampler, std::size_t accessorCount) 
     });
 }
 
-/// Extensions may move things that are no nodes, and nodes in ways of their own.
+/// Extensions may target objects other than nodes, and other properties of nodes.
 void checkAnimationTarget(const JsonField& target, std::size_t nodeCount) {
     target.ifPresent("path", [](const JsonField& path) { path.text(); });
     const auto node = target.find("node");
@@ -23,7 +23,7 @@ void checkAnimationTarget(const JsonField& target, std::size_t nodeCount) {
     if (!target.find("extensions")) path.oneOf({"translation", "rotation", "scale", "weights"});
 }
 
-/// `animation`: whose channel it is.
+/// `animation`: the channel's animation.
 void checkChannel(const JsonField& channel, const JsonField& animation, std::size_t nodeCount,
                   std::size_t accessorCount) {
     const int sampler =

@@ -9,15 +9,17 @@
 
 namespace edgeshade {
 
-/// What of the animations can't be read, by index.
+/// Unreadable animations and channels, by index.
 struct BrokenAnimations {
     std::set<std::size_t> whole;
-    std::set<std::pair<std::size_t, std::size_t>> channels; ///< of others: (animation, channel)
+    std::set<std::pair<std::size_t, std::size_t>> channels; ///< (animation, channel), in other
+                                                            ///< animations
 };
 
-/// Looks through the animations, which a scene can do without, and through what the channels of
-/// each refer to, which the others can do without. What is broken of them gets a warning that names
-/// the field and its value. What keyframes hold is for readAnimation(). `json` is sound otherwise.
+/// Checks the animations, and for each of them the objects that its channels refer to. A scene can
+/// do without an animation, and an animation without a channel. Each broken one gets a warning that
+/// names the field and its value. readAnimation() checks the keyframes. All else in `json` is
+/// sound.
 BrokenAnimations findBrokenAnimations(const nlohmann::ordered_json& json,
                                       const std::filesystem::path& path, Warnings& warnings);
 

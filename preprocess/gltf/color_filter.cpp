@@ -10,7 +10,7 @@
 namespace edgeshade {
 namespace {
 
-/// One colour of the components T (KHR_meshopt_compression, "Filter 4: color").
+/// Decodes one colour with components of type T (KHR_meshopt_compression, "Filter 4: color").
 template <class T>
 void decodeColor(std::uint8_t* at) {
     T components[4];
@@ -18,7 +18,8 @@ void decodeColor(std::uint8_t* at) {
     using Signed = std::make_signed_t<T>;
     const int y = components[0], co = static_cast<Signed>(components[1]),
               cg = static_cast<Signed>(components[2]);
-    // Alpha's highest bit tells how many all of them have; those below it are its value.
+    // Alpha's highest set bit gives the number of bits of all components; the bits below it are
+    // alpha.
     const int bits = std::max(static_cast<int>(std::bit_width(components[3])), 1);
     const int largest = (1 << bits) - 1;
     const int alpha = components[3] & (largest >> 1);

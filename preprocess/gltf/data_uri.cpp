@@ -21,7 +21,7 @@ bool equalsInAnyCase(std::string_view text, std::string_view lower) {
                       [](char a, char b) { return lowerCase(a) == b; });
 }
 
-/// Whether what stands before the comma ends with ";base64".
+/// Whether the part before the comma ends with ";base64".
 bool saysBase64(std::string_view header) {
     const std::size_t semicolon = header.rfind(';');
     if (semicolon == std::string_view::npos) return false;
@@ -31,7 +31,7 @@ bool saysBase64(std::string_view header) {
     return equalsInAnyCase(header, "base64");
 }
 
-/// The six bits of a character (RFC 4648, section 4); -1: it has none.
+/// The six bits of a character (RFC 4648, section 4), or -1 if it isn't one of base64's.
 int sextetOf(char c) {
     if (c >= 'A' && c <= 'Z') return c - 'A';
     if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -39,7 +39,7 @@ int sextetOf(char c) {
     return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
-/// `fail` is called with what is wrong and does not return.
+/// `fail` is called with a description of the error and does not return.
 template <class Fail>
 Bytes decodedBase64(std::string_view text, Fail fail) {
     Bytes bytes;

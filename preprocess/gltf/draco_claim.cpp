@@ -10,7 +10,8 @@ namespace {
 
 using draco::DecoderBuffer;
 
-/// A number of 32 bits, which older streams do not shorten.
+/// Reads a 32-bit number, which older streams store without varint encoding, and adds it to
+/// `number`.
 bool readNumber(DecoderBuffer& buffer, bool shortened, std::uint64_t& number) {
     std::uint32_t value = 0;
     if (shortened ? !draco::DecodeVarint(&value, &buffer) : !buffer.Decode(&value)) return false;
@@ -18,14 +19,14 @@ bool readNumber(DecoderBuffer& buffer, bool shortened, std::uint64_t& number) {
     return true;
 }
 
-/// Faces and points, one after the other.
+/// Reads the face count and the point count.
 bool readSequential(DecoderBuffer& buffer, std::uint16_t version, DracoClaim& claim) {
     const bool shortened = version >= DRACO_BITSTREAM_VERSION(2, 2);
     return readNumber(buffer, shortened, claim.faces) &&
            readNumber(buffer, shortened, claim.points);
 }
 
-/// What edgebreaker's decoder reads first.
+/// Reads the fields that the edgebreaker decoder reads first.
 bool readEdgebreaker(DecoderBuffer& buffer, std::uint16_t version, DracoClaim& claim) {
     const bool shortened = version >= DRACO_BITSTREAM_VERSION(2, 0);
     std::uint8_t traversal = 0, attributeParts = 0;

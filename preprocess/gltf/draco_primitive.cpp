@@ -23,11 +23,11 @@ std::unique_ptr<draco::Mesh> decodeMesh(std::span<const std::uint8_t> bytes,
     return std::move(mesh).value();
 }
 
-/// Refuses a stream that would make the decoder take memory for what can't be in it.
+/// Refuses a stream for which the decoder would allocate far more than the stream can hold.
 void requirePlausible(std::span<const std::uint8_t> bytes, const std::string& where,
                       MemoryBudget& memory) {
     // The most regular mesh, a flat grid of equal steps, has 162 triangles a byte at 256 x 256 and
-    // 306 at 512 x 512; that many more only at tens of millions.
+    // 306 at 512 x 512. It would reach this many only at tens of millions of triangles.
     constexpr std::uint64_t largestExpansion = 4096;
     const auto claim = dracoClaim(bytes);
     if (!claim) return;
@@ -45,7 +45,7 @@ void requirePlausible(std::span<const std::uint8_t> bytes, const std::string& wh
     memory.take(claim->memoryBytes(), 1, where);
 }
 
-/// The normalised flag stands with the glTF accessor, not in the Draco stream.
+/// Normalises by the glTF accessor's flag, which the Draco stream lacks.
 float normalizedValue(float value, int componentType) {
     switch (componentType) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
@@ -112,7 +112,7 @@ std::optional<DracoPrimitive> readDracoPrimitive(const GltfDocument& document,
     DracoPrimitive decoded;
     const tinygltf::Value& ids = extension.Get("attributes");
     for (const std::string& name : ids.Keys()) {
-        const int id = ids.Get(name).GetNumberAsInt(); // see checkDraco() of gltf_checks.cpp
+        const int id = ids.Get(name).GetNumberAsInt(); // checked by checkDraco() in gltf_checks.cpp
         const auto* attribute = mesh->GetAttributeByUniqueId(static_cast<std::uint32_t>(id));
         if (!attribute)
             throw InputError(where + ".attributes." + name + " is " + std::to_string(id) +

@@ -37,7 +37,7 @@ constexpr KnownExtension known[] = {
     {"KHR_mesh_quantization", drawn},
     {"KHR_meshopt_compression", drawn},
     {"KHR_node_visibility", drawn},
-    {"KHR_texture_basisu", ignored}, // each such picture gets a sentence of its own
+    {"KHR_texture_basisu", ignored}, // each such image gets its own warning
     {"KHR_texture_transform", drawn},
     {"KHR_xmp_json_ld", metadata},
 };

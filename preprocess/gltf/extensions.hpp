@@ -7,29 +7,29 @@
 
 namespace edgeshade {
 
-/// Our own, which carries shadow data (preprocess/packing/shadow_extension.hpp).
+/// This program's own extension, which carries shadow data
+/// (preprocess/packing/shadow_extension.hpp).
 inline constexpr const char* shadowExtensionName = "EDGESHADE_shadow_volume";
 
-/// What becomes of an extension that an asset requires.
+/// How this program treats an extension that an asset requires.
 enum class ExtensionUse {
-    drawn,    ///< what it says is in the picture
-    ignored,  ///< the picture lacks what it says; geometry and shadows are right
-    metadata, ///< there is nothing in it to draw
+    drawn,    ///< fully drawn
+    ignored,  ///< not drawn; geometry and shadows are still right
+    metadata, ///< holds nothing to draw
 };
 
 struct KnownExtension {
     const char* name;
     ExtensionUse use;
-    /// Of an ignored one: what becomes of it, to end a warning with. Null: no warning names it.
+    /// For an ignored one, the consequence that ends the warning. Null: no warning names it.
     const char* lack = nullptr;
 };
 
 /// All extensions that an asset may require, by name.
 std::span<const KnownExtension> knownExtensions();
 
-/// Looks through the asset's lists of extensions: warns once of each that it requires and that is
-/// ignored, where there is something to say of it. Throws InputError where it requires one that is
-/// not known.
+/// Checks the asset's lists of extensions. Warns once of each required extension that is ignored
+/// and has a `lack`. Throws InputError if an unknown one is required.
 void checkExtensions(const JsonField& root, Warnings& warnings);
 
 } // namespace edgeshade

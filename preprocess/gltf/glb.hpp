@@ -15,14 +15,14 @@ struct GlbChunks {
     std::optional<Bytes> binary;
 };
 
-/// Whether the bytes start like a GLB.
+/// Whether the bytes start with GLB's magic number.
 bool isGlb(std::span<const std::uint8_t> bytes);
 
-/// Takes a GLB apart. Safe on untrusted input. Throws InputError naming `path`.
+/// Splits a GLB into its chunks. Safe on untrusted input. Throws InputError naming `path`.
 GlbChunks splitGlb(std::span<const std::uint8_t> bytes, const std::filesystem::path& path);
 
-/// Puts a GLB together; chunks are padded to four bytes with spaces and zeros. Throws
-/// Error(output) if it would pass the 4 GiB that the container can hold.
+/// Builds a GLB, with JSON padded to four bytes by spaces and binary data by zeros. Throws
+/// Error(output) beyond the 4 GiB that the container can hold.
 Bytes joinGlb(std::string json, Bytes binary);
 
 } // namespace edgeshade

@@ -16,26 +16,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t deepestNesting = 500; // far more than glTF needs, far less than a stack holds
+constexpr std::size_t deepestNesting = 500; // far more than glTF needs, and safe for the stack
 
-/// Members of one object. Objects keep their order and are searched one by one, so that many would
-/// take the square of their number; tables in extras are large, fields of glTF are not.
+/// Most members of one object. An object keeps its order and is searched linearly, so that the time
+/// grows with the square of their number. Tables in extras are large, glTF's own objects are not.
 constexpr std::size_t mostMembers = 10000;
 
-/// Bytes that a JSON value takes in all forms that it gets, its text aside.
+/// Bytes that a JSON value takes in all its representations, without its text.
 constexpr std::size_t bytesPerValue = 256;
 
-/// What of JSON text can be told before it is parsed.
+/// Properties of JSON text that are known before parsing.
 struct JsonShape {
-    std::size_t depth = 0;   ///< how deep brackets and braces outside of strings are nested
-    std::size_t members = 0; ///< of the object that has most
+    std::size_t depth = 0;   ///< deepest nesting of brackets and braces outside strings
+    std::size_t members = 0; ///< of the object with the most
     std::size_t values = 1;
 };
 
 JsonShape shapeOf(std::string_view text) {
     JsonShape shape;
     std::size_t depth = 0;
-    std::array<std::size_t, deepestNesting + 1> members{}; // of the object at that depth
+    std::array<std::size_t, deepestNesting + 1> members{}; // of the current object at that depth
     for (std::size_t i = 0; i < text.size() && shape.depth <= deepestNesting; ++i) {
         const char c = text[i];
         if (c == '[' || c == '{') {
@@ -57,7 +57,7 @@ JsonShape shapeOf(std::string_view text) {
     return shape;
 }
 
-/// "2.1" as (2, 1).
+/// Parses "2.1" as (2, 1).
 std::pair<int, int> versionOf(const JsonField& field) {
     const std::string text = field.text();
     const char* end = text.data() + text.size();
@@ -96,7 +96,7 @@ void checkIntegers(const JsonField& array) {
     array.forEachItem([](const JsonField& item) { item.integer(); });
 }
 
-/// As JsonField::numbers().
+/// Checks the member, if present, by JsonField::numbers().
 void checkNumbers(const JsonField& object, const char* key, std::size_t count) {
     object.ifPresent(key, [count](const JsonField& array) { array.numbers(count); });
 }
@@ -106,7 +106,7 @@ void checkBuffer(const JsonField& buffer) {
     checkText(buffer, "uri");
 }
 
-/// A range of a buffer, as views have it and as compressed views have it once more.
+/// Checks a range of a buffer, in a view or in a compressed view.
 void checkRange(const JsonField& range, std::size_t bufferCount) {
     range.member("buffer").indexInto(bufferCount, "buffers");
     checkWholeNumber(range, "byteOffset");
@@ -232,7 +232,7 @@ void checkMaterial(const JsonField& material) {
                          [](const JsonField& unlit) { unlit.requireObject(); });
 }
 
-/// `meaning`: the values, in words.
+/// `meaning`: the allowed values, in words.
 void checkOneOf(const JsonField& object, const char* key, std::initializer_list<int> values,
                 const std::string& meaning) {
     object.ifPresent(key, [&](const JsonField& field) {
@@ -251,7 +251,7 @@ void checkSampler(const JsonField& sampler) {
                "9728, 9729 or 9984 to 9987: nearest or linear, or these of mipmaps");
 }
 
-/// Every section that is there is an array of objects; `check` looks into each.
+/// Requires a section, if present, to be an array of objects; `check` checks each object.
 template <class Check>
 void checkSection(const JsonField& root, const char* section, Check check) {
     root.ifPresent(section, [&](const JsonField& items) {
@@ -294,15 +294,16 @@ void checkSections(const JsonField& root) {
             sampler.indexInto(samplerCount, "samplers");
         });
     });
-    checkSection(root, "images", [](const JsonField&) {}); // looked into where they are drawn
+    checkSection(root, "images", [](const JsonField&) {}); // checked when they are decoded
     checkIndex(root, "scene");
     root.ifExtension("CESIUM_RTC",
                      [](const JsonField& extension) { extension.member("center").numbers(3); });
 }
 
-/// What is wrong with text that is no JSON.
+/// The error in text that isn't JSON.
 std::string jsonFault(std::string_view text, std::size_t byte, bool inGlb) {
-    const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"); // a mark of UTF-8 too
+    // skips a UTF-8 byte order mark too
+    const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
     const bool begun =
         start != std::string_view::npos && (text[start] == '{' || text[start] == '[');
     if (!inGlb && !begun) return " is neither GLB nor JSON.";

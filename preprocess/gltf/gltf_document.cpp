@@ -12,25 +12,25 @@
 namespace edgeshade {
 namespace {
 
-/// The place that a decoded uri says, without the detours of "." and "..". A backslash parts names,
-/// too: exporters on Windows write it, and nobody means a name that has one.
+/// The path of a decoded uri, with "." and ".." resolved. A backslash separates names too:
+/// exporters on Windows write it, and no real name contains one.
 std::filesystem::path placeOf(std::string decoded) {
     std::replace(decoded.begin(), decoded.end(), '\\', '/');
     return std::filesystem::path(decoded).lexically_normal();
 }
 
-/// Whether it lies in the folder that it is relative to, or below.
+/// Whether the path stays within the folder it is relative to.
 bool isInside(const std::filesystem::path& place) {
     return !place.empty() && place.is_relative() && *place.begin() != "..";
 }
 
-/// Whether a colon follows the first name of a decoded uri, as behind a scheme or a drive.
+/// Whether a colon ends the first name of a decoded uri, as after a scheme or a drive.
 bool hasScheme(const std::string& decoded) {
     const std::size_t end = decoded.find_first_of("/\\:");
     return end != std::string::npos && decoded[end] == ':';
 }
 
-/// Where `uri` lies, links followed, if that is inside the asset's folder.
+/// The path of `uri`, with links followed. Throws unless it is inside the asset's folder.
 std::filesystem::path pathOfUri(const GltfDocument& document, const std::string& field,
                                 const std::string& uri) {
     const std::string said = document.where(field) + " is '" + uri.substr(0, 80) + "', but ";
@@ -45,7 +45,7 @@ std::filesystem::path pathOfUri(const GltfDocument& document, const std::string&
     const std::filesystem::path path = document.path.parent_path() / place;
     std::error_code missing;
     const auto file = std::filesystem::canonical(path, missing);
-    if (missing) return path; // reading it says what is wrong
+    if (missing) return path; // reading it reports the error
     const auto folder = std::filesystem::canonical(
         path.parent_path().empty() ? std::filesystem::path(".") : document.path.parent_path() / ".",
         missing);

@@ -11,8 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What holds whole numbers, one or an array of them, wherever it stands in glTF or an extension;
-/// sorted.
+/// Fields that hold a whole number or an array of them, anywhere in glTF or an extension; sorted.
 constexpr std::string_view wholeNumberKeys[] = {
     "buffer",
     "bufferView",
@@ -59,7 +58,8 @@ constexpr std::string_view wholeNumberKeys[] = {
     "wrapT",
 };
 
-/// The whole number that 96.0 says; other values, and those that doubles don't tell apart, stay.
+/// Turns a float such as 96.0 into an integer. Leaves other values, and floats beyond 2^53,
+/// unchanged.
 void makeWhole(Json& value) {
     if (!value.is_number_float()) return;
     const auto number = value.get<double>();
@@ -70,7 +70,7 @@ void makeWhole(Json& value) {
 
 void mendNumbers(Json& value);
 
-/// The numbers among a field's value or its items are whole ones, as those of an attribute list.
+/// Makes a field's value, or each number among its items, whole, as in an attribute list.
 void mendWholeNumbers(Json& value) {
     if (!value.is_structured()) return makeWhole(value);
     for (Json& item : value) {
@@ -86,8 +86,8 @@ void mendNumbers(Json& value) {
     if (!value.is_object()) return;
     for (auto member = value.begin(); member != value.end(); ++member) {
         const std::string& key = member.key();
-        if (key == "extras") continue;              // means something to others alone
-        if (key == "targets" && member->is_array()) // of morphing: attribute lists
+        if (key == "extras") continue;              // only others define its meaning
+        if (key == "targets" && member->is_array()) // morph targets: attribute lists
             for (Json& attributes : *member)
                 mendWholeNumbers(attributes);
         else if (key == "attributes" ||
@@ -106,7 +106,7 @@ void dropZeroStrides(Json& json) {
             view.erase("byteStride");
 }
 
-/// Names stand with the items of sections.
+/// Drops names that aren't text; only items of sections have names.
 void dropBrokenNames(Json& json, const std::filesystem::path& path, Warnings& warnings) {
     const JsonField root(path, json);
     for (auto section = json.begin(); section != json.end(); ++section) {

@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-/// A value as a message shows it: short, and on one line.
+/// A value as a message quotes it: short, on one line.
 std::string shown(const JsonField::Json& value) {
     constexpr std::size_t longest = 60;
     if (value.is_object()) return "an object";
@@ -127,7 +127,7 @@ std::int64_t JsonField::integer() const {
 }
 
 std::uint64_t JsonField::wholeNumber(std::uint64_t most) const {
-    // A number made in code may be signed and yet not negative.
+    // Numbers set from code may be of a signed type without being negative.
     const bool isWhole = value_.is_number_unsigned() ||
                          (value_.is_number_integer() && value_.get<std::int64_t>() >= 0);
     if (!isWhole) failKind("a whole number that is not negative");

@@ -13,16 +13,16 @@
 
 namespace edgeshade {
 
-/// A value in a file's JSON and where it stands, so that whatever is wrong with it can be said in
-/// one sentence: "'scene.glb': accessors[3].count is -24, but must be ...".
+/// A value in a file's JSON and its location, so that one sentence can report any error in it:
+/// "'scene.glb': accessors[3].count is -24, but must be ...".
 ///
-/// Reading functions throw that InputError. A field refers to the one that it was reached from,
-/// which must outlive it; the name is put together only for messages.
+/// Reading functions throw that InputError. A field refers to its parent, which must outlive it.
+/// Its full name is built only for messages.
 class JsonField {
   public:
     using Json = nlohmann::ordered_json;
 
-    /// A field of its own; `name` stands at the start of the names of all below it.
+    /// A root field; `name` begins the names of all fields below it.
     JsonField(const std::filesystem::path& file, const Json& value, const char* name = "")
         : file_(file), value_(value), key_(name) {}
 
@@ -31,30 +31,30 @@ class JsonField {
     std::string where() const;                             ///< "'file': name"
     [[noreturn]] void fail(const std::string& what) const; ///< where() + what + "."
 
-    /// The member, which must be there.
+    /// The member, which must exist. Throws InputError.
     JsonField member(const char* key) const;
     std::optional<JsonField> find(const char* key) const;
     std::size_t size() const { return value_.size(); }
     JsonField item(std::size_t i) const { return JsonField(*this, value_.at(i), i); }
-    /// How many items the member has; 0 where it isn't there.
+    /// The number of items of the member; 0 if it is missing.
     std::size_t countOf(const char* key) const;
 
     void requireObject() const;
     void requireArray() const;
     std::string text() const;
-    /// One of these words.
+    /// The value, which must be one of `words`.
     std::string oneOf(std::initializer_list<const char*> words) const;
     double number() const;
-    /// A finite number that is above 0; 0 or more; other than 0.
+    /// A finite number above 0 (positive), at least 0 (notNegative), or other than 0 (notZero).
     double positive() const;
     double notNegative() const;
     double notZero() const;
-    /// An array of numbers, `count` of them, or any number of them for 0.
+    /// An array of `count` numbers; of any length if `count` is 0.
     std::vector<double> numbers(std::size_t count = 0) const;
     bool boolean() const;
-    std::int64_t integer() const; ///< as wide as an int
+    std::int64_t integer() const; ///< within the range of int
     std::uint64_t wholeNumber(std::uint64_t most = std::numeric_limits<std::int64_t>::max()) const;
-    /// An index, as wide as an int; what it refers to is for the caller to check.
+    /// An index within the range of int; the caller checks what it refers to.
     int index() const;
     /// An index into `count` things named `things`.
     int indexInto(std::size_t count, const char* things) const;
@@ -100,13 +100,13 @@ class JsonField {
 
     const std::filesystem::path& file_;
     const Json& value_;
-    const JsonField* parent_ = nullptr; ///< null: this is where the name starts
+    const JsonField* parent_ = nullptr; ///< null: the name starts here
     const char* key_ = "";
-    std::size_t item_ = 0; ///< where key_ is empty
+    std::size_t item_ = 0; ///< used if key_ is empty
 };
 
-/// Does `action`; what the JSON library throws in it becomes an InputError that names the file. A
-/// net below the checks: each field that is read should have been looked at as a JsonField before.
+/// Runs `action`, and turns exceptions of the JSON library into an InputError that names the file.
+/// This is a safety net below the checks: every field should have been read as a JsonField first.
 template <class Action>
 auto withJsonErrors(const std::filesystem::path& file, Action action) {
     try {

@@ -14,15 +14,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The second is the first with a newer vertex codec and one filter more.
+/// The second has a newer vertex codec and one more filter than the first.
 constexpr const char* extensionNames[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr bool isKhronos(std::string_view name) {
     return name == extensionNames[1];
 }
 constexpr std::uint64_t largestDecodedView = std::uint64_t{1} << 31; // bytes
 
-/// Bytes that one compressed byte can stand for. The vertex codec's least is two bits for sixteen
-/// equal bytes, or for a block of 256 in its second version.
+/// The most bytes that one compressed byte can expand to. The vertex codec's minimum is two bits
+/// for sixteen equal bytes, or in its second version for a block of 256.
 constexpr std::uint64_t largestExpansion = 1024;
 
 /// The extension's fields (EXT_meshopt_compression, "Specifying compressed views").
@@ -34,7 +34,7 @@ struct CompressedView {
     std::string filter;
 };
 
-/// The field's value, where memory could hold that many.
+/// The field's value, which must fit a std::size_t.
 std::size_t sizeIn(const JsonField& field) {
     const std::uint64_t value = field.wholeNumber();
     if (value > std::numeric_limits<std::size_t>::max())
@@ -56,7 +56,7 @@ CompressedView readFields(const GltfDocument& document, const JsonField& extensi
             filter ? filter->text() : "NONE"};
 }
 
-/// Decodes into `decoded`, which has count * stride bytes; returns whether the data was sound.
+/// Decodes into `decoded`, which has count * stride bytes; returns whether the data was valid.
 bool decodeMode(const CompressedView& view, Bytes& decoded) {
     if (view.mode == "ATTRIBUTES")
         return meshopt_decodeVertexBuffer(decoded.data(), view.count, view.stride,
@@ -91,7 +91,7 @@ void requireSupported(const CompressedView& view, const JsonField& extension) {
                        std::to_string(view.stride) + ", which is not allowed");
 }
 
-/// A stream's first byte has its codec in the upper four bits and its version in the lower.
+/// The upper four bits of a stream's first byte are its codec, the lower four its version.
 void requireKnownVersion(const CompressedView& view, const JsonField& extension) {
     constexpr int vertexCodec = 0xA0;
     const int version = view.bytes.empty() ? 0 : view.bytes[0] - vertexCodec;
@@ -100,7 +100,7 @@ void requireKnownVersion(const CompressedView& view, const JsonField& extension)
                        ", but this program decodes version 0 alone");
 }
 
-/// The count is checked against what is there before memory is set aside for it.
+/// Checks the count against the available data before allocating memory for it.
 void requirePlausible(const CompressedView& view, std::uint64_t viewLength,
                       const JsonField& extension) {
     const std::string count = ".count is " + std::to_string(view.count);
@@ -140,7 +140,7 @@ Bytes decodedView(GltfDocument& document, const JsonField& viewField, const Json
     return decoded;
 }
 
-/// What the extension, whichever of the two it is, says of a buffer or a view; or null.
+/// The extension of a buffer or a view, by either name, or null.
 const Json* extensionOf(const Json& object) {
     const auto extensions = object.find("extensions");
     if (extensions == object.end() || !extensions->is_object()) return nullptr;

@@ -8,9 +8,9 @@
 
 namespace edgeshade {
 
-/// Calls read(JsonField) for every item of the member, if it is there: of things that a scene can
-/// do without, `thing` in the singular. Items that it refuses, and a member that is no array, get a
-/// warning; `broken` is told the items' indices.
+/// Calls read(JsonField) for every item of the member, if it exists. The items are optional parts
+/// of a scene; `thing` is their name in the singular. Items that `read` refuses, and a member that
+/// is no array, get a warning; `broken` is called with those items' indices.
 template <class Read, class Broken>
 void forEachSoundItem(const JsonField& parent, const char* key, const char* thing,
                       Warnings& warnings, Read read, Broken broken) {
@@ -25,7 +25,7 @@ void forEachSoundItem(const JsonField& parent, const char* key, const char* thin
     });
 }
 
-/// What read(JsonField) makes of every item; nothing where it refuses one.
+/// The results of read(JsonField) for every item; null for items it refuses.
 template <class Read>
 auto soundItems(const JsonField& parent, const char* key, const char* thing, Warnings& warnings,
                 Read read) {

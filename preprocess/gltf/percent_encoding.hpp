@@ -5,7 +5,8 @@
 
 namespace edgeshade {
 
-/// Undoes %XX (RFC 3986, 2.1); other characters stay, a % before no two hexadecimal digits too.
+/// Decodes %XX (RFC 3986, 2.1). Other characters stay, and so does a % without two hexadecimal
+/// digits after it.
 std::string percentDecoded(std::string_view text);
 
 } // namespace edgeshade

@@ -1,6 +1,7 @@
 #pragma once
 
-/// What headers say of tinygltf's types; sources that look into them include tinygltf_model.hpp.
+/// Forward declarations of tinygltf's types for headers; sources that use their members include
+/// tinygltf_model.hpp.
 namespace tinygltf {
 class Model;
 class Node;

@@ -1,5 +1,4 @@
-// tinygltf, compiled once. Files and images are read by our own code, which checks them; tinygltf
-// gets the JSON alone.
+// tinygltf, compiled once. It gets only the JSON: our own code reads and checks files and images.
 #define TINYGLTF_IMPLEMENTATION
-#include <fstream> // missing in tiny_gltf.h when it has no file system
+#include <fstream> // tiny_gltf.h doesn't include it without a file system
 #include <tiny_gltf.h>

@@ -10,13 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Which items got something that the asset does not have.
+/// Items given a placeholder that the asset lacks.
 struct StandIns {
-    std::vector<std::size_t> accessors; ///< got a bufferView
-    std::vector<std::size_t> skins;     ///< got inverseBindMatrices
+    std::vector<std::size_t> accessors; ///< given a bufferView
+    std::vector<std::size_t> skins;     ///< given inverseBindMatrices
 };
 
-/// The object's members of these names; of what is no object, nothing.
+/// The object's members of these names; empty if it is no object.
 Json only(const Json& object, std::initializer_list<const char*> keys) {
     Json kept = Json::object();
     if (!object.is_object()) return kept;
@@ -25,12 +25,12 @@ Json only(const Json& object, std::initializer_list<const char*> keys) {
     return kept;
 }
 
-/// Replaces the member, if it is there, by what `keep` makes of it.
+/// Replaces the member, if it exists, by the result of `keep` for it.
 void keepOf(Json& object, const char* key, const std::function<Json(const Json&)>& keep) {
     if (const auto member = object.find(key); member != object.end()) *member = keep(*member);
 }
 
-/// What `keep` makes of each item.
+/// An array of the results of `keep` for each item.
 Json kept(const Json& items, const std::function<Json(const Json&)>& keep) {
     Json all = Json::array();
     for (const Json& item : items)
@@ -74,7 +74,8 @@ Json keptMesh(const Json& source) {
     return mesh;
 }
 
-/// tinygltf wants a view behind every index accessor, which KHR_draco_mesh_compression lacks.
+/// Adds placeholder views: tinygltf requires one for every index accessor, and
+/// KHR_draco_mesh_compression has none.
 Json keptAccessors(const Json& source, std::vector<std::size_t>& standIns) {
     Json accessors = kept(source, [](const Json& accessor) {
         return only(accessor, {"bufferView", "byteOffset", "componentType", "count", "normalized",
@@ -88,7 +89,8 @@ Json keptAccessors(const Json& source, std::vector<std::size_t>& standIns) {
     return accessors;
 }
 
-/// It wants inverse bind matrices, which are identities where a skin has none.
+/// Adds placeholder inverse bind matrices: tinygltf requires them, and a skin without them uses
+/// identities.
 Json keptSkins(const Json& source, std::vector<std::size_t>& standIns) {
     Json skins = kept(source, [](const Json& skin) {
         return only(skin, {"joints", "inverseBindMatrices"});
@@ -101,8 +103,8 @@ Json keptSkins(const Json& source, std::vector<std::size_t>& standIns) {
     return skins;
 }
 
-/// Those that move nodes. It wants every animation channel to do that, which those of extensions
-/// need not.
+/// Keeps channels that move nodes: tinygltf requires that of all, and extensions' channels may do
+/// otherwise.
 Json keptChannels(const Json& source, std::size_t animation, const BrokenAnimations& broken) {
     Json moving = Json::array();
     for (std::size_t i = 0; i < source.size(); ++i) {
@@ -115,7 +117,7 @@ Json keptChannels(const Json& source, std::size_t animation, const BrokenAnimati
     return moving;
 }
 
-/// Those that no channel has may be broken: something else stands in their places.
+/// Keeps samplers that a channel uses. Others may be broken, and get a placeholder.
 Json keptSamplers(const Json& source, const Json& channels) {
     Json samplers = Json::array();
     samplers.get_ref<Json::array_t&>().resize(source.size(), Json{{"input", 0}, {"output", 0}});
@@ -138,7 +140,7 @@ Json keptAnimation(const Json& source, std::size_t index, const BrokenAnimations
 
 Json keptAnimations(const Json& source, const BrokenAnimations& broken) {
     Json animations = Json::array();
-    if (!source.is_array()) return animations; // a warning was given
+    if (!source.is_array()) return animations; // a warning was already given
     for (std::size_t i = 0; i < source.size(); ++i)
         animations.push_back(broken.whole.contains(i) ? Json::object()
                                                       : keptAnimation(source[i], i, broken));
@@ -163,7 +165,7 @@ Json keptJson(const Json& source, const BrokenAnimations& brokenAnimations, Stan
     keepItems("samplers", {"magFilter", "minFilter", "wrapS", "wrapT"});
     keepOf(json, "meshes", [](const Json& meshes) { return kept(meshes, keptMesh); });
     keepOf(json, "materials", [](const Json& materials) { return kept(materials, keptMaterial); });
-    // It wants bytes behind every buffer, which EXT_meshopt_compression's fallbacks lack.
+    // tinygltf requires bytes in every buffer, and EXT_meshopt_compression's fallbacks have none.
     keepOf(json, "buffers", [](const Json& buffers) {
         return kept(buffers, [](const Json&) {
             return Json{{"uri", "data:application/octet-stream;base64,AA=="}, {"byteLength", 1}};
@@ -191,7 +193,8 @@ tinygltf::Model typedModel(const Json& json, const BrokenAnimations& brokenAnima
     std::string errors, warnings;
     const bool parsed = loader.LoadASCIIFromString(
         &model, &errors, &warnings, text.data(), static_cast<unsigned>(text.size()), std::string());
-    // Its own words name no field; whatever they are about, the checks before should have said it.
+    // tinygltf's messages name no field, and the earlier checks should have reported any error
+    // already.
     if (!parsed || !errors.empty())
         throw InputError("'" + path.string() + "' is no valid glTF 2.0: it could not be parsed.");
     model.bufferViews.resize(json.contains("bufferViews") ? json["bufferViews"].size() : 0);

@@ -8,10 +8,10 @@
 
 namespace edgeshade {
 
-/// tinygltf's typed view of what this program reads of sound glTF JSON; all else, names too, is
-/// left out of it. Its buffers and images stay empty; of animations it has what is not among
-/// `brokenAnimations`. tinygltf refuses some assets that glTF allows; it gets a copy with stand-ins
-/// there, and no trace of them is left in what is returned. Throws InputError naming `path`.
+/// tinygltf's typed view of the fields that this program reads in sound glTF JSON; it has no
+/// others, and no names. Its buffers and images stay empty, and animations in `brokenAnimations`
+/// are left out. tinygltf refuses some assets that glTF allows: it parses a copy with placeholders,
+/// and these are removed from the result. Throws InputError naming `path`.
 tinygltf::Model typedModel(const nlohmann::ordered_json& json,
                            const BrokenAnimations& brokenAnimations,
                            const std::filesystem::path& path);

@@ -5,8 +5,8 @@
 namespace edgeshade {
 namespace {
 
-/// Bytes of the character that the text starts with; 0 if it starts with none. Overlong ones,
-/// surrogates and what lies past U+10FFFF are none.
+/// Byte length of the character at the text's start; 0 if there is none. Overlong encodings,
+/// surrogates and code points beyond U+10FFFF are invalid.
 std::size_t characterLength(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t first = byte(0);

@@ -7,10 +7,10 @@
 
 namespace edgeshade {
 
-/// Where bytes begin that are no UTF-8 (RFC 3629); null where all are.
+/// Index of the first byte that isn't UTF-8 (RFC 3629); null if all are.
 std::optional<std::size_t> firstInvalidUtf8(std::string_view text);
 
-/// The text with U+FFFD, the replacement character, for every byte that is no part of a character.
+/// The text with U+FFFD, the replacement character, for every byte that belongs to no character.
 std::string withValidUtf8(std::string_view text);
 
 } // namespace edgeshade

@@ -9,7 +9,7 @@
 namespace edgeshade {
 namespace {
 
-/// A vertex of the batch for every welded position.
+/// One vertex of the batch for each welded position.
 std::vector<std::uint32_t> verticesOf(const WeldedMesh& mesh, const Casters& casters) {
     std::vector<std::uint32_t> vertices(mesh.positions.size());
     for (std::size_t t = mesh.triangles.size(); t-- > 0;)
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> simplified(const Batch& batch, const Casters& casters
 void simplifyCasters(Scene& scene, double error) {
     if (error <= 0.0) return;
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
-    std::vector<double> longest(first.size(), 0.0); // of all places of a geometry
+    std::vector<double> longest(first.size(), 0.0); // over all places of a geometry
     for (std::size_t i = 0; i < first.size(); ++i)
         longest[first[i]] =
             std::max(longest[first[i]], longestAxis(scene.batches[i].worldFromBatch));
@@ -50,7 +50,7 @@ void simplifyCasters(Scene& scene, double error) {
             batch.geometry = scene.batches[first[i]].geometry;
             continue;
         }
-        if (!batch.deforms()) // else what is near in one pose is far in another
+        if (!batch.deforms()) // else vertices close in one pose are apart in another
             batch.geometry.edit().simplifiedCasters =
                 simplified(batch, castingSurfacesOf(*batch.geometry, scene.materials, false),
                            error / longest[i]);

@@ -7,8 +7,8 @@
 namespace edgeshade {
 namespace {
 
-/// Disjoint sets of the numbers 0 .. count - 1 that several threads may join at once. In the end
-/// the root of each is its least number, whatever the order.
+/// Disjoint sets of the numbers 0 .. count - 1 that several threads may join at once. The final
+/// root of each set is its lowest number, whatever the order of joins.
 class SharedSets {
   public:
     SharedSets(std::size_t count, Threads threads) : parent_(count) {
@@ -20,7 +20,7 @@ class SharedSets {
     std::uint32_t find(std::uint32_t item) {
         std::uint32_t parent = parentOf(item);
         while (parent != item) {
-            // Whoever else shortens this way, it leads to the same root.
+            // Other threads may shorten the path too; every result leads to the same root.
             const std::uint32_t next = parentOf(parent);
             if (next != parent) parent_[item].store(next, std::memory_order_relaxed);
             item = parent;
@@ -35,7 +35,7 @@ class SharedSets {
             b = find(b);
             if (a == b) return;
             if (a < b) std::swap(a, b);
-            std::uint32_t root = a; // unless another thread has just hung it elsewhere
+            std::uint32_t root = a; // unless another thread has just attached it elsewhere
             if (parent_[a].compare_exchange_strong(root, b, std::memory_order_relaxed)) return;
         }
     }
@@ -57,7 +57,8 @@ bool isClosedHere(const EdgeList& edges, const Edge& edge) {
     return 2 * forward == edge.oppositeCount;
 }
 
-/// By triangle: how many components begin before it, and with it.
+/// The number of the component at its first triangle, 0 at all others. Sets `count` to the number
+/// of components.
 std::vector<std::uint32_t> numbersOf(SharedSets& sets, std::size_t triangles, Threads threads,
                                      std::size_t& count) {
     std::vector<std::uint32_t> numbers(triangles);

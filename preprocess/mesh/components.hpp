@@ -9,15 +9,15 @@ namespace edgeshade {
 
 /// Triangles connected through edges.
 struct Components {
-    std::vector<std::uint32_t> ofTriangle; ///< numbered by their first triangles
-    /// Of each component: every edge has as many triangles in one direction as in the other, so
-    /// that it is closed as a chain and winding numbers exist (docs/method.md, C8).
+    std::vector<std::uint32_t> ofTriangle; ///< numbered in the order of their first triangles
+    /// For each component, whether every edge has as many triangles in one direction as in the
+    /// other. It is then closed as a chain, and winding numbers exist (docs/method.md, C8).
     std::vector<std::uint8_t> closed;
 
     std::size_t count() const { return closed.size(); }
 };
 
-/// Finds them, in whatever primitives, materials and meshes of a batch their triangles are.
+/// Finds components across a batch's primitives, materials and meshes.
 Components findComponents(const WeldedMesh& mesh, const EdgeList& edges, Threads threads = {});
 
 /// Whether the triangle runs through its edge from a to b (1) or from b to a (-1).

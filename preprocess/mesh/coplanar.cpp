@@ -11,11 +11,11 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Integers of so many bits and a sign: the determinant of three differences is a sum of six
-/// products of three factors of at most 41 bits, which 127 bits hold.
+/// Coordinates as integers of this many bits and a sign. The determinant of three differences is a
+/// sum of six products of three factors of at most 41 bits, which 127 bits hold.
 constexpr int integerBits = 40;
 
-/// A coordinate as an odd integer times a power of two; 0 as 0.
+/// A coordinate as an odd integer times a power of two; 0 is 0.
 struct Scaled {
     std::int64_t odd = 0;
     int exponent = 0;
@@ -32,7 +32,7 @@ Scaled scaled(float value) {
     return {bits >> 31 ? -odd : odd, std::max(field, 1) - 150 + zeros};
 }
 
-/// Four coordinates along one axis, times a power of two that makes all of them integers.
+/// Four coordinates along one axis, scaled by a common power of two to integers.
 std::optional<std::array<std::int64_t, 4>> asIntegers(const std::array<float, 4>& values) {
     std::array<Scaled, 4> parts;
     int lowest = 1000;
@@ -51,7 +51,7 @@ std::optional<std::array<std::int64_t, 4>> asIntegers(const std::array<float, 4>
     return integers;
 }
 
-/// Whether the determinant in double is farther from 0 than its rounding can have brought it.
+/// Whether the determinant in double precision differs from 0 by more than its rounding error.
 bool isClearlyNotZero(const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& w) {
     const glm::dvec3 cross = glm::cross(v, w);
     const glm::dvec3 size = glm::abs(u);
@@ -68,7 +68,7 @@ bool areCoplanar(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, con
     const glm::dvec3 origin(a);
     if (isClearlyNotZero(glm::dvec3(b) - origin, glm::dvec3(c) - origin, glm::dvec3(d) - origin))
         return false;
-    std::array<std::array<Wide, 3>, 3> rows; // of b, c, d, relative to a
+    std::array<std::array<Wide, 3>, 3> rows; // b, c, d, relative to a
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const auto integers = asIntegers({a[axis], b[axis], c[axis], d[axis]});
         if (!integers) return false;

@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-/// One side of one triangle.
+/// One side of a triangle.
 struct HalfEdge {
     std::uint32_t a, b; ///< a < b
     std::uint32_t vertex;
@@ -21,11 +21,11 @@ bool before(const HalfEdge& p, const HalfEdge& q) {
     return p.triangleAndWay < q.triangleAndWay;
 }
 
-/// Vertices in blocks, so few that a block's sides fit a cache.
+/// Vertices are divided into at most this many blocks, so that a block's sides fit a cache.
 constexpr std::uint32_t mostBlocks = 2048;
 constexpr unsigned leastShift = 6;
 constexpr std::size_t trianglesOfThread = std::size_t{1} << 14;
-/// Sides under a vertex up to which inserting one by one is quicker.
+/// Sides under a vertex up to which insertion sort is faster.
 constexpr std::size_t fewSides = 24;
 
 template <class Use>
@@ -40,8 +40,8 @@ void forEachSide(const WeldedMesh& mesh, const ItemRange& triangles, Use use) {
     }
 }
 
-/// All sides, sorted by (a, b, vertex, triangle): first divided into blocks by `a`, then each block
-/// within the cache.
+/// All sides, sorted by (a, b, vertex, triangle): divided into blocks by `a`, then each block
+/// sorted within the cache.
 class SortedSides {
   public:
     SortedSides(const WeldedMesh& mesh, Threads threads)
@@ -79,7 +79,7 @@ class SortedSides {
         });
     }
 
-    /// Those under one vertex together, as they were; then each few sorted.
+    /// Groups a block's sides by vertex, in their order, then sorts each small group.
     void sortBlock(std::size_t block) {
         const std::span<HalfEdge> sides(&sides_[0] + firstOf_[block],
                                         firstOf_[block + 1] - firstOf_[block]);
@@ -94,7 +94,8 @@ class SortedSides {
         for (const HalfEdge& side : unsorted)
             sides[places[side.a - firstVertex]++] = side;
         std::size_t first = 0;
-        for (std::size_t v = 0; v + 1 < places.size(); ++v) { // now where each one's end is
+        // each place is now the end of its group
+        for (std::size_t v = 0; v + 1 < places.size(); ++v) {
             sortUnderVertex(sides.subspan(first, places[v] - first));
             first = places[v];
         }
@@ -139,9 +140,9 @@ class SortedSides {
     const Threads threads_;
     const std::size_t vertices_;
     unsigned shift_ = leastShift;
-    std::vector<std::size_t> firstOf_; ///< by block; one more than there are
+    std::vector<std::size_t> firstOf_; ///< by block, with the end appended
     std::vector<HalfEdge> sides_;
-    std::vector<std::size_t> edges_; ///< by block: how many; in the end, before which
+    std::vector<std::size_t> edges_; ///< edges of each block; at the end, edges before it
     std::size_t edgeCount_ = 0;
 };
 

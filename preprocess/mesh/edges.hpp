@@ -8,14 +8,14 @@
 
 namespace edgeshade {
 
-/// A vertex opposite to an edge: the third one of a triangle on it.
+/// A vertex opposite an edge: the third vertex of a triangle on the edge.
 struct Opposite {
     std::uint32_t vertex = 0;
     std::uint32_t triangle = 0;
     bool operator==(const Opposite&) const = default;
 };
 
-/// An edge `a < b` and where its opposite vertices stand in EdgeList::opposites.
+/// An edge `a < b` and the position of its opposite vertices in EdgeList::opposites.
 struct Edge {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -24,12 +24,13 @@ struct Edge {
     bool operator==(const Edge&) const = default;
 };
 
-/// All edges of a welded mesh, sorted by (a, b); opposites of an edge sorted by (vertex, triangle).
+/// All edges of a welded mesh, sorted by (a, b); the opposites of an edge are sorted by (vertex,
+/// triangle).
 struct EdgeList {
     std::vector<Edge> edges;
-    std::vector<Opposite> opposites; ///< three a triangle
-    /// Of each of `opposites`: 1 where its triangle runs through the edge from a to b, 0 where from
-    /// b to a. Of lists that buildEdges() made.
+    std::vector<Opposite> opposites; ///< three per triangle
+    /// For each of `opposites`: 1 if its triangle runs through the edge from a to b, 0 if from b to
+    /// a. Filled by buildEdges() alone.
     std::vector<std::uint8_t> forward;
 
     std::span<const Opposite> oppositesOf(const Edge& edge) const {

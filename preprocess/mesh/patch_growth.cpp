@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFFu;
 
-/// The triangles across the up to three edges that may be crossed.
+/// The triangles across a triangle's edges that may be crossed, up to three.
 using Neighbours = std::array<std::uint32_t, 3>;
 
 std::vector<Neighbours> neighboursIn(const WeldedMesh& mesh, const EdgeList& edges) {
@@ -30,7 +30,7 @@ std::vector<Neighbours> neighboursIn(const WeldedMesh& mesh, const EdgeList& edg
     return neighbours;
 }
 
-/// Triangles patch by patch, each patch's together and ascending.
+/// Triangles grouped by patch, ascending in each.
 class Patches {
   public:
     Patches(std::span<const glm::dvec3> normals, std::span<const std::uint32_t> models)
@@ -49,7 +49,7 @@ class Patches {
         return std::span(triangles_).subspan(first_[model], first_[model + 1] - first_[model]);
     }
 
-    /// All models, those of the largest patches first.
+    /// All models, in order of falling patch area.
     std::vector<std::uint32_t> bySize() const {
         std::vector<std::uint32_t> models;
         for (std::uint32_t t = 0; t < areas_.size(); ++t)
@@ -62,7 +62,7 @@ class Patches {
   private:
     std::vector<std::uint32_t> first_; ///< by model
     std::vector<std::uint32_t> triangles_;
-    std::vector<double> areas_; ///< twice, by model
+    std::vector<double> areas_; ///< twice the area, by model
 };
 
 } // namespace
@@ -78,7 +78,7 @@ void growPatches(const WeldedMesh& mesh, const EdgeList& edges, std::span<const 
     const Patches patches(normals, models);
     const std::vector<std::uint32_t> exact = models;
     std::vector<char> taken(models.size(), 0); // by model
-    std::vector<std::uint32_t> joined;         // models of the patch that grows
+    std::vector<std::uint32_t> joined;         // models of the growing patch
     for (const std::uint32_t seed : patches.bySize()) {
         if (taken[seed]) continue;
         taken[seed] = 1;

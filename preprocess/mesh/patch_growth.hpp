@@ -8,14 +8,15 @@
 
 namespace edgeshade {
 
-/// Joins flat patches to nearly flat ones. From the largest patch on, each takes in the patches
-/// around it whose normals are within `degrees` (> 0, < 45) of its own, across edges of exactly two
-/// triangles that run opposite ways and bend no more than that. All compare with the patch that it
-/// began with, so normals don't drift, and no triangle is turned over.
+/// Joins flat patches to nearly flat ones. Starting with the largest, each patch absorbs the
+/// patches around it whose normals are within `degrees` (> 0, < 45) of its own. They must meet
+/// across edges of exactly two triangles that run in opposite directions and bend no more than
+/// that. All compare with the original patch, so that normals don't drift and no triangle is turned
+/// over.
 ///
-/// `normals`: of every triangle, as long as its area is large; zero: it joins nothing. `models`: of
-/// every triangle, the one of its patch whose plane all of it takes; that of the patch joined,
-/// afterwards. The result depends on the mesh alone.
+/// `normals`: for every triangle, of a length proportional to its area; zero: the triangle joins
+/// nothing. `models`: for every triangle, the triangle whose plane its patch uses; on return, that
+/// of the patch it joined. The result depends on the mesh alone.
 void growPatches(const WeldedMesh& mesh, const EdgeList& edges, std::span<const glm::dvec3> normals,
                  double degrees, std::vector<std::uint32_t>& models);
 

@@ -7,7 +7,7 @@
 namespace edgeshade {
 namespace {
 
-/// Clears what an edge without exactly two triangles, opposite ways, belongs to.
+/// Clears components that have an edge without exactly two triangles in opposite directions.
 void keepManifolds(const EdgeList& edges, const Components& components,
                    std::vector<std::uint8_t>& solid) {
     for (const Edge& edge : edges.edges) {
@@ -17,7 +17,7 @@ void keepManifolds(const EdgeList& edges, const Components& components,
     }
 }
 
-/// Clears what has no volume above 0 within. Each sum is taken from a corner of its component.
+/// Clears components whose volume isn't above 0. Each sum is taken from a corner of its component.
 void keepOutwards(const WeldedMesh& mesh, const Components& components,
                   std::vector<std::uint8_t>& solid) {
     std::vector<glm::dvec3> from(components.count());
@@ -45,7 +45,7 @@ std::vector<std::uint8_t> solidComponents(const WeldedMesh& mesh, const EdgeList
     keepManifolds(edges, components, solid);
     keepOutwards(mesh, components, solid);
 
-    std::vector<std::uint32_t> triangles; // of solids, those of one component side by side
+    std::vector<std::uint32_t> triangles; // of solids, grouped by component
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
         if (solid[components.ofTriangle[t]]) triangles.push_back(t);
     const auto componentOf = [&](std::uint32_t t) { return components.ofTriangle[t]; };

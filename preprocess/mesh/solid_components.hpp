@@ -7,15 +7,17 @@
 
 namespace edgeshade {
 
-/// By component: 1 where it is the surface of a solid, wound outwards: every edge has two
-/// triangles, which run through it opposite ways, no triangles cross, and the volume within is
-/// above 0. Its winding number is then 1 within and 0 outside, and a ray that comes from outside
-/// meets a front first (docs/method.md, C39). 0 where that is not so, or not beyond doubt: where
-/// rounding can't tell, or so many triangles lie within each other's boxes that it would take long.
-/// Contacts are no crossings, nor is what rounding can't tell from one.
+/// For each component, 1 if it is the surface of a solid, wound outwards. Every edge has two
+/// triangles, in opposite directions, no triangles cross, and the enclosed volume is above 0. Its
+/// winding number is then 1 inside and 0 outside, and a ray from outside meets a front first
+/// (docs/method.md, C39).
 ///
-/// mesh: finite positions; edges and components: buildEdges() and findComponents() of it.
-/// Some hundred milliseconds for 100,000 triangles.
+/// 0 if it is not a solid, or not certainly: rounding can't tell, or so many triangles lie within
+/// each other's boxes that the test would take long. Contacts aren't crossings, and neither is a
+/// crossing too small to tell from one.
+///
+/// mesh: finite positions; edges and components: its buildEdges() and findComponents(). Takes a few
+/// hundred milliseconds for 100,000 triangles.
 std::vector<std::uint8_t> solidComponents(const WeldedMesh& mesh, const EdgeList& edges,
                                           const Components& components);
 

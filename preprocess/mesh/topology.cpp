@@ -32,7 +32,7 @@ Casters castersOf(const Geometry& geometry, const std::vector<Material>& materia
     Casters casters;
     for (const SurfaceGroup& group : geometry.groups) {
         const bool opaque = materials[group.material].alphaMode == AlphaMode::opaque;
-        // One group stands for all opaque ones: their materials make no difference.
+        // One group holds all opaque triangles, as their materials make no difference.
         if (opaque && casters.groups.empty())
             add(casters, group.material, *geometry.simplifiedCasters);
         else if (!opaque && castMasked)

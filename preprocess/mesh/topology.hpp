@@ -6,25 +6,26 @@
 
 namespace edgeshade {
 
-/// Caps [firstCap, firstCap + capCount) of casters of one material.
+/// The range of caps [firstCap, firstCap + capCount) whose casters have one material.
 struct MaterialCasters {
     std::size_t material = 0;
     std::uint32_t firstCap = 0;
     std::uint32_t capCount = 0;
 };
 
-/// The triangles of a batch that cast: which groups, and their corner indices.
+/// The casting triangles of a batch, in groups, by their corner indices.
 struct Casters {
-    std::vector<std::uint32_t> indices; ///< three a triangle, into Batch::positions
+    std::vector<std::uint32_t> indices; ///< three per triangle, into Batch::positions
     std::vector<SurfaceGroup> groups;   ///< ranges of `indices`
 };
 
-/// The surfaces of a batch that cast: opaque triangles, with `castMasked` MASK and BLEND ones too
-/// (docs/method.md, C7).
+/// The casting surfaces of a batch: opaque triangles, and with `castMasked` also MASK and BLEND
+/// ones (docs/method.md, C7).
 Casters castingSurfacesOf(const Geometry& geometry, const std::vector<Material>& materials,
                           bool castMasked);
 
-/// The same with the simplified casters, where there are some, in place of the opaque triangles.
+/// As castingSurfacesOf(), with simplified casters in place of the opaque triangles where they
+/// exist.
 Casters castersOf(const Geometry& geometry, const std::vector<Material>& materials,
                   bool castMasked);
 inline Casters castersOf(const Batch& batch, const std::vector<Material>& materials,
@@ -32,7 +33,7 @@ inline Casters castersOf(const Batch& batch, const std::vector<Material>& materi
     return castersOf(*batch.geometry, materials, castMasked);
 }
 
-/// Casters, welded.
+/// Welded casters.
 struct CasterMesh {
     WeldedMesh welded;
     std::vector<MaterialCasters> groups; ///< ranges of welded.triangles, and so of caps
@@ -41,12 +42,12 @@ struct CasterMesh {
 /// Welds the casters; triangles keep their order.
 CasterMesh weldCasters(const Batch& batch, const Casters& casters, Threads threads = {});
 
-/// The same for records that last for all poses: of a batch that deforms, vertices are one if they
-/// are at one place in whatever pose (alikeVertices()). Positions are sorted, but may repeat.
+/// Welds casters for records that serve all poses. In a deforming batch, vertices are welded if
+/// they coincide in every pose (alikeVertices()). Positions are sorted, but may repeat.
 CasterMesh weldForRecords(const Batch& batch, const Casters& casters);
 
-/// FNV-1a, 64 bit, over the bytes of every corner's position in order, little-endian. Tells
-/// whether shadow data belong to these surfaces; no defence against forgery.
+/// FNV-1a, 64 bit, over the bytes of every corner's position in order, little-endian. Identifies
+/// the surfaces that shadow data belong to; no protection against forgery.
 std::uint64_t positionsHash(const Batch& batch, const Casters& surfaces);
 
 } // namespace edgeshade

@@ -8,10 +8,10 @@
 namespace edgeshade {
 namespace {
 
-/// Some units of rounding of products of coordinates, as a share of them.
+/// A few rounding units of products of coordinates, relative.
 constexpr double rounding = 1e-14;
 
-/// Of pairs whose boxes overlap: neighbours are some six a triangle.
+/// Most tests per triangle of pairs whose boxes overlap; its neighbours are about six of them.
 constexpr std::size_t pairsOfTriangle = 256;
 
 bool overlap(const Box& one, const Box& other) {
@@ -26,7 +26,7 @@ Box boxAround(const TriangleCorners& corners) {
     return box;
 }
 
-/// What the triangles are along an axis: their least and most.
+/// The interval of a triangle along an axis.
 std::pair<double, double> along(const glm::dvec3& axis, const TriangleCorners& corners,
                                 const glm::dvec3& from) {
     const double a = glm::dot(axis, corners[0] - from), b = glm::dot(axis, corners[1] - from),
@@ -34,8 +34,8 @@ std::pair<double, double> along(const glm::dvec3& axis, const TriangleCorners& c
     return {std::min({a, b, c}), std::max({a, b, c})};
 }
 
-/// Whether two triangles have more in common than a contact: no plane parts them, they themselves
-/// on it allowed (separating axes, Gottschalk et al. 1996).
+/// Whether two triangles share more than a contact: no plane separates them, where both may touch
+/// it (separating axes, Gottschalk et al. 1996).
 bool cross(const TriangleCorners& one, const TriangleCorners& other) {
     const glm::dvec3& from = one[0];
     double size = 0.0;
@@ -69,7 +69,7 @@ bool cross(const TriangleCorners& one, const TriangleCorners& other) {
     return true;
 }
 
-/// Triangles in halves, and halves of these, with boxes around them.
+/// A binary tree of triangles, split in halves, with boxes around them.
 class CrossingSearch {
   public:
     explicit CrossingSearch(std::vector<TriangleCorners> triangles)
@@ -83,7 +83,7 @@ class CrossingSearch {
   private:
     static constexpr std::size_t few = 4;
     struct Part {
-        std::size_t number, first, end; ///< that of the whole is 1
+        std::size_t number, first, end; ///< the root has number 1
         bool isLeaf() const { return end - first <= few; }
         Part half(bool second) const {
             const std::size_t middle = first + (end - first) / 2;
@@ -118,7 +118,7 @@ class CrossingSearch {
         fill(second);
     }
 
-    /// True also where too many pairs were asked.
+    /// Returns true also when the budget of pairs is spent.
     bool meet(std::size_t i, std::size_t j) {
         if (!overlap(boxAround(triangles_[i]), boxAround(triangles_[j]))) return false;
         if (pairsLeft_ == 0) return true;

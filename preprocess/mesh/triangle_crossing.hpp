@@ -16,9 +16,9 @@ inline TriangleCorners cornersOf(const WeldedMesh& mesh, std::size_t triangle) {
             glm::dvec3(mesh.positions[of[2]])};
 }
 
-/// Whether some two of these triangles have more in common than a contact, or it would take long to
-/// tell: more than some hundred pairs a triangle whose boxes overlap. What rounding can't tell from
-/// a contact is one.
+/// Whether any two of these triangles share more than a contact. Also true if deciding would take
+/// long: more than a few hundred pairs per triangle have overlapping boxes. A crossing too small to
+/// tell from a contact counts as a contact.
 bool mayCross(std::vector<TriangleCorners> triangles);
 
 } // namespace edgeshade

@@ -10,12 +10,12 @@
 namespace edgeshade {
 namespace {
 
-/// Triangles that a thread is worth starting for.
+/// Triangles below which another thread isn't worth starting.
 constexpr std::size_t trianglesOfThread = std::size_t{1} << 14;
 
 constexpr std::uint32_t signBit = 0x80000000u;
 
-/// A number that is ordered as the coordinate is; -0 is +0.
+/// A key with the coordinate's order; -0 is +0.
 std::uint32_t orderOf(float coordinate) {
     const std::uint32_t bits = glm::floatBitsToUint(coordinate + 0.0f);
     return bits & signBit ? ~bits : bits | signBit;
@@ -25,7 +25,7 @@ float coordinateOf(std::uint32_t order) {
     return glm::uintBitsToFloat(order & signBit ? order & ~signBit : ~order);
 }
 
-/// Ordered as orderedBefore() does.
+/// Sorts in the order of orderedBefore().
 using KeyedPosition = Keyed<3>;
 
 KeyedPosition keyed(const glm::vec3& position, std::uint32_t number) {
@@ -57,8 +57,8 @@ struct PositionHash {
     }
 };
 
-/// Cells of the snapping grid, twice as wide as the tolerance, along one axis: those that hold what
-/// is near a coordinate, its own among them.
+/// Cells of the snapping grid along one axis, each twice as wide as the tolerance: those that can
+/// hold positions near a coordinate, its own included.
 struct AxisCells {
     std::int64_t own, first, last;
 
@@ -74,20 +74,20 @@ struct AxisCells {
                 std::floor((static_cast<double>(coordinate) + reach) / size));
             return;
         }
-        // So far out floats lie farther apart than cells are wide, and only equal coordinates are
-        // near: each has a cell of its own, so that no cell fills up.
+        // At this distance floats are farther apart than cells are wide, and only equal coordinates
+        // are near. Each gets its own cell, so that no cell fills up.
         std::int32_t bits = 0;
         std::memcpy(&bits, &coordinate, sizeof bits);
         own = first = last = (std::int64_t{1} << 60) + bits;
     }
 };
 
-/// Positions that were kept, by cells.
+/// Kept positions, by cell.
 class KeptPositions {
   public:
     explicit KeptPositions(double tolerance) : tolerance_(tolerance) {}
 
-    /// The first that is nearer than the tolerance; else this one, which is kept from now on.
+    /// The first kept position nearer than the tolerance; otherwise this one, which is kept.
     glm::vec3 snapped(const glm::vec3& position) {
         const AxisCells x(position.x, tolerance_), y(position.y, tolerance_),
             z(position.z, tolerance_);
@@ -107,7 +107,7 @@ class KeptPositions {
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
     struct Kept {
         glm::vec3 position;
-        std::uint32_t before; ///< in its cell
+        std::uint32_t before; ///< the previous one in its cell
     };
 
     std::uint32_t firstIn(const Cell& cell, const glm::vec3& position) const {
@@ -116,7 +116,7 @@ class KeptPositions {
         for (std::uint32_t k = found == newestIn_.end() ? none : found->second; k != none;
              k = kept_[k].before)
             if (glm::distance(glm::dvec3(kept_[k].position), glm::dvec3(position)) < tolerance_)
-                first = k; // they are met from the newest on
+                first = k; // the list runs from newest to oldest
         return first;
     }
 
@@ -125,7 +125,7 @@ class KeptPositions {
     std::unordered_map<Cell, std::uint32_t, CellHash> newestIn_;
 };
 
-/// The positions of vertices that triangles use, vertex by vertex.
+/// Positions of the vertices that triangles use, in vertex order.
 std::vector<KeyedPosition> usedPositions(std::span<const glm::vec3> positions,
                                          std::span<const std::uint32_t> indices, Threads threads) {
     std::vector<std::uint8_t> used(positions.size(), 0);
@@ -146,13 +146,13 @@ std::vector<KeyedPosition> usedPositions(std::span<const glm::vec3> positions,
     return keys;
 }
 
-/// Distinct positions, in order, and for each vertex which one it is at.
+/// Distinct positions, sorted, and the index of each vertex's position.
 struct Places {
     std::vector<glm::vec3> positions;
     std::vector<std::uint32_t> ofVertex;
 };
 
-/// `keys`: sorted.
+/// `keys` must be sorted.
 Places placesOf(const std::vector<KeyedPosition>& keys, std::size_t vertexCount, Threads threads) {
     const auto isNew = [&](std::size_t i) { return i == 0 || keys[i].key != keys[i - 1].key; };
     const std::vector<ItemRange> parts = partsOf(keys.size(), trianglesOfThread, threads);
@@ -221,7 +221,8 @@ WeldedMesh weldAlike(std::span<const glm::vec3> positions, std::span<const std::
                      std::span<const std::uint32_t> indices, Threads threads) {
     if (indices.empty()) return {};
     constexpr std::uint32_t unused = 0xFFFFFFFFu;
-    std::vector<std::uint32_t> distinctOf(positions.size(), unused); // numbered as they are met
+    // numbered in order of first use
+    std::vector<std::uint32_t> distinctOf(positions.size(), unused);
     std::vector<KeyedPosition> keys;
     for (const std::uint32_t index : indices) {
         std::uint32_t& first = distinctOf[alike[index]];
@@ -247,7 +248,8 @@ WeldedMesh weldAlike(std::span<const glm::vec3> positions, std::span<const std::
 
 void snapPositions(std::vector<glm::vec3>& positions, double tolerance) {
     KeptPositions kept(tolerance);
-    std::unordered_map<glm::vec3, glm::vec3, PositionHash> known; // equal ones go to one place
+    // equal positions go to the same place
+    std::unordered_map<glm::vec3, glm::vec3, PositionHash> known;
     for (glm::vec3& position : positions) {
         const auto [place, isNew] = known.try_emplace(position);
         if (isNew) place->second = kept.snapped(position);

@@ -13,7 +13,7 @@ std::size_t countOf(const Json& json, const char* section) {
     return items == json.end() ? 0 : items->size();
 }
 
-/// The member's items, or none where it is no array.
+/// The member's items; empty if it is no array.
 std::span<Json> itemsOf(Json& object, const char* key) {
     if (!object.is_object() || !object.contains(key) || !object[key].is_array()) return {};
     return object[key].get_ref<Json::array_t&>();
@@ -22,7 +22,7 @@ std::span<Json> itemsOf(Json& object, const char* key) {
 bool eraseIfDangling(Json& object, const char* key, std::size_t count) {
     if (!object.is_object() || !object.contains(key)) return false;
     const Json& index = object[key];
-    // A number made in code may be signed and yet not negative.
+    // Numbers set from code may be of a signed type without being negative.
     const bool isWhole =
         index.is_number_unsigned() || (index.is_number_integer() && index.get<std::int64_t>() >= 0);
     if (!isWhole || index.get<std::uint64_t>() < count) return false;
@@ -36,7 +36,7 @@ bool eraseDanglingIndices(Json& json) {
     bool any = false;
     for (Json& image : itemsOf(json, "images"))
         if (eraseIfDangling(image, "bufferView", countOf(json, "bufferViews"))) {
-            image.erase("uri"); // which was not read, and would be now
+            image.erase("uri"); // unread so far, but it would be read now
             any = true;
         }
     for (Json& animation : itemsOf(json, "animations"))

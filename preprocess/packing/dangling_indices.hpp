@@ -4,9 +4,9 @@
 
 namespace edgeshade {
 
-/// Erases indices of views and accessors that name nothing. Pictures and animations may have them:
-/// they are left out with a warning when they are drawn, with no index at all just as well. Where a
-/// view or an accessor is added, such an index would name that. Returns whether there were any.
+/// Erases indices of views and accessors that don't exist. Images and animations may have them, and
+/// drawing leaves these out with a warning, as it does without an index. Such an index would refer
+/// to the next view or accessor that is added. Returns whether there were any.
 bool eraseDanglingIndices(nlohmann::ordered_json& json);
 
 } // namespace edgeshade

@@ -8,7 +8,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// Small differences of either sign as small numbers.
+/// Maps a difference of either sign to a number that is small if the difference is.
 std::uint32_t folded(std::uint32_t to, std::uint32_t from) {
     return to >= from ? 2 * (to - from) : 2 * (from - to) - 1;
 }
@@ -26,7 +26,7 @@ Bytes encodeNumbers(const std::vector<std::uint32_t>& numbers, std::size_t perGr
     return bytes;
 }
 
-/// `count` groups of `perGroup` numbers; nothing if the bytes are none of that many.
+/// Decodes `count` groups of `perGroup` numbers; null if the bytes hold anything else.
 std::optional<std::vector<std::uint32_t>> decodeNumbers(const Bytes& bytes, std::size_t count,
                                                         std::size_t perGroup) {
     std::vector<std::uint32_t> numbers(count * perGroup);
@@ -83,7 +83,7 @@ DecodedEdges decodeEdges(const EncodedEdges& streams, std::size_t edgeCount,
                               static_cast<std::uint32_t>(first), count});
         std::uint64_t vertex = b;
         for (std::uint32_t i = 0; i < count; ++i) {
-            // Below 0 it wraps around to more than there are.
+            // A negative result wraps around to more than there are.
             vertex += static_cast<std::uint64_t>(unfolded((*opposites)[first + i]));
             if (vertex >= vertexCount || vertex == a || vertex == b)
                 return {{}, EdgeStream::opposites, e};

@@ -7,37 +7,38 @@
 
 namespace edgeshade {
 
-/// An EdgeList as three streams of bytes. Each is numbers of 32 bits, little-endian, mostly small,
-/// as meshoptimizer's vertex codec (version 0) packs them:
+/// An EdgeList as three byte streams. Each holds 32-bit little-endian numbers, mostly small, as
+/// packed by meshoptimizer's vertex codec (version 0):
 ///
-/// - vertices: two an edge, how much larger a is than the edge's before it, and b than a;
-/// - counts: one an edge, its opposite vertices;
-/// - opposites: one an opposite vertex, how far it is from the one before it, the edge's first from
-///   b; 2 d where d >= 0, else -2 d - 1.
+/// - vertices: two per edge, the differences of a from the previous edge's a, and of b from a;
+/// - counts: one per edge, its number of opposite vertices;
+/// - opposites: one per opposite vertex, its difference d from the previous one, or for an edge's
+///   first from b; stored as 2 d if d >= 0, otherwise as -2 d - 1.
 ///
-/// What an Opposite says of its triangle is not kept.
+/// The triangle of an Opposite is not kept.
 struct EncodedEdges {
     Bytes vertices, counts, opposites;
 };
 
 EncodedEdges encodeEdges(const EdgeList& edges);
 
-/// Bytes of the largest stream of `count` groups of `perGroup` numbers: 2 for vertices, else 1.
+/// The largest possible size in bytes of a stream of `count` groups of `perGroup` numbers: 2 for
+/// vertices, otherwise 1.
 std::size_t largestStream(std::size_t count, std::size_t perGroup);
 
-/// The stream in which a fault is.
+/// A stream, to say which one is faulty.
 enum class EdgeStream { vertices, counts, opposites };
 
-/// What the streams say, or where they can't be right.
+/// The decoded edges, or the location of the fault.
 struct DecodedEdges {
     EdgeList edges;
-    std::optional<EdgeStream> fault; ///< nothing: none
-    std::optional<std::size_t> edge; ///< at which edge the fault is; nothing: it is no such stream
+    std::optional<EdgeStream> fault; ///< null: no fault
+    std::optional<std::size_t> edge; ///< the faulty edge; null: the whole stream is invalid
 };
 
-/// `edgeCount`, `oppositeCount`: how many there must be; `vertexCount`: of the sorted positions.
-/// Safe for bytes from anywhere: takes memory by these counts alone, and what it returns without a
-/// fault is an edge list over those positions.
+/// `edgeCount`, `oppositeCount`: the counts required; `vertexCount`: of the sorted positions. Safe
+/// on untrusted input: memory depends on these counts alone, and a result without a fault is an
+/// edge list over those positions.
 DecodedEdges decodeEdges(const EncodedEdges& streams, std::size_t edgeCount,
                          std::size_t oppositeCount, std::size_t vertexCount);
 

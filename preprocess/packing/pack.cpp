@@ -22,7 +22,7 @@ nlohmann::ordered_json borderJson(const BorderCounts& counts) {
             {"quads", counts.quads}};
 }
 
-/// Null where the tolerance was given.
+/// JSON of the weld choice; null if the tolerance was given.
 nlohmann::ordered_json weldChoiceJson(const PackReport& report) {
     if (!report.weldChoice) return nullptr;
     const WeldChoice& choice = *report.weldChoice;
@@ -52,7 +52,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         {"shared_places", report.sharedPlaces},
         {"degenerate_triangles", casters.degenerateTriangles},
         {"casting_surface_triangles", report.castingSurfaceTriangles},
-        {"casting_triangles", casters.triangles}, // of what casts, simplified or not, as all below
+        {"casting_triangles", casters.triangles}, // casters, simplified or not, as all below
         {"edges", casters.edges},
         {"edges_by_opposite_count", byCount},
         {"largest_opposite_count", largest},
@@ -61,7 +61,7 @@ nlohmann::ordered_json toJson(const PackReport& report) {
         {"flat_edges_dropped", report.planePairs.flatEdges},
         {"records", report.planePairs.records},
         {"record_multiplicity", multiplicity},
-        // Sides and caps as the GPU holds them, instanced; beside them Equations 6.8 and 6.9.
+        // Bytes of sides and caps on the GPU, instanced, beside Equations 6.8 and 6.9.
         {"bytes",
          {{"sides", report.planePairs.sideBytes},
           {"caps", report.planePairs.capBytes},
@@ -116,7 +116,7 @@ void countGeometry(const Batch& batch, const BatchTopology& topology,
     costs = count(mesh, edges, findComponents(mesh.welded, edges));
 }
 
-/// What batches are made of: casters for every place, records once for all places of a mesh.
+/// Counts all batches: casters for every place, records once for all places of a mesh.
 void countBatches(PackInput& input, const CasterSettings& settings) {
     PackReport& report = input.report;
     const auto& materials = input.scene.materials;
@@ -189,7 +189,7 @@ PackInput readForPacking(GltfDocument document, const CasterSettings& wanted, bo
     report.storedBytes = storedShadowBytes(input.document);
     std::error_code error;
     const auto fileBytes = std::filesystem::file_size(input.document.path, error);
-    report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has none
+    report.fileBytes = error ? 0 : static_cast<std::size_t>(fileBytes); // a pipe has no size
     report.variants = variantNames(input.document);
     report.animations = playedAnimations(input.document, input.scene.warnings);
     report.cameras = input.scene.cameras;
@@ -202,7 +202,8 @@ Bytes packBytes(PackInput& input, Encoding encoding) {
     Stopwatch watch;
     Bytes bytes = packedGlb(input.document, input.scene, input.topology, encoding,
                             input.report.settings, input.scene.warnings);
-    ReadingLimits none = input.document.memory.limits(); // of bytes made here
+    ReadingLimits none = input.document.memory.limits(); // without the memory limit, as these bytes
+                                                         // were made here
     none.memoryBytes = std::numeric_limits<std::uint64_t>::max();
     const GltfDocument packed = parseGltf(bytes, input.document.path, none);
     input.report.storedBytes = storedShadowBytes(packed);

@@ -9,28 +9,28 @@
 
 namespace edgeshade {
 
-/// Figures about a scene's shadow data: the contract's keys of `pack` and `info`.
+/// Figures about a scene's shadow data, printed by `pack` and `info` under fixed keys.
 struct PackReport {
-    double diagonal = 0.0; ///< of the scene's bounds, scene units
+    double diagonal = 0.0; ///< diagonal of the scene's bounds, scene units
     std::size_t batches = 0;
     std::size_t sharedMeshes = 0;            ///< kept once for several places
-    std::size_t sharedPlaces = 0;            ///< of these
-    std::size_t triangles = 0;               ///< of all surfaces, degenerate ones included
-    std::size_t singleSidedTriangles = 0;    ///< of these, those of materials not double-sided
-    std::size_t castingSurfaceTriangles = 0; ///< before casters are simplified, likewise
-    CasterSettings settings;                 ///< with the weld tolerance that was chosen, if it was
-    std::optional<WeldChoice> weldChoice;    ///< where it was to be chosen
+    std::size_t sharedPlaces = 0;            ///< places of shared meshes
+    std::size_t triangles = 0;               ///< of all surfaces, with degenerate ones
+    std::size_t singleSidedTriangles = 0;    ///< of these, those with single-sided materials
+    std::size_t castingSurfaceTriangles = 0; ///< before simplification, with degenerate ones
+    CasterSettings settings;                 ///< with the weld tolerance in use, given or chosen
+    std::optional<WeldChoice> weldChoice;    ///< if the tolerance was to be chosen
     MeshStatistics casters;
     PlanePairCosts planePairs;
-    int maxMultiplicity = 1;     ///< opposite vertices a record, as `expanded` stores them
+    int maxMultiplicity = 1;     ///< opposite vertices per record in `expanded`
     std::size_t storedBytes = 0; ///< of shadow data in the file
     std::size_t fileBytes = 0;
     double readSeconds = 0.0;
     BuildSeconds build;
-    std::vector<std::string> variants; ///< names, as the document lists them
+    std::vector<std::string> variants; ///< names, in the document's order
     std::vector<AnimationTitle> animations;
-    std::vector<SceneCamera> cameras; ///< as the scene has them
-    std::vector<SceneLight> lights;   ///< likewise
+    std::vector<SceneCamera> cameras; ///< in the scene's order
+    std::vector<SceneLight> lights;   ///< in the scene's order
     std::vector<std::string> warnings;
 };
 
@@ -44,16 +44,17 @@ struct PackInput {
     PackReport report;
 };
 
-/// read -> flatten -> simplify -> weld -> edges -> count. `settings` may leave the weld tolerance
-/// to be chosen. Throws InputError.
+/// read -> flatten -> simplify -> weld -> edges -> count. `settings` may leave the choice of the
+/// weld tolerance open. Throws InputError.
 PackInput readForPacking(const std::filesystem::path& path, const CasterSettings& settings,
                          const ReadingLimits& limits = {});
 
-/// The same of a file that was read already; reading is not in its times. `useStored`: simplified
-/// casters of a file that was packed with these settings are taken as they are.
+/// As above for a file already read; its times exclude reading. `useStored`: reuse the simplified
+/// casters of a file packed with the same settings.
 PackInput readForPacking(GltfDocument document, const CasterSettings& wanted, bool useStored);
 
-/// ... -> pack. The packed file's bytes, with the settings of `input.report`, which it completes.
+/// ... -> pack. Returns the packed file's bytes, made with the settings in `input.report`, and
+/// completes that report.
 Bytes packBytes(PackInput& input, Encoding encoding);
 
 } // namespace edgeshade

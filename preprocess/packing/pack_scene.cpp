@@ -10,7 +10,7 @@ PackedScene packScene(const std::filesystem::path& file, const PackSettings& set
             throw InputError(std::string(what) + " is " + std::to_string(value) +
                              ", which it can't be.");
     };
-    // NaN is refused as well.
+    // These comparisons refuse NaN too.
     require(settings.weldTolerance >= 0.0, "weldTolerance", settings.weldTolerance);
     require(settings.casterError >= 0.0, "casterError", settings.casterError);
     require(settings.flatTolerance >= 0.0 && settings.flatTolerance < 45.0, "flatTolerance",

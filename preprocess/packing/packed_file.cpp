@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where a source buffer ended up.
+/// The new place of a source buffer.
 struct BufferPlace {
     std::size_t buffer;
     std::size_t offset;
@@ -29,7 +29,7 @@ void moveReference(Json& reference, const std::vector<BufferPlace>& places) {
     if (offset != 0 || reference.contains("byteOffset")) reference["byteOffset"] = offset;
 }
 
-/// What the joined buffer keeps of the first one that is in it.
+/// The members that the joined buffer keeps of its first source.
 Json joinedBuffer(const Json& first) {
     Json joined = Json::object();
     for (const char* key : {"name", "extras"})
@@ -37,15 +37,15 @@ Json joinedBuffer(const Json& first) {
     return joined;
 }
 
-/// The same of a buffer without bytes.
+/// A buffer without bytes, with its uri removed.
 Json fallbackBuffer(Json buffer) {
     buffer.erase("uri");
     return buffer;
 }
 
-/// Lets views end with their buffer. What goes past it can't be read and would go on in the bytes
-/// of another once buffers are joined; a view wholly past it begins in its last word, as aligned as
-/// it was. Throws InputError where the view's length says what is compressed.
+/// Cuts views off at their buffer's end. Bytes beyond it can't be read, and would be another
+/// buffer's once buffers are joined. A view wholly beyond the end begins in the buffer's last word,
+/// with its alignment kept. Throws InputError for a compressed view, whose length matters.
 void cutViews(const GltfDocument& document, Json& json) {
     for (std::size_t i = 0; i < document.decodedViews.size(); ++i) {
         Json& view = json["bufferViews"][i];
@@ -64,9 +64,9 @@ void cutViews(const GltfDocument& document, Json& json) {
     }
 }
 
-/// Joins all buffers that have bytes into one, which is there even without; buffers that have none
+/// Joins all buffers with bytes into one, which exists even if empty. Buffers without bytes
 /// (meshopt fallbacks) follow it. It ends at a multiple of four, where shadow data will begin, so
-/// that packing it again joins the same bytes.
+/// that packing the file again joins the same bytes.
 Bytes joinBuffers(const GltfDocument& document, Json& json) {
     Bytes binary;
     Json buffers = Json::array({Json::object()});
@@ -95,22 +95,21 @@ Bytes joinBuffers(const GltfDocument& document, Json& json) {
     return binary;
 }
 
-/// Moves image `i` from its uri into a view of its own. Throws InputError, before anything is
-/// changed, where that can't be done.
+/// Moves image `i` from its uri into a view. Throws InputError, before any change, if that fails.
 void embedImage(const GltfDocument& document, std::size_t i, Json& json, Bytes& binary) {
     const Bytes bytes = encodedImageBytes(document, static_cast<int>(i));
     const std::string_view type = imageTypeOf(bytes);
-    if (type.empty()) // which a view must say
+    if (type.empty()) // a view must state its type
         throw InputError(document.where("images[") + std::to_string(i) +
                          "] is neither PNG, JPEG, WebP nor KTX2.");
     const std::size_t view = appendView(json, binary, bytes);
-    Json& image = json["images"][i]; // found only now: the first view moves it
+    Json& image = json["images"][i]; // looked up only now, as the first view moves it
     image.erase("uri");
     image["bufferView"] = view;
     image["mimeType"] = type;
 }
 
-/// What can't be embedded stays as it is.
+/// Images that can't be embedded stay as they are.
 void embedImages(const GltfDocument& document, Json& json, Bytes& binary, Warnings& warnings) {
     if (!json.contains("images")) return;
     for (std::size_t i = 0; i < json["images"].size(); ++i) {
@@ -125,7 +124,8 @@ void embedImages(const GltfDocument& document, Json& json, Bytes& binary, Warnin
     }
 }
 
-/// glTF has no empty sections. Some files do, and where shadow data were removed.
+/// Removes empty sections, which glTF forbids. They come from the file, or from removed shadow
+/// data.
 void removeEmptySections(Json& json) {
     for (const char* section : {"accessors", "animations", "bufferViews", "cameras", "extensions",
                                 "extensionsRequired", "extensionsUsed", "images", "materials",
@@ -133,7 +133,7 @@ void removeEmptySections(Json& json) {
         if (json.contains(section) && json[section].empty()) json.erase(section);
 }
 
-/// glTF names each extension once. The first of equal ones stays.
+/// Removes repeated extension names, which glTF forbids. The first one stays.
 void removeRepeatedNames(Json& json) {
     for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
         if (!json.contains(list) || !json[list].is_array()) continue;
@@ -151,14 +151,14 @@ Bytes packedChecked(const GltfDocument& document, const Scene& scene, const Topo
     eraseDanglingIndices(json);
     cutViews(document, json);
     Bytes binary = joinBuffers(document, json);
-    readShadowHeader(document); // refuses an extension that is not sound
+    readShadowHeader(document); // refuses an unsound extension
     removeShadowExtension(json, binary, document.path);
     removeRepeatedNames(json);
     removeEmptySections(json);
     embedImages(document, json, binary, warnings);
-    alignTo4(binary); // as joinBuffers() leaves it when the file is packed again
+    alignTo4(binary); // as joinBuffers() does when the file is packed again
     appendShadowExtension(json, binary, scene, topology, encoding, settings);
-    // Views of buffers that have no bytes need one nevertheless.
+    // Views of buffers without bytes still need a buffer.
     if (binary.empty() && json.contains("bufferViews")) binary.resize(4);
     if (binary.empty())
         json.erase("buffers");

@@ -7,15 +7,15 @@
 
 namespace edgeshade {
 
-/// {"index", "name"} of each.
+/// An object of "index" and "name" for each.
 nlohmann::ordered_json partsJson(const std::vector<AnimationTitle>& animations);
 
-/// {"name", "node", "from", "direction", and "fov" in degrees or "ortho", the picture's height in
-/// scene units} of each.
+/// An object of "name", "node", "from", "direction", and "fov" in degrees or "ortho" (height of the
+/// picture in scene units) for each.
 nlohmann::ordered_json partsJson(const std::vector<SceneCamera>& cameras);
 
-/// {"name", "node", "type", "position", "direction", "color", "intensity", "range", "cone":
-/// {"inner", "outer"} in degrees} of each, as far as its type has them.
+/// An object of "name", "node", "type", "position", "direction", "color", "intensity", "range",
+/// "cone": {"inner", "outer"} in degrees for each, as far as its type has them.
 nlohmann::ordered_json partsJson(const std::vector<SceneLight>& lights);
 
 /// "directional", "point" or "spot".

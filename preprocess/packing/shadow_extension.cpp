@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* shadowAccessorKeys[] = {
     "simplifiedCasters", "sides", "caps", "edgeVertices", "oppositeCounts", "oppositeVertices"};
 
-/// Checks the kinds of a batch's fields; what they refer to is checked by what uses it.
+/// Checks the types of a batch's fields; references are checked where they are used.
 void checkBatch(const JsonField& batch) {
     batch.ifPresent("node", [](const JsonField& node) { node.index(); });
     batch.member("positionsHash").text();

@@ -40,7 +40,7 @@ class BatchReader {
                  std::to_string(node) + ". Pack the file again");
     }
 
-    /// `mostTriangles`: as many as there are to simplify.
+    /// `mostTriangles`: the number before simplification.
     std::vector<std::uint32_t> readSimplified(std::size_t vertexCount,
                                               std::size_t mostTriangles) const {
         if (!batch_.contains("simplifiedTriangles")) fail(".simplifiedTriangles is missing");
@@ -67,7 +67,7 @@ class BatchReader {
         shadow.groups = mesh.groups;
         shadow.sides.maxMultiplicity = maxMultiplicity;
         if (capCount == 0) return shadow;
-        // An edge has as many records as triangles at most, and a triangle has three edges.
+        // An edge has at most as many records as triangles, and a triangle has three edges.
         requireAtMost("sides", 3 * capCount * shadow.sides.vectorsPerRecord());
         requireAtMost("caps", capCount * CapsData::vectorsPerRecord);
         shadow.sides.records = vectors("sides");
@@ -115,7 +115,7 @@ class BatchReader {
         return batch_[key].get<int>();
     }
 
-    /// Refuses an accessor of more elements before they are read.
+    /// Refuses an accessor with more elements, before reading them.
     void requireAtMost(const char* key, std::size_t most) const {
         const std::size_t count = elementCount(document_, accessorOf(key), field_ + "." + key);
         if (count > most)

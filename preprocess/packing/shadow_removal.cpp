@@ -23,7 +23,7 @@ std::size_t endOf(const Json& range) {
     return range.value("byteOffset", std::size_t{0}) + range.value("byteLength", std::size_t{0});
 }
 
-/// Where the last byte of buffer 0 ends that a view uses, itself or compressed.
+/// The end of the last byte of buffer 0 that a view uses, directly or compressed.
 std::size_t usedEnd(const Json& json) {
     std::size_t end = 0;
     if (!json.contains("bufferViews")) return end;
@@ -58,10 +58,10 @@ void removeData(Json& json, Bytes& binary, const std::set<int>& accessors,
         const Json view = removeLastArray(json, *accessor, path);
         shadowStart = std::min(shadowStart, view.value("byteOffset", std::size_t{0}));
     }
-    // What a tool moved behind the shadow data would be cut off with them.
+    // Bytes that a tool moved behind the shadow data would be cut off with them.
     if (usedEnd(json) > shadowStart) failRearranged(path);
     binary.resize(shadowStart);
-    // Whatever else refers to them would refer to what is added next.
+    // Any other reference to them would refer to whatever is added next.
     if (eraseDanglingIndices(json)) failRearranged(path);
     try {
         Warnings ignored;

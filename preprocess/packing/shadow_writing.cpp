@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Adds views and accessors at the end of a document.
+/// Appends views and accessors to a document.
 class AccessorWriter {
   public:
     AccessorWriter(Json& json, Bytes& binary) : json_(json), binary_(binary) {}
@@ -24,7 +24,7 @@ class AccessorWriter {
         return add(bytes.data(), bytes.size(), bytes.size(), ComponentType::unsignedByte, "SCALAR");
     }
 
-    /// Unsigned integers in the smallest type that holds them.
+    /// Adds unsigned integers, in the smallest type that holds them.
     int add(std::span<const std::uint32_t> values) {
         const std::uint32_t largest =
             values.empty() ? 0 : *std::max_element(values.begin(), values.end());

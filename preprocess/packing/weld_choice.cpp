@@ -9,10 +9,10 @@
 namespace edgeshade {
 namespace {
 
-/// Tolerances that are tried: each a fourth of the one before, the last 1e-7 of the diagonal.
+/// Number of tolerances tried: each is a quarter of the one before, the last 1e-7 of the diagonal.
 constexpr int tried = 6;
 constexpr double step = 0.25;
-/// Of what the best closes.
+/// Share of the best gain that is enough.
 constexpr double nearly = 0.95;
 
 void count(const CasterMesh& mesh, const std::vector<Material>& materials, std::size_t places,
@@ -36,7 +36,7 @@ BorderCounts countsOf(const Scene& scene, bool castMasked) {
     BorderCounts counts;
     for (std::size_t i = 0; i < first.size(); ++i) {
         const Batch& batch = scene.batches[i];
-        if (first[i] != i || batch.deforms()) continue; // what deforms isn't welded
+        if (first[i] != i || batch.deforms()) continue; // deforming batches aren't welded
         const auto places = static_cast<std::size_t>(std::count(first.begin(), first.end(), i));
         count(weldCasters(batch, castingSurfacesOf(*batch.geometry, scene.materials, castMasked)),
               scene.materials, places, counts);
@@ -44,7 +44,7 @@ BorderCounts countsOf(const Scene& scene, bool castMasked) {
     return counts;
 }
 
-/// Borders that are closed, less what is harmed by that; below 0 where it harms more.
+/// Borders closed, minus the harm done; below 0 if the harm is larger.
 double gainOf(const BorderCounts& before, const BorderCounts& after) {
     return static_cast<double>(WeldChoice::closed(before, after)) -
            static_cast<double>(WeldChoice::harm(before, after));

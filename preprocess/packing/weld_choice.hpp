@@ -7,41 +7,42 @@
 
 namespace edgeshade {
 
-/// The share of the scene's diagonal that no vertex is moved farther than by a weld tolerance that
-/// is chosen for it.
+/// The most by which a chosen weld tolerance moves a vertex, as a share of the scene's diagonal.
 inline constexpr double largestWeldShare = 1e-4;
 
-/// What a scene's casters are with some weld tolerance: each mesh as often as it stands somewhere.
+/// Counts of a scene's casters with some weld tolerance; a mesh counts once for each of its places.
 struct BorderCounts {
-    std::size_t borders = 0;     ///< edges of one triangle
-    std::size_t nonManifold = 0; ///< edges of more than two
+    std::size_t borders = 0;     ///< edges with one triangle
+    std::size_t nonManifold = 0; ///< edges with more than two
     std::size_t degenerate = 0;  ///< triangles without three distinct vertices
-    std::size_t quads = 0;       ///< of all edges in the worst light: closed components count half
+    std::size_t quads = 0;       ///< silhouette quads of all edges in the worst light: closed
+                                 ///< components count half
 };
 
 /// A weld tolerance chosen for a scene.
 struct WeldChoice {
-    double tolerance = 0.0; ///< scene units; 0 where none is worth it
-    BorderCounts before;    ///< of equal positions alone
+    double tolerance = 0.0; ///< scene units; 0 if none is worthwhile
+    BorderCounts before;    ///< welded at equal positions alone
     BorderCounts after;
 
-    /// Borders that are gone, less three for each triangle that degenerates and takes its own
-    /// along.
+    /// Borders removed, minus three for each triangle that degenerates, whose own borders go with
+    /// it.
     static std::size_t closed(const BorderCounts& before, const BorderCounts& after);
-    /// Degenerate triangles and non-manifold edges that welding makes.
+    /// Degenerate triangles and non-manifold edges that welding adds.
     static std::size_t harm(const BorderCounts& before, const BorderCounts& after);
 };
 
-/// Tries tolerances of largestWeldShare of the scene's diagonal, a fourth of that, and so on, down
-/// to the steps of floats. Those that make more triangles degenerate and more edges non-manifold
-/// than they close borders are out of the question. Of the others the least one is taken that
-/// closes nearly (19 of 20) as many borders, less what it harms, as the one that closes most.
+/// Tries tolerances of largestWeldShare of the scene's diagonal, a quarter of that, and so on, down
+/// to the spacing of floats. Rejects those that add more degenerate triangles and non-manifold
+/// edges than they close borders. Of the others it takes the smallest whose gain (borders closed
+/// minus harm) is at least 19/20 of the best.
 ///
-/// `settings`: how the casters are found otherwise; simplifying them comes later and changes
-/// nothing here. Takes as long as reading the scene for each tolerance. Throws InputError.
+/// `settings`: all other caster settings; simplification comes later and has no effect here. Takes
+/// as long as reading the scene for each tolerance. Throws InputError.
 WeldChoice chooseWeldTolerance(const GltfDocument& document, const CasterSettings& settings);
 
-/// The settings with the tolerance chosen, where they ask for that; told of in `choice` then.
+/// The settings, with the weld tolerance chosen if they ask for that; `choice` then gets the
+/// report.
 CasterSettings settingsFor(const GltfDocument& document, CasterSettings settings,
                            std::optional<WeldChoice>* choice = nullptr);
 

@@ -15,9 +15,9 @@ namespace {
 
 using Floats = std::shared_ptr<const std::vector<float>>;
 
-/// The shortest text that says this number.
+/// The shortest text that reads back as this number.
 std::string shown(float number) {
-    // std::to_chars() of a float is not in every standard library that this is built with.
+    // Some supported standard libraries lack std::to_chars() for floats.
     char text[32];
     for (int digits = 6; digits <= 9; ++digits) {
         std::snprintf(text, sizeof text, "%.*g", digits, static_cast<double>(number));
@@ -29,7 +29,7 @@ std::string shown(float number) {
 Interpolation interpolationOf(const tinygltf::AnimationSampler& sampler) {
     if (sampler.interpolation == "STEP") return Interpolation::step;
     if (sampler.interpolation == "CUBICSPLINE") return Interpolation::cubicSpline;
-    return Interpolation::linear; // also the default; other words were refused before
+    return Interpolation::linear; // also the default; other values were refused earlier
 }
 
 bool movesNode(const tinygltf::AnimationChannel& channel) {
@@ -38,7 +38,7 @@ bool movesNode(const tinygltf::AnimationChannel& channel) {
            (path == "translation" || path == "rotation" || path == "scale");
 }
 
-/// Whether it moves weights that the node's mesh has.
+/// Whether the channel moves weights that the node's mesh has.
 bool movesWeights(const GltfDocument& document, const tinygltf::AnimationChannel& channel) {
     if (channel.target_path != "weights" || channel.target_node < 0) return false;
     return morphTargetCount(document, document.model->nodes.at(channel.target_node).mesh) > 0;
@@ -51,20 +51,20 @@ bool movesAnything(const GltfDocument& document, const tinygltf::Animation& anim
                        });
 }
 
-/// The property's keyframes in the motion of its node.
+/// The keyframes of a property in its node's motion.
 std::optional<Keyframes>& keyframesOf(NodeMotion& motion, const std::string& path) {
     if (path == "translation") return motion.translation;
     return path == "rotation" ? motion.rotation : motion.scale;
 }
 
-/// Reads the animations of one document. An accessor that many samplers name is read and looked
-/// through once, so that a small file can't ask for endless work.
+/// Reads the animations of one document. An accessor that many samplers use is read and checked
+/// once, so that a small file can't cause endless work.
 class AnimationReader {
   public:
     AnimationReader(const GltfDocument& document, Warnings& warnings)
         : document_(document), warnings_(warnings), memory_(document.memory) {}
 
-    /// The channels that can be played; nothing if there are others alone.
+    /// Reads the playable channels; null if there are none.
     std::optional<Animation> read(std::size_t index) {
         const tinygltf::Animation& source = document_.model->animations[index];
         const std::string field = "animations[" + std::to_string(index) + "]";
@@ -113,8 +113,8 @@ class AnimationReader {
         return animation.motions.emplace(index, NodeMotion{rest, {}, {}, {}}).first->second;
     }
 
-    /// What of the node stays as it is where a channel moves the rest. A matrix must not be moved
-    /// (glTF 2.0, 3.5.3); one that a translation, a rotation and a scale make is read as these.
+    /// The transform of a node at rest, of which channels move parts. A matrix must not be animated
+    /// (glTF 2.0, 3.5.3); one composed of translation, rotation and scale is read as these.
     NodeTransform restOf(int index, const std::string& field) {
         const tinygltf::Node& node = document_.model->nodes.at(index);
         if (!hasMatrix(node)) return restTransform(node);
@@ -135,7 +135,7 @@ class AnimationReader {
         return keyframes;
     }
 
-    /// All weights of a time follow each other (glTF 2.0, 3.11).
+    /// All weights of one time are adjacent (glTF 2.0, 3.11).
     Keyframes readWeights(const tinygltf::AnimationSampler& sampler, int node,
                           const std::string& field) {
         const int mesh = document_.model->nodes.at(node).mesh;
@@ -144,7 +144,7 @@ class AnimationReader {
         return keyframes;
     }
 
-    /// Without its values, which are so many elements each.
+    /// Reads keyframes without their values, which have `elements` elements each.
     Keyframes readKeyframes(const tinygltf::AnimationSampler& sampler, std::size_t elements,
                             const std::string& field) {
         Keyframes keyframes;
@@ -156,7 +156,8 @@ class AnimationReader {
             warnings_.add(document_.where(field) +
                           ".input has 1 element, but a CUBICSPLINE needs 2 "
                           "or more; it has its value all the time.");
-            if (found == elements) keyframes.interpolation = Interpolation::step; // no tangents
+            // without tangents
+            if (found == elements) keyframes.interpolation = Interpolation::step;
         }
         const bool isSpline = keyframes.interpolation == Interpolation::cubicSpline;
         const std::size_t wanted = (isSpline ? 3 * count : count) * elements;
@@ -214,7 +215,7 @@ class AnimationReader {
         return values = std::make_shared<const std::vector<float>>(array.values);
     }
 
-    /// Zero turns nothing into anything; a spline's tangents may be zero.
+    /// Refuses zero quaternions, which are no rotation; a spline's tangents may be zero.
     void requireNoZeroQuaternion(const FloatArray& array, bool isSpline,
                                  const std::string& field) const {
         for (std::size_t e = isSpline ? 1 : 0; e < array.count(); e += isSpline ? 3 : 1) {

@@ -10,7 +10,7 @@
 namespace edgeshade {
 namespace {
 
-/// All but the place.
+/// Reads everything but the position.
 SceneCamera lensOf(const JsonField& camera) {
     SceneCamera read;
     read.name = nameOf(camera);

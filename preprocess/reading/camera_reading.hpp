@@ -6,8 +6,8 @@
 
 namespace edgeshade {
 
-/// The cameras that the scene's nodes place, in the order of the walk. What is broken of cameras,
-/// and of nodes that refer to them, gets a warning and is left out. Hidden nodes place cameras, too
+/// The cameras that the scene's nodes place, in the order of the walk. Broken cameras, and broken
+/// nodes that refer to them, are left out with a warning. Hidden nodes place cameras too
 /// (KHR_node_visibility). Safe on untrusted input.
 std::vector<SceneCamera> readCameras(const GltfDocument& document, const NodeWalk& walk,
                                      Warnings& warnings);

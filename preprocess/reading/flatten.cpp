@@ -23,8 +23,8 @@ glm::dvec3 transformed(const glm::dmat4& matrix, const glm::vec3& point) {
     return glm::dvec3(matrix * glm::dvec4(point, 1.0));
 }
 
-/// The local origin: 0 where the geometry lies around it anyway, else the middle of its box. What
-/// joints scale to nothing at rest is taken to be as large as its mesh.
+/// The local origin: 0 if the geometry surrounds it anyway, otherwise the middle of its box.
+/// Geometry that joints scale to zero at rest counts at the size of its mesh.
 glm::dvec3 localOrigin(const std::vector<Piece>& pieces) {
     Box box, ofMeshes;
     for (const Piece& piece : pieces)
@@ -45,8 +45,8 @@ class PieceAppender {
                   Geometry& geometry)
         : document_(document), origin_(origin), material_(material), geometry_(geometry) {}
 
-    /// Returns which vertex of the primitive each new one is, where triangles have vertices of
-    /// their own; else they are the primitive's, and nothing is returned.
+    /// Appends the piece. Where triangles get their own vertices, returns the primitive's vertex
+    /// for each new one. Otherwise the vertices are the primitive's, and it returns nothing.
     std::vector<std::uint32_t> append(const Piece& piece) {
         const Primitive& primitive = *piece.primitive;
         const bool mirrored =
@@ -75,7 +75,7 @@ class PieceAppender {
         }
     }
 
-    /// Without normals every triangle is flat (glTF 2.0, 3.7.2.1), so it needs its own vertices.
+    /// Without normals every triangle is flat (glTF 2.0, 3.7.2.1), and needs its own vertices.
     std::vector<std::uint32_t> appendFlat(const Piece& piece, bool mirrored) {
         std::vector<std::uint32_t> sources;
         const auto& indices = piece.primitive->indices;
@@ -127,7 +127,7 @@ class PieceAppender {
         return material_.channels[channel].transform * glm::vec3(uv, 1.0f);
     }
 
-    /// As that of the vertex last added; what came before it has none.
+    /// Sets the value of the last vertex; earlier vertices without one get a default.
     template <class T>
     void put(std::vector<T>& values, const T& value) {
         values.resize(geometry_.positions.size() - 1);
@@ -140,10 +140,10 @@ class PieceAppender {
     Geometry& geometry_;
 };
 
-/// Collects what poses a batch.
+/// Collects the data that pose a batch.
 class DeformationBuilder {
   public:
-    /// `corners`: as PieceAppender::append() returns them.
+    /// `corners`: the result of PieceAppender::append().
     void add(const Piece& piece, std::size_t firstVertex, std::vector<std::uint32_t> corners) {
         const Primitive& primitive = *piece.primitive;
         const auto [known, isNew] = meshOf_.try_emplace(&primitive, made_.meshes.size());
@@ -159,7 +159,7 @@ class DeformationBuilder {
                                static_cast<std::uint32_t>(firstVertex), std::move(corners)});
     }
 
-    /// `origin`: of the batch.
+    /// `origin`: the batch's.
     std::shared_ptr<const Deformation> built(const glm::dvec3& origin) {
         for (DeformedPart& part : made_.parts)
             part.batchFromMesh = glm::translate(glm::dmat4(1.0), -origin) * part.batchFromMesh;
@@ -178,7 +178,8 @@ void sortByMaterial(std::vector<Piece>& pieces, const std::vector<Material>& mat
     });
 }
 
-/// `pieces`: sorted by material. `deformation`: where they deform, what is told of each.
+/// `pieces`: sorted by material. `deformation`: collects every piece if the batch deforms, else
+/// null.
 Geometry geometryOf(const GltfDocument& document, const std::vector<Piece>& pieces,
                     const glm::dvec3& origin, const std::vector<Material>& materials,
                     DeformationBuilder* deformation) {
@@ -221,13 +222,13 @@ Batch makeBatch(const GltfDocument& document, const Mover& mover,
     return batch;
 }
 
-/// A batch for each place.
+/// Appends one batch for each place.
 void appendShared(const GltfDocument& document, const NodeWalk& walk, SharedMesh mesh,
                   double weldTolerance, Scene& scene) {
     sortByMaterial(mesh.pieces, scene.materials);
     const glm::dvec3 origin = localOrigin(mesh.pieces);
     Geometry geometry = geometryOf(document, mesh.pieces, origin, scene.materials, nullptr);
-    geometry.sources.clear(); // each place has a node of its own
+    geometry.sources.clear(); // each place has its own node
     double scale = 0.0;
     for (const NodePlace& place : mesh.places)
         scale = std::max(scale, longestAxis(place.animatedFromNode));
@@ -251,16 +252,15 @@ bool isFlat(const glm::dmat4& matrix) {
     return glm::determinant(glm::dmat3(matrix)) == 0.0;
 }
 
-/// What a node scales to nothing at rest waits where the node is, as large as the mesh has it:
-/// there, all can be asked of it that can be asked of others.
+/// Hides a batch that a node scales to zero at rest. It stays at the node's position, at its mesh's
+/// size, where every query on batches works for it.
 void hide(Batch& batch) {
     const glm::dvec3 place(batch.worldFromBatch[3]);
     batch.hidden = true;
     batch.worldFromBatch = glm::translate(glm::dmat4(1.0), place);
 }
 
-/// What deforms takes its place at rest as any other pose, and what there is nothing of then is
-/// hidden.
+/// Poses deforming batches at rest like in any other pose, and hides those that vanish in it.
 void poseAtRest(const GltfDocument& document, Scene& scene) {
     const Pose rest = poseAt(Animation(), scene, 0.0);
     for (std::size_t b = 0; b < scene.batches.size(); ++b) {
@@ -269,7 +269,7 @@ void poseAtRest(const GltfDocument& document, Scene& scene) {
             hide(batch);
         else if (batch.node < 0 || isFlat(batch.worldFromBatch))
             batch.worldFromBatch = *rest.worldFromBatch[b];
-        // Others are where walking the nodes found them.
+        // The walk of the nodes has already placed the others.
         if (batch.deforms() && !poseBatch(batch, rest.shapes[b]))
             throw InputError("'" + document.path.string() +
                              "': skins or morph targets move vertices out of the range of floats.");

@@ -7,7 +7,7 @@
 namespace edgeshade {
 namespace {
 
-/// How many instances there are: every attribute has one value for each.
+/// The number of instances; every attribute must have one value for each.
 std::size_t countInstances(const GltfDocument& document, const JsonField& attributes) {
     std::optional<std::size_t> count;
     std::string first;
@@ -19,10 +19,10 @@ std::size_t countInstances(const GltfDocument& document, const JsonField& attrib
         if (!count) first = attribute.key();
         count = found;
     });
-    return count.value_or(1); // withAttributes() gives none that are empty
+    return count.value_or(1); // withAttributes() never passes an empty object
 }
 
-/// The attribute's values; none where it isn't there.
+/// The attribute's values; empty if it is missing.
 FloatArray readAttribute(const GltfDocument& document, const JsonField& attributes,
                          const char* name, ElementType type, const char* wanted,
                          MemoryBudget& memory) {
@@ -61,7 +61,7 @@ std::vector<glm::dmat4> readMatrices(const GltfDocument& document, const JsonFie
             const float* t = &translations.values[3 * i];
             transform.translation = {t[0], t[1], t[2]};
         }
-        if (rotations.components) { // not of length 1 where bytes rounded it
+        if (rotations.components) { // bytes may have rounded its length
             const float* q = &rotations.values[4 * i];
             transform.rotation = glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]));
         }
@@ -74,7 +74,7 @@ std::vector<glm::dmat4> readMatrices(const GltfDocument& document, const JsonFie
     return matrices;
 }
 
-/// Calls use(extension) with what the node says of instances, if it does.
+/// Calls use(extension) with the node's instancing extension, if it has one.
 template <class Use>
 void withExtension(const GltfDocument& document, int node, Use use) {
     const auto index = static_cast<std::size_t>(node);
@@ -88,7 +88,7 @@ bool hasAttributes(const JsonField& extension) {
     return attributes && !attributes->value().empty();
 }
 
-/// Calls use(attributes) for those of a node's instances, if it has any.
+/// Calls use(attributes) with the attributes of a node's instances, if it has any.
 template <class Use>
 void withAttributes(const GltfDocument& document, int node, Use use) {
     withExtension(document, node, [&](const JsonField& extension) {

@@ -7,15 +7,15 @@
 
 namespace edgeshade {
 
-/// How often the mesh of a node stands in it: once, or as EXT_mesh_gpu_instancing says, once where
-/// it has no attributes. Throws InputError where its accessors do not agree.
+/// The number of times that a node's mesh is drawn: by EXT_mesh_gpu_instancing, or once without it
+/// or without attributes. Throws InputError if its accessors disagree.
 std::size_t instanceCount(const GltfDocument& document, int node);
 
 /// Warns of a node whose EXT_mesh_gpu_instancing has no attributes.
 void warnOfNoAttributes(const GltfDocument& document, int node, Warnings& warnings);
 
-/// Where each of them stands: nodeFromInstance. Counted in `memory`. Throws InputError, also for
-/// what is no place.
+/// The transforms of the instances, nodeFromInstance. Counted in `memory`. Throws InputError, also
+/// for an invalid transform.
 std::vector<glm::dmat4> readInstances(const GltfDocument& document, int node, MemoryBudget& memory);
 
 } // namespace edgeshade

@@ -28,7 +28,7 @@ glm::dvec3 colorOf(const JsonField& field) {
     return color;
 }
 
-/// An angle that floats may have rounded to a little more than a right one.
+/// Reads the cone's angles; rounding to float may have put a right angle slightly higher.
 void readCone(const JsonField& spot, SceneLight& light) {
     light.outerCone = std::numbers::pi / 4.0;
     spot.ifPresent("innerConeAngle",
@@ -44,8 +44,8 @@ void readCone(const JsonField& spot, SceneLight& light) {
     light.innerCone = std::min(light.innerCone, light.outerCone);
 }
 
-/// Where its light ends (KHR_lights_punctual), for points and spots; nothing: nowhere. Older
-/// exporters write 0 for that.
+/// Where a point light's or spot's light ends (KHR_lights_punctual); null: nowhere. Older exporters
+/// write 0 for that.
 std::optional<double> rangeOf(const JsonField& range, SceneLight::Kind kind, Warnings& warnings) {
     const bool isZero = range.value().is_number() && range.number() == 0.0;
     if (kind == SceneLight::Kind::directional) {
@@ -64,7 +64,7 @@ std::optional<double> rangeOf(const JsonField& range, SceneLight::Kind kind, War
     return value <= farthestPlace ? std::optional(value) : std::nullopt;
 }
 
-/// All but the place.
+/// Reads everything but the position.
 SceneLight lampOf(const JsonField& light, Warnings& warnings) {
     SceneLight read;
     read.kind = kindOf(light);

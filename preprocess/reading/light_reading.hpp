@@ -6,9 +6,9 @@
 
 namespace edgeshade {
 
-/// The lights that the scene's nodes place (KHR_lights_punctual), in the order of the walk; hidden
-/// nodes place none (KHR_node_visibility). What is broken of lights, and of nodes that refer to
-/// them, gets a warning and is left out. Safe on untrusted input.
+/// The lights that the scene's nodes place (KHR_lights_punctual), in the order of the walk. Hidden
+/// nodes place none (KHR_node_visibility). Broken lights, and broken nodes that refer to them, are
+/// left out with a warning. Safe on untrusted input.
 std::vector<SceneLight> readLights(const GltfDocument& document, const NodeWalk& walk,
                                    Warnings& warnings);
 

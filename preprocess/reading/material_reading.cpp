@@ -8,7 +8,7 @@
 namespace edgeshade {
 namespace {
 
-/// As a float, which the shaders take.
+/// The number as a float, for the shaders.
 float finiteFloat(const JsonField& field) {
     const auto value = static_cast<float>(field.number());
     if (!std::isfinite(value)) field.fail(" has a number past the range of floats");
@@ -20,7 +20,7 @@ float floatOr(const JsonField& object, const char* key, float otherwise) {
     return field ? finiteFloat(*field) : otherwise;
 }
 
-/// Shares of something: what is less than 0 or more than 1 is taken for that.
+/// A factor, clamped to 0..1.
 float shareOr(const JsonField& object, const char* key, float otherwise) {
     return glm::clamp(floatOr(object, key, otherwise), 0.0f, 1.0f);
 }
@@ -31,14 +31,14 @@ glm::vec<N, float> vectorOr(const JsonField& object, const char* key,
     const auto field = object.find(key);
     if (!field) return otherwise;
     field->requireArray();
-    if (field->size() != N) field->numbers(N); // says so
+    if (field->size() != N) field->numbers(N); // reports the error
     glm::vec<N, float> vector;
     for (glm::length_t c = 0; c < N; ++c)
         vector[c] = finiteFloat(field->item(static_cast<std::size_t>(c)));
     return vector;
 }
 
-/// KHR_texture_transform's matrix: translation * rotation * scale.
+/// The matrix of KHR_texture_transform: translation * rotation * scale.
 glm::mat3 uvTransformOf(const JsonField& transform) {
     const float rotation = floatOr(transform, "rotation", 0.0f);
     const auto scale = vectorOr(transform, "scale", glm::vec2(1.0f));
@@ -87,7 +87,7 @@ class MaterialReader {
     }
 
   private:
-    /// What a scene can be drawn without: nothing of it is left where it is broken.
+    /// Reads an optional part of a material; a broken part leaves no trace.
     template <class Read>
     void orLeaveOut(const std::string& what, Read read) {
         const Material before = material_;
@@ -123,7 +123,7 @@ class MaterialReader {
         });
     }
 
-    /// A texture that doesn't exist is warned of where images are chosen.
+    /// Image selection warns of a missing texture.
     Sampler samplerOf(int texture) const {
         Sampler sampler;
         const auto textures = root_.find("textures");
@@ -156,7 +156,7 @@ class MaterialReader {
             readTexture(metallic, "metallicRoughnessTexture", TextureSlot::metallicRoughness);
     }
 
-    /// The archived KHR_materials_pbrSpecularGlossiness.
+    /// Reads the archived KHR_materials_pbrSpecularGlossiness.
     void readSpecularGlossiness(const JsonField& glossy) {
         material_.metallic = 0.0f;
         material_.specularColor =
@@ -186,7 +186,8 @@ class MaterialReader {
             if (ior != 0.0f && ior < 1.0f)
                 extension.member("ior").fail(" is " + std::to_string(ior) +
                                              ", but must be 0, or 1 or more");
-            const float share = (ior - 1.0f) / (ior + 1.0f); // of 0 all, as the extension has it
+            // an ior of 0 reflects all, as the extension says
+            const float share = (ior - 1.0f) / (ior + 1.0f);
             material_.dielectricReflectance = share * share;
         });
         if (!material_.specularGlossiness)
@@ -199,7 +200,7 @@ class MaterialReader {
                 material_.transmission = shareOr(extension, "transmissionFactor", 0.0f);
                 if (material_.transmission == 0.0f || material_.alphaMode != AlphaMode::opaque)
                     return;
-                material_.alphaMode = AlphaMode::blend; // it casts no shadow, nor refracts
+                material_.alphaMode = AlphaMode::blend; // it casts no shadow and doesn't refract
                 material_.baseColorFactor.a = 1.0f;
             });
     }
@@ -236,7 +237,7 @@ class MaterialReader {
             material_.clearcoatNormalScale = floatOr(*info, "scale", 1.0f);
     }
 
-    /// Textures that take the same set, transformed alike, share a channel.
+    /// Textures with the same set and the same transform share a channel.
     void assignChannels() {
         const auto wantedBy = [](const MaterialTexture& texture) {
             return TexcoordChannel{texture.texcoordSet, texture.uvTransform};

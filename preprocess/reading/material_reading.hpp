@@ -5,9 +5,8 @@
 
 namespace edgeshade {
 
-/// All materials of the document; the default material stands at the end, and a primitive without
-/// a material uses it. What surfaces can be drawn without is left out where it is broken, with a
-/// warning. Throws InputError.
+/// All materials of the document. The default material is last, for primitives without a material.
+/// Broken optional parts are left out with a warning. Throws InputError.
 std::vector<Material> readMaterials(const GltfDocument& document, Warnings& warnings);
 
 } // namespace edgeshade

@@ -6,25 +6,25 @@
 
 namespace edgeshade {
 
-/// What of the scene's nodes a picture can do without, cameras and lights, is read by these.
+/// Helpers to read cameras and lights of nodes, which a picture can do without.
 
-/// The text in "name"; empty if there is none.
+/// The text of the member "name"; empty if it is missing.
 std::string nameOf(const JsonField& object);
 
-/// A number's value. Throws InputError if it is not between the two.
+/// A number's value. Throws InputError unless it is between `least` and `most`.
 double numberIn(const JsonField& number, double least, double most);
 
-/// Where the node is that `reference` belongs to. Throws InputError that names the reference if
-/// that is farther away than farthestPlace.
+/// The position of the node that `reference` belongs to. Throws InputError naming the reference if
+/// it is beyond farthestPlace.
 glm::dvec3 placeOf(const JsonField& reference, const glm::dmat4& worldFromNode);
 
-/// How it is turned and moved, without scale and mirroring. Throws InputError if it has no turn,
-/// too. `unflattened`: the same as if no node scaled by 0.
+/// The node's rotation and translation, without scale and mirroring. Throws InputError, also if it
+/// has no rotation. `unflattened`: `worldFromNode` as if no node scaled by 0.
 glm::dmat4 rigidPlaceOf(const JsonField& reference, const glm::dmat4& worldFromNode,
                         const glm::dmat4& unflattened);
 
-/// Calls read(JsonField node, const PlacedNode*) for all nodes: those of the scene in the walk's
-/// order, then the others, with null. What it refuses gets a warning that `thing` is left out.
+/// Calls read(JsonField node, const PlacedNode*) for all nodes: the scene's in the walk's order,
+/// then the others with null. If it throws InputError, a warning says that `thing` is left out.
 template <class Read>
 void forEachNode(const GltfDocument& document, const NodeWalk& walk, const char* thing,
                  Warnings& warnings, Read read) {

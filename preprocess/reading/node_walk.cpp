@@ -29,7 +29,7 @@ std::set<int> animatedNodes(const GltfDocument& document) {
     return nodes;
 }
 
-/// Those that change their sizes, and their handedness with them.
+/// Nodes whose scale is animated, and with it their handedness.
 std::set<int> scaledNodes(const GltfDocument& document) {
     std::set<int> nodes;
     for (const auto& animation : document.model->animations)
@@ -56,7 +56,7 @@ std::vector<int> rootNodes(const GltfDocument& document) {
     return roots;
 }
 
-/// Without scenes every node is below a root, unless it is its own ancestor.
+/// In an asset without scenes every node is below a root, unless it is its own ancestor.
 void requireAllReached(const GltfDocument& document, const std::vector<bool>& reached) {
     if (!document.model->scenes.empty()) return;
     const auto missed = std::find(reached.begin(), reached.end(), false);
@@ -65,7 +65,7 @@ void requireAllReached(const GltfDocument& document, const std::vector<bool>& re
                          "] is its own ancestor or below such a node; the nodes must be a tree.");
 }
 
-/// Where CESIUM_RTC puts the origin of the asset.
+/// The asset's origin by CESIUM_RTC.
 glm::dvec3 centerOf(const GltfDocument& document) {
     glm::dvec3 center(0.0);
     JsonField(document.path, document.json)
@@ -76,7 +76,7 @@ glm::dvec3 centerOf(const GltfDocument& document) {
     return center;
 }
 
-/// Whether KHR_node_visibility leaves the node in the scene, and with it what is below it.
+/// Whether KHR_node_visibility shows the node, and the nodes below it.
 bool isVisible(const GltfDocument& document, int node) {
     const auto& source = document.json.at("nodes").at(static_cast<std::size_t>(node));
     bool visible = true;
@@ -88,22 +88,23 @@ bool isVisible(const GltfDocument& document, int node) {
     return visible;
 }
 
-/// Where a node's children are.
+/// The parent's state, as seen by its children.
 struct Hanging {
     NodePlace place;
     glm::dmat4 worldFromParent{1.0};
     glm::dmat4 worldFromParentUnflattened{1.0};
     Handedness hand;
-    bool visible = true;     ///< all nodes above are
-    std::uint64_t depth = 0; ///< of the parent; 1: a root
+    bool visible = true;     ///< all nodes above are visible
+    std::uint64_t depth = 0; ///< of the parent; a root has 1
 };
 
 struct Visit {
     int node;
-    Hanging from; ///< the parent
+    Hanging from; ///< from the parent
 };
 
-/// What scales by 0 where a matrix has columns of zeros: it makes the unflattened one flat again.
+/// The scale by 0 of a matrix with zero columns: multiplying makes the unflattened matrix flat
+/// again.
 glm::dmat4 flatteningOf(const glm::dmat4& local) {
     glm::dmat4 flattening(1.0);
     for (glm::length_t c = 0; c < 3; ++c)
@@ -111,7 +112,7 @@ glm::dmat4 flatteningOf(const glm::dmat4& local) {
     return flattening;
 }
 
-/// The same with what a node does to it.
+/// The handedness below a node, from the one above it.
 Handedness handOf(Handedness above, int node, const glm::dmat4& local, bool scaled) {
     const double sign = glm::determinant(glm::dmat3(local));
     const auto with = [sign](bool mirrored) { return sign != 0.0 && mirrored != (sign < 0.0); };
@@ -170,7 +171,7 @@ NodeWalk walkNodes(const GltfDocument& document) {
         NodePlace place{from.place.animatedNode, from.place.animatedFromNode * local,
                         from.place.unflattened * unflattened};
         if (animated.contains(visit.node)) {
-            // What no animation scales is flat for good: flat triangles are moved, not flattened.
+            // A node that no animation scales is always flat: its flattened triangles are moved.
             const bool flat = local != unflattened && !scaled.contains(visit.node);
             walk.animatedNodes.push_back({visit.node, from.place.animatedNode,
                                           from.place.animatedFromNode, flat ? unflattened : local,

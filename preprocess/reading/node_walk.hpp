@@ -8,32 +8,32 @@
 
 namespace edgeshade {
 
-/// What tells whether a node mirrors what it places, at whatever time.
+/// Whether a node mirrors its contents, at any time.
 struct Handedness {
-    int scaledNode = -1;   ///< the nearest above it, or itself, that an animation scales; -1: none
-    bool mirrored = false; ///< those below that one do, or all do where there is none
-    bool atRest = false;   ///< all of them do at rest
+    int scaledNode = -1;   ///< the nearest node, itself or above, whose scale is animated; -1: none
+    bool mirrored = false; ///< the transforms below that node mirror, or all if there is none
+    bool atRest = false;   ///< all transforms mirror at rest
 };
 
-/// A node of the scene, as met when walking it from its roots.
+/// A node of the scene, in the walk from its roots.
 struct PlacedNode {
     int node = -1;
     NodePlace place;
-    bool visible = true; ///< KHR_node_visibility hides neither it nor one above it
+    bool visible = true; ///< KHR_node_visibility hides neither it nor a node above it
     Handedness hand;
 };
 
-/// What walking the default scene finds.
+/// Result of walking the default scene.
 struct NodeWalk {
     std::vector<PlacedNode> nodes;           ///< depth first, in the file's order
-    std::vector<AnimatedNode> animatedNodes; ///< what moves by itself, those above first
-    std::vector<glm::dmat4> worldFromNode;   ///< of every node of the scene; identity elsewhere
-    std::vector<glm::dmat4> unflattened;     ///< the same as if no node scaled by 0
+    std::vector<AnimatedNode> animatedNodes; ///< nodes that animations move, parents first
+    std::vector<glm::dmat4> worldFromNode;   ///< for every node of the scene; identity elsewhere
+    std::vector<glm::dmat4> unflattened;     ///< worldFromNode as if no node scaled by 0
 };
 
-/// Walks the default scene (the first if none is named; all roots if there are no scenes), from
-/// where CESIUM_RTC puts it. Throws InputError for a missing node, a node reached twice or too
-/// deep, or a transform that is not finite.
+/// Walks the default scene (the first if none is named; all roots if there are no scenes), from its
+/// origin by CESIUM_RTC. Throws InputError for a missing node, a node reached twice or too deep, or
+/// a transform that is not finite.
 NodeWalk walkNodes(const GltfDocument& document);
 
 } // namespace edgeshade

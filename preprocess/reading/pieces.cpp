@@ -21,7 +21,7 @@ std::vector<double> morphWeights(const GltfDocument& document, const tinygltf::N
     return node.weights.empty() ? document.model->meshes[node.mesh].weights : node.weights;
 }
 
-/// A skin that nodes use, read once.
+/// The skins that nodes use, each read once.
 class Skins {
   public:
     Skins(const GltfDocument& document, const NodeWalk& walk, MemoryBudget& memory)
@@ -60,20 +60,20 @@ std::size_t materialOf(const GltfDocument& document, const Primitive& primitive,
     return static_cast<std::size_t>(primitive.material);
 }
 
-/// Counts what pieces become in batches, so that a mesh of many nodes is refused before it is
+/// Counts the memory of pieces in batches, so that a mesh with many nodes is refused before it is
 /// repeated.
 class PieceCounter {
   public:
     PieceCounter(const GltfDocument& document, MemoryBudget& memory)
         : document_(document), memory_(memory) {}
 
-    /// `instances`: how often the node has the primitive.
+    /// `instances`: of the primitive at the node.
     void count(const Primitive& primitive, int node, std::uint64_t instances) {
         addTriangles(primitive.indices.size() / 3, node, instances);
         countVertices(primitive, node, instances);
     }
 
-    /// What a shared mesh has once.
+    /// Counts what a shared mesh stores once.
     void countVertices(const Primitive& primitive, int node, std::uint64_t instances = 1) {
         const std::string field = document_.where("nodes[" + std::to_string(node) + "]");
         const std::size_t vertices =
@@ -89,13 +89,13 @@ class PieceCounter {
         memory_.take(instances * primitive.indices.size(), sizeof(std::uint32_t), field);
     }
 
-    /// What places of a mesh of so many triangles become: a batch each.
+    /// Counts the places of a mesh of `triangles` triangles, one batch each.
     void countPlaces(std::size_t triangles, int node, std::uint64_t places) {
         addTriangles(triangles, node, places);
         memory_.take(places, sizeof(Batch), document_.where("nodes[" + std::to_string(node) + "]"));
     }
 
-    /// What a piece that deforms keeps of its primitive: vertices, influences and targets.
+    /// Counts the primitive's data that a deforming piece keeps: vertices, influences and targets.
     void countSource(const Primitive& primitive, int node) {
         const std::string field = document_.where("nodes[" + std::to_string(node) + "]");
         const std::size_t vertices = primitive.positions.size();
@@ -119,7 +119,7 @@ class PieceCounter {
     std::uint64_t triangles_ = 0;
 };
 
-/// Reads the primitives of meshes, each once for what its morph targets become.
+/// Reads primitives of meshes, once for each use of their morph targets.
 class Primitives {
   public:
     Primitives(const GltfDocument& document, const std::optional<std::size_t>& variant,
@@ -151,7 +151,7 @@ class Primitives {
         read_;
 };
 
-/// The mesh of a node, read.
+/// A node's mesh, read.
 struct MeshUse {
     const PlacedNode* visit = nullptr;
     const std::vector<std::shared_ptr<Primitive>>* primitives = nullptr;
@@ -168,7 +168,7 @@ struct MeshUse {
     }
 };
 
-/// Whether a mesh can be drawn from a space of its own: nothing is flattened there.
+/// Whether a mesh can be drawn from its own space: the transform doesn't flatten it.
 bool isWellPlaced(const glm::dmat4& animatedFromMesh) {
     constexpr double leastShare = 1e-6;
     const double longest = longestAxis(animatedFromMesh);
@@ -187,7 +187,7 @@ class PieceGatherer {
           counter_(document, memory_), skins_(document, walk, memory_),
           read_(document, variant, scene, memory_), morphing_(morphingNodes(document)) {}
 
-    /// Reads a node's mesh, if it has one that is seen.
+    /// Reads a node's mesh, if it has one and is visible.
     void read(const PlacedNode& visit) {
         const tinygltf::Node& node = document_.model->nodes[visit.node];
         if (node.mesh < 0 || !visit.visible) return;
@@ -269,8 +269,8 @@ class PieceGatherer {
             const bool deforms =
                 moves || (isSkinned(primitive) && (use.skin->moves || visit.hand.scaledNode >= 0));
             if (deforms) counter_.countSource(primitive, visit.node);
-            // A skin's joints place it in the world; of its own node's transforms counts alone
-            // whether they mirror.
+            // Joints place a skin in the world. Of its own node's transforms, only mirroring
+            // matters.
             if (isSkinned(primitive)) {
                 requireJoints(document_, primitive, use.skin->joints.size());
                 piece.skin = use.skin;
@@ -305,7 +305,7 @@ class PieceGatherer {
     Primitives read_;
     const std::set<int> morphing_;
     std::vector<MeshUse> uses_;
-    std::map<PrimitivesOfMesh, std::size_t> placesOf_; ///< how often rigid ones stand somewhere
+    std::map<PrimitivesOfMesh, std::size_t> placesOf_; ///< places of rigid meshes
     std::map<PrimitivesOfMesh, std::size_t> sharedOf_; ///< index in GatheredPieces::shared
     GatheredPieces gathered_;
 };

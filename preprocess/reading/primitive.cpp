@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-/// Reads attributes of one primitive from wherever they are.
+/// Reads the attributes of one primitive, from accessors or Draco data.
 class AttributeReader {
   public:
     AttributeReader(const GltfDocument& document, const tinygltf::Primitive& primitive,
@@ -26,7 +26,7 @@ class AttributeReader {
                std::to_string(primitive_.attributes.at(name)) + "])";
     }
 
-    /// The attribute with `least` to `most` components a vertex and `count` vertices (0: any
+    /// Reads an attribute with `least` to `most` components per vertex and `count` vertices (0: any
     /// number), all finite.
     FloatArray read(const std::string& name, int least, int most, std::size_t count) const {
         const bool compressed = draco_ && draco_->attributes.contains(name);
@@ -49,7 +49,7 @@ class AttributeReader {
         return read(name, components, components, count);
     }
 
-    /// The indices as the mode's vertex sequence.
+    /// The indices in the order that the primitive's mode uses.
     std::vector<std::uint32_t> readIndexSequence(std::size_t vertexCount) const {
         if (draco_) return draco_->indices;
         std::vector<std::uint32_t> indices;
@@ -82,7 +82,7 @@ std::vector<glm::vec<N, float>> asVectors(const FloatArray& array) {
     return vectors;
 }
 
-/// Strips and fans to a triangle list of the same orientation (glTF 2.0, 3.7.2.1).
+/// Converts strips and fans to a triangle list of the same orientation (glTF 2.0, 3.7.2.1).
 std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> sequence, int mode) {
     if (mode == TINYGLTF_MODE_TRIANGLES) {
         sequence.resize(sequence.size() / 3 * 3);
@@ -99,7 +99,7 @@ std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> sequence, i
     return triangles;
 }
 
-/// Reads what morph targets have of one primitive's `count` vertices (glTF 2.0, 3.7.2.2).
+/// Reads the morph targets of a primitive's `count` vertices (glTF 2.0, 3.7.2.2).
 class TargetReader {
   public:
     TargetReader(const GltfDocument& document, const tinygltf::Primitive& primitive,
@@ -107,7 +107,7 @@ class TargetReader {
         : document_(document), primitive_(primitive), field_(std::move(field)), count_(count),
           memory_(memory) {}
 
-    /// Empty where the target has no such attribute.
+    /// The target's deltas; empty if it lacks the attribute.
     std::vector<glm::vec3> deltas(std::size_t target, const std::string& name) const {
         const auto found = primitive_.targets[target].find(name);
         if (found == primitive_.targets[target].end()) return {};
@@ -138,9 +138,8 @@ class TargetReader {
     MemoryBudget& memory_;
 };
 
-/// One vertex's influences of all sets: joints ascending, each once, none without weight. Where
-/// there is no weight at all, the first joint has it, as everywhere else: nothing skinned stays
-/// where the mesh has it.
+/// One vertex's influences from all sets: joints ascending, each once, none of weight 0. Without
+/// any weight, the first joint gets all of it: no skinned vertex stays in the mesh's own place.
 std::vector<Influence> sortedInfluences(std::vector<Influence> given) {
     const std::uint32_t first = given.front().joint;
     std::stable_sort(given.begin(), given.end(),
@@ -157,7 +156,7 @@ std::vector<Influence> sortedInfluences(std::vector<Influence> given) {
     return sorted;
 }
 
-/// Those of JOINTS_0 and WEIGHTS_0 and all further sets.
+/// Reads JOINTS_0, WEIGHTS_0 and all further sets.
 Influences readInfluences(const AttributeReader& reader, std::size_t count) {
     std::vector<std::vector<glm::vec4>> joints, weights;
     for (std::size_t set = 0;; ++set) {

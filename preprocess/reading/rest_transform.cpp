@@ -34,7 +34,7 @@ glm::dmat4 unflattenedRestMatrix(const tinygltf::Node& node) {
 }
 
 std::optional<NodeTransform> partsOf(const glm::dmat4& matrix) {
-    constexpr double tolerance = 1e-5; // of files that have floats
+    constexpr double tolerance = 1e-5; // for files that store floats
     NodeTransform parts;
     parts.translation = glm::dvec3(matrix[3]);
     glm::dmat3 turn(matrix);

@@ -7,20 +7,20 @@
 
 namespace edgeshade {
 
-/// The node's transform at rest; its matrix, if it has one, is not looked at.
+/// The node's transform at rest from its properties; a matrix is ignored.
 NodeTransform restTransform(const tinygltf::Node& node);
 
-/// Whether a matrix places the node.
+/// Whether the node has a matrix.
 bool hasMatrix(const tinygltf::Node& node);
 
-/// Where the node is in its parent at rest, however the file says it.
+/// The matrix of a node at rest, relative to its parent, from its matrix or its properties.
 glm::dmat4 restMatrix(const tinygltf::Node& node);
 
-/// The same as if it did not scale by 0, as far as that can be told.
+/// The same matrix as if the node did not scale by 0, as far as that can be known.
 glm::dmat4 unflattenedRestMatrix(const tinygltf::Node& node);
 
-/// The translation, rotation and scale, none of them 0 or negative, that make a matrix; null where
-/// none do.
+/// The translation, rotation and scale that compose a matrix, with no scale of 0 or below; null if
+/// there are none.
 std::optional<NodeTransform> partsOf(const glm::dmat4& matrix);
 
 } // namespace edgeshade

@@ -6,8 +6,8 @@
 
 namespace edgeshade {
 
-/// The name of a node, or a material, in the file; of one without a name "nodes[3]". The material
-/// behind the last one is the default material.
+/// The name of a node or a material in the file, or "nodes[3]" without one. The material after the
+/// last is the default material.
 std::string nodeTitle(const GltfDocument& document, std::size_t node);
 std::string materialTitle(const GltfDocument& document, std::size_t material);
 

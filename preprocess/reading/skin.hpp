@@ -9,18 +9,18 @@
 
 namespace edgeshade {
 
-/// A skin's joints and inverse bind matrices (glTF 2.0, 3.7.3); `placeOf`: of every node, by index;
-/// `memory` counts what is read. Throws InputError.
+/// A skin's joints and inverse bind matrices (glTF 2.0, 3.7.3). `placeOf`: the place of every node,
+/// by index. `memory` counts what is read. Throws InputError.
 std::vector<Joint> readJoints(const GltfDocument& document, int skin,
                               const std::vector<NodePlace>& placeOf, MemoryBudget& memory);
 
-/// The matrices that take a skinned vertex from mesh to world space at rest: each joint's world
-/// transform times its inverse bind matrix. `worldFromNode` holds every node's transform.
+/// The matrices that transform a skinned vertex from mesh to world space at rest: each joint's
+/// world transform times its inverse bind matrix. `worldFromNode` holds every node's transform.
 std::vector<glm::dmat4> skinMatrices(const GltfDocument& document, int skin,
                                      const std::vector<Joint>& joints,
                                      const std::vector<glm::dmat4>& worldFromNode);
 
-/// Throws InputError if a vertex names a joint that the skin has not.
+/// Throws InputError if a vertex refers to a joint that the skin lacks.
 void requireJoints(const GltfDocument& document, const Primitive& primitive, std::size_t joints);
 
 /// The blended matrix of one vertex.

@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-/// Does `action`; what it refuses becomes a warning.
+/// Runs `action`, and turns an InputError into a warning.
 template <class Action>
 void orLeaveOut(Warnings& warnings, Action action) {
     try {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* extensionName = "KHR_materials_variants";
 
-/// Calls use(mappings) for the primitive's list of materials by variant, if it has one.
+/// Calls use(mappings) with the primitive's list of materials by variant, if it has one.
 template <class Use>
 void withMappings(const GltfDocument& document, std::size_t mesh, std::size_t primitive, Use use) {
     const std::string name =

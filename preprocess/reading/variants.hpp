@@ -8,17 +8,17 @@
 
 namespace edgeshade {
 
-/// The names of the document's variants (KHR_materials_variants), by index; empty text for one
-/// whose name is missing or no text.
+/// Names of the document's variants (KHR_materials_variants), by index; empty for a name that is
+/// missing or isn't text.
 std::vector<std::string> variantNames(const GltfDocument& document);
 
-/// The index of the variant of that name. Null for no name, and for one that the document does not
-/// have, with a warning that lists those it has.
+/// The index of the variant with that name. Null for an empty name; also null for an unknown one,
+/// with a warning that lists the known names.
 std::optional<std::size_t> findVariant(const GltfDocument& document, const std::string& name,
                                        Warnings& warnings);
 
-/// The material of a primitive in a variant; the primitive's own where the variant does not say, or
-/// says it in a broken way, with a warning.
+/// The material of a primitive in a variant. It is the primitive's own material if the variant has
+/// none for it, or an invalid one, which gets a warning.
 int materialInVariant(const GltfDocument& document, std::size_t mesh, std::size_t primitive,
                       const std::optional<std::size_t>& variant, Warnings& warnings);
 

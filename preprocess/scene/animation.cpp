@@ -10,10 +10,10 @@
 namespace edgeshade {
 namespace {
 
-/// Between which two keyframes a time is.
+/// A time's place between two keyframes.
 struct Span {
     std::size_t before;
-    std::size_t after; ///< equal to `before` outside of the keyframes
+    std::size_t after; ///< equal to `before` outside the keyframes' range
     double fraction;   ///< 0 at `before`, 1 at `after`
     double seconds;    ///< between the two
 };
@@ -63,7 +63,7 @@ glm::dvec3 vectorAt(const Keyframes& keyframes, double seconds) {
     }
 }
 
-/// Unit length; no turn where a spline happens to pass through zero.
+/// Unit length; no rotation where a spline passes through zero.
 glm::dquat rotationAt(const Keyframes& keyframes, double seconds) {
     const Span span = spanAt(*keyframes.times, seconds);
     const std::vector<float>& values = *keyframes.values;
@@ -79,7 +79,7 @@ glm::dquat rotationAt(const Keyframes& keyframes, double seconds) {
     }
 }
 
-/// A value of each morph target.
+/// One value per morph target.
 std::vector<double> weightsAt(const Keyframes& keyframes, std::size_t count, double seconds) {
     const Span span = spanAt(*keyframes.times, seconds);
     const std::vector<float>& values = *keyframes.values;
@@ -107,35 +107,35 @@ bool fitsFloats(const glm::dmat4& matrix) {
     constexpr double most = std::numeric_limits<float>::max();
     for (glm::length_t c = 0; c < 4; ++c)
         for (glm::length_t r = 0; r < 4; ++r)
-            if (!(std::abs(matrix[c][r]) <= most)) return false; // NaN too
+            if (!(std::abs(matrix[c][r]) <= most)) return false; // catches NaN too
     return true;
 }
 
-/// Whether the matrix makes something flat, but for what rounding leaves of the depth: its
-/// determinant beside the largest that columns of these lengths can have.
+/// Whether the matrix flattens what it transforms, except for rounding: compares its determinant
+/// with the largest possible for columns of these lengths.
 bool flattens(const glm::dmat3& matrix) {
     constexpr double rounding = 1e-14;
     const double most = glm::length(matrix[0]) * glm::length(matrix[1]) * glm::length(matrix[2]);
     return std::abs(glm::determinant(matrix)) <= rounding * most;
 }
 
-/// Whether drawing, which works in floats, can use the matrix and its inverse.
+/// Whether drawing in floats can use the matrix and its inverse.
 bool isDrawable(const glm::dmat4& worldFromBatch) {
     return fitsFloats(worldFromBatch) && !flattens(glm::dmat3(worldFromBatch)) &&
            fitsFloats(glm::inverse(worldFromBatch));
 }
 
-/// Where a node is in the world.
+/// A node's transform to the world.
 struct WorldPlace {
     glm::dmat4 exact{1.0};
     glm::dmat4 unflattened{1.0}; ///< as if no node scaled by 0
 };
 
-/// Of the animated nodes; -1, the world, is at 0.
+/// World transforms of the animated nodes; key -1 is the world itself.
 using Places = std::map<int, WorldPlace>;
 
 Places placesAt(const Animation& animation, const Scene& scene, double seconds) {
-    // Those above come first, so that each finds the one it hangs on.
+    // Nodes come after those above them, so that each finds its parent.
     Places worldFromAnimated = {{-1, WorldPlace()}};
     for (const AnimatedNode& animatedNode : scene.animatedNodes) {
         WorldPlace local{animatedNode.parentFromAnimated,
@@ -154,15 +154,15 @@ Places placesAt(const Animation& animation, const Scene& scene, double seconds) 
     return worldFromAnimated;
 }
 
-/// Null of what is static, which is where it is at rest to the last bit.
+/// Null for static nodes, which keep their rest transform to the last bit.
 std::optional<WorldPlace> worldFromNode(const NodePlace& place, const Places& worldFromAnimated) {
     if (place.animatedNode < 0) return std::nullopt;
     const WorldPlace& above = worldFromAnimated.at(place.animatedNode);
     return WorldPlace{above.exact * place.animatedFromNode, above.unflattened * place.unflattened};
 }
 
-/// Skinned vertices are placed in the world by their joints. Where the mesh's node mirrors, their
-/// batch is one that is mirrored, which turns its triangles over and leaves them where they are.
+/// The transform of a skinned batch. Joints place its vertices in the world. If the mesh's node
+/// mirrors, the transform mirrors too, which turns triangles over and leaves them in place.
 glm::dmat4 worldFromSkinned(const Batch& batch, const Places& places) {
     const NodePlace& place = batch.deformation->place;
     const glm::dmat3 worldFromMesh(places.at(place.animatedNode).exact * place.animatedFromNode);

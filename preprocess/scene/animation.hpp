@@ -10,66 +10,68 @@
 
 namespace edgeshade {
 
-/// Seconds that a time may be.
+/// Largest time, in seconds.
 inline constexpr double longestTime = 1e9;
 
-/// How values between two keyframes come about (glTF 2.0, appendix C).
+/// How values are interpolated between two keyframes (glTF 2.0, appendix C).
 enum class Interpolation { step, linear, cubicSpline };
 
-/// One property of a node over time (glTF 2.0, 3.11). What samplers share, they share here.
+/// One property of a node over time (glTF 2.0, 3.11). Samplers that share an accessor share its
+/// array.
 struct Keyframes {
     Interpolation interpolation = Interpolation::linear;
-    /// Seconds, never decreasing, two alike where there is a step; at least one. What files have
-    /// before 0 is not played.
+    /// Seconds, never decreasing, with two equal ones at a step; at least one. Keyframes before 0
+    /// are not played.
     std::shared_ptr<const std::vector<float>> times;
-    /// 3 floats a value, or 4 (x, y, z, w; not zero) of a rotation, or one a morph target. A value
-    /// a time; for splines three: in-tangent, value, out-tangent.
+    /// 3 floats per value; 4 for a rotation (x, y, z, w; not zero); 1 per morph target. One value
+    /// per time; for splines three: in-tangent, value, out-tangent.
     std::shared_ptr<const std::vector<float>> values;
 };
 
-/// What an animation does to one node; what has no keyframes stays at rest.
+/// An animation's effect on one node; properties without keyframes stay at rest.
 struct NodeMotion {
     NodeTransform rest;
     std::optional<Keyframes> translation;
     std::optional<Keyframes> rotation;
     std::optional<Keyframes> scale;
 
-    /// Where the node is in its parent; a time outside of the keyframes takes the nearest one.
+    /// The node's transform relative to its parent; a time outside the keyframes is clamped to
+    /// them.
     NodeTransform at(double seconds) const;
 };
 
-/// An animation of nodes, ready to be evaluated; readAnimation() makes it.
+/// An animation of nodes, ready to evaluate; made by readAnimation().
 struct Animation {
-    double duration = 0.0;             ///< seconds, from 0 to the last keyframe of all
+    double duration = 0.0;             ///< seconds, from 0 to the last keyframe
     std::map<int, NodeMotion> motions; ///< by glTF node
-    /// Of the morph targets of a glTF node's mesh, by node; never null.
+    /// Keyframes of the morph targets of a glTF node's mesh, by node; never null.
     std::map<int, std::optional<Keyframes>> weights;
 };
 
-/// Where a scene's parts are at one time of an animation.
+/// A scene's transforms and shapes at one time of an animation.
 struct Pose {
-    /// Of each batch. Null where there is nothing to draw and no shadow: the matrix or its inverse
-    /// does not fit into floats, so the batch is scaled to nothing or out of all range.
+    /// For each batch. Null if it draws nothing and casts nothing: the matrix or its inverse does
+    /// not fit into floats, so the batch is scaled to nothing or out of range.
     std::vector<std::optional<glm::dmat4>> worldFromBatch;
-    std::vector<BatchShape> shapes; ///< of each batch; empty ones of those that don't deform
-    /// The scene's, moved. Where a node gives one no place, or no turn that it needs, it is where
-    /// it is in the scene.
+    std::vector<BatchShape> shapes; ///< for each batch; empty unless it deforms
+    /// The scene's cameras and lights, moved. One keeps its place if its node's transform gives no
+    /// position, or no rotation where it needs one.
     std::vector<SceneCamera> cameras;
     std::vector<SceneLight> lights;
 };
 
-/// The pose at a time, which is clamped to the keyframes. What is static and what another animation
-/// moves is at rest. `scene` and `animation` come from the same document.
+/// The pose at a time, which is clamped to the keyframes. Everything that the animation doesn't
+/// move is at rest. `scene` and `animation` come from the same document.
 Pose poseAt(const Animation& animation, const Scene& scene, double seconds);
 
-/// What placing a batch did.
+/// Effect of placing a batch.
 struct Placed {
-    bool visible = true;   ///< false: there is nothing of it to draw, and no shadow
-    bool reshaped = false; ///< its vertices are elsewhere than before
+    bool visible = true;   ///< false: it draws nothing and casts nothing
+    bool reshaped = false; ///< its vertices have moved
 };
 
-/// Puts the scene's parts there, and says of each batch what came of it; batches without a place,
-/// and those of which a vertex has none that fits into floats, stay as they are.
+/// Applies the pose to the scene, and returns the effect on each batch. Batches without a
+/// transform, and those with a vertex that doesn't fit into floats, stay as they are.
 std::vector<Placed> place(Scene& scene, const Pose& pose);
 
 } // namespace edgeshade

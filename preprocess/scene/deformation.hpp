@@ -9,20 +9,20 @@
 
 namespace edgeshade {
 
-// What deforms: skinned and morphing meshes that an animation moves (glTF 2.0, 3.7.2.2, 3.7.3).
-// The triangles stay as they are; where their corners are, and their normals, is worked out for
-// each pose, always by poseBatch(): vertices of which all that moves them is alike are then at the
-// same place to the last bit, in whatever pose.
+// Deforming meshes: skinned and morphing ones that an animation moves (glTF 2.0, 3.7.2.2, 3.7.3).
+// Their triangles stay the same. poseBatch() computes their vertices and normals for every pose.
+// Vertices that are moved by exactly the same data are therefore at the same place, to the last
+// bit, in every pose.
 
-/// How much a vertex goes with a joint.
+/// A joint's influence on a vertex.
 struct Influence {
-    std::uint32_t joint = 0; ///< of the skin's
-    float weight = 0.0f;     ///< a vertex's need not add up to 1, but don't add up to 0
+    std::uint32_t joint = 0; ///< index in the skin
+    float weight = 0.0f;     ///< a vertex's weights need not sum to 1, but never sum to 0
 
     bool operator==(const Influence&) const = default;
 };
 
-/// What the weights of a vertex add up to.
+/// Sum of a vertex's weights.
 inline double totalWeight(std::span<const Influence> influences) {
     double total = 0.0;
     for (const Influence& influence : influences)
@@ -30,10 +30,11 @@ inline double totalWeight(std::span<const Influence> influences) {
     return total;
 }
 
-/// Influences of a mesh's vertices, vertex by vertex, joints ascending; no vertices: not skinned.
+/// Influences of a mesh's vertices, vertex by vertex, joints ascending; empty if the mesh isn't
+/// skinned.
 struct Influences {
     std::vector<Influence> all;
-    std::vector<std::uint32_t> firstOf; ///< by vertex; one more than there are vertices
+    std::vector<std::uint32_t> firstOf; ///< by vertex, with the end appended
 
     bool empty() const { return firstOf.empty(); }
     std::span<const Influence> of(std::size_t vertex) const {
@@ -41,18 +42,18 @@ struct Influences {
     }
 };
 
-/// How far vertices go where a morph target has weight 1; empty arrays move nothing.
+/// Displacement of vertices at weight 1 of a morph target; an empty array moves nothing.
 struct MorphTarget {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::vec3> tangents;
 };
 
-/// A primitive's vertices as the file has them. Arrays are empty where it has none.
+/// A primitive's vertices as in the file; arrays are empty if it has none.
 struct SourceMesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::vec4> tangents; ///< with the bitangent's sign
+    std::vector<glm::vec4> tangents; ///< with the bitangent's sign in w
     std::vector<MorphTarget> targets;
     Influences influences;
 };
@@ -65,28 +66,28 @@ struct Joint {
 
 /// A mesh at one place in a batch.
 struct DeformedPart {
-    std::size_t mesh = 0;            ///< of Deformation::meshes
-    glm::dmat4 batchFromMesh{1.0};   ///< not used where joints place it
-    int node = -1;                   ///< the glTF node whose morph weights count
-    std::vector<double> restWeights; ///< one a morph target
-    std::uint32_t firstVertex = 0;   ///< of the batch
-    /// Flat triangles, three vertices of their own each: which vertex of the mesh each one is.
-    /// Empty: the mesh's vertices, one for one.
+    std::size_t mesh = 0;            ///< index in Deformation::meshes
+    glm::dmat4 batchFromMesh{1.0};   ///< unused if joints place it
+    int node = -1;                   ///< the glTF node that has its morph weights
+    std::vector<double> restWeights; ///< one per morph target
+    std::uint32_t firstVertex = 0;   ///< in the batch
+    /// For flat triangles, which have three vertices of their own each: the mesh's vertex for each
+    /// of the batch's. Empty: the batch has the mesh's vertices one for one.
     std::vector<std::uint32_t> corners;
 };
 
-/// What poses a batch.
+/// Everything that poses a batch.
 struct Deformation {
     std::vector<SourceMesh> meshes;
-    std::vector<Joint> joints; ///< of the skin that all parts have, or none has
-    /// Of the node of a skinned mesh: where it mirrors, the back of triangles is their front (glTF
-    /// 2.0, 3.7.4), whatever joints do. Nodes of all parts do so at the same times.
+    std::vector<Joint> joints; ///< of the skin, which all parts share or none has
+    /// Place of a skinned mesh's node. Where it mirrors, the back of a triangle is its front (glTF
+    /// 2.0, 3.7.4), whatever joints do. The nodes of all parts mirror at the same times.
     NodePlace place;
     std::vector<DeformedPart> parts;
 
     bool isSkinned() const { return !joints.empty(); }
 
-    /// Calls use(batch vertex, part, vertex of the part's mesh) for all.
+    /// Calls use(batch vertex, part, vertex of the part's mesh) for every vertex.
     template <class Use>
     void forEachVertex(Use use) const {
         for (const DeformedPart& part : parts) {
@@ -99,7 +100,7 @@ struct Deformation {
     }
 };
 
-/// One pose of a batch that deforms.
+/// One pose of a deforming batch.
 struct BatchShape {
     std::vector<glm::dmat4> batchFromMesh;    ///< by joint
     std::vector<std::vector<double>> weights; ///< of morph targets, by part

@@ -9,11 +9,12 @@ namespace edgeshade {
 namespace {
 
 constexpr int segments = 96;
-constexpr double inner = 2.0, outer = 6.0; // radii, of the scene's ball
-constexpr double below = 2e-4;             // of the ball's radius: what lies on y = low stays above
+constexpr double inner = 2.0, outer = 6.0; // radii, in radii of the scene's ball
+constexpr double below = 2e-4;             // as a share of the ball's radius: surfaces at y = low
+                                           // stay above the ground
 
-constexpr double lowest = 0.1;  // of the height
-constexpr double covered = 0.5; // of the area from above
+constexpr double lowest = 0.1;  // share of the height
+constexpr double covered = 0.5; // share of the area seen from above
 
 Material groundMaterial(const Ground& ground) {
     Material material;
@@ -31,13 +32,13 @@ void addRing(Geometry& geometry, double radius, float alpha) {
     }
 }
 
-/// Of corners that run counter-clockwise as seen from above.
+/// The corners are counter-clockwise as seen from above.
 void addTriangle(Geometry& geometry, int a, int b, int c) {
     for (const int corner : {a, b, c})
         geometry.indices.push_back(static_cast<std::uint32_t>(corner));
 }
 
-/// Twice the area of the triangle as seen from above, less than 0 where it looks down.
+/// Twice the area of the triangle as seen from above, negative if it faces down.
 double areaFromAbove(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return glm::cross(b - a, c - a).y;
 }
@@ -82,7 +83,7 @@ bool hasFloor(const Scene& scene) {
     if (box.empty()) return false;
     const glm::dvec3 size = box.high - box.low;
     const double top = box.low.y + lowest * size.y;
-    double area = 0.0; // of floors, twice
+    double area = 0.0; // twice the area of floors
     for (const Batch& batch : scene.batches) {
         if (batch.ground) continue;
         const auto corner = [&](std::size_t i) {

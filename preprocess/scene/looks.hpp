@@ -6,10 +6,10 @@
 
 namespace edgeshade {
 
-/// How a file's surfaces are to look.
+/// How a file's surfaces look.
 struct Looks {
-    std::string variant;             ///< of KHR_materials_variants; empty: the file's own materials
-    Shading shading = Shading::full; ///< what of materials is read at all
+    std::string variant;             ///< in KHR_materials_variants; empty: the file's own materials
+    Shading shading = Shading::full; ///< how much of a material is read
 };
 
 } // namespace edgeshade

@@ -3,7 +3,7 @@
 namespace edgeshade {
 namespace {
 
-/// From which roughness on a dielectric's highlight is a hundredth of what it scatters, or less.
+/// Roughness from which a dielectric's highlight is at most a hundredth of its scattered light.
 constexpr float roughest = 0.95f;
 
 } // namespace

@@ -16,17 +16,17 @@ bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Of length 1, whatever its size; null for nothing and for what is not finite.
+/// The vector at length 1, whatever its size; null if it is 0 or not finite.
 std::optional<glm::dvec3> unit(const glm::dvec3& v) {
     const double largest = largestOf(v);
     if (!isFinite(v) || largest == 0.0) return std::nullopt;
     return glm::normalize(v / largest);
 }
 
-/// Of what was 1; rounding leaves less of what was 0.
+/// Threshold of a column that was 1; rounding leaves less of a column that was 0.
 constexpr double nothing = 1e-9;
 
-/// The transform with the columns of which nothing is left as in `unflattened`.
+/// The transform, with vanished columns taken from `unflattened`.
 glm::dmat4 mended(const glm::dmat4& transform, const glm::dmat4& unflattened) {
     glm::dmat4 mended = transform;
     for (glm::length_t c = 0; c < 3; ++c)

@@ -11,10 +11,10 @@
 namespace edgeshade {
 namespace {
 
-// Vectors of the compiler: SSE, NEON or WebAssembly's from one source.
+// The compiler's vector type: SSE, NEON or WebAssembly's SIMD from one source.
 using Doubles = double __attribute__((vector_size(2 * sizeof(double))));
 
-/// The upper three rows of a matrix, column by column: all that an affine one has.
+/// The upper three rows of an affine matrix, column by column.
 struct Rows {
     std::array<Doubles, 6> lanes{};
 
@@ -42,12 +42,12 @@ struct Rows {
     }
 };
 
-/// A vertex before a matrix takes it to the batch.
+/// A vertex after morphing, in the mesh's space.
 struct Morphed {
     glm::dvec3 position{0.0}, normal{0.0}, tangent{0.0};
 };
 
-/// Sums up morph targets (glTF 2.0, 3.7.2.2).
+/// Sums morph targets (glTF 2.0, 3.7.2.2).
 class Morph {
   public:
     Morph(const SourceMesh& mesh, const std::vector<double>& weights) : mesh_(mesh) {
@@ -77,7 +77,7 @@ class Morph {
     std::vector<std::pair<double, const MorphTarget*>> active_;
 };
 
-/// What takes a part's vertices to the batch.
+/// Transforms a part's vertices to the batch's space.
 class PartPoser {
   public:
     PartPoser(const Batch& batch, const BatchShape& shape, std::size_t part)
@@ -112,7 +112,7 @@ bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Vertices of a batch as they are posed.
+/// A batch's posed vertices.
 struct Posed {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
@@ -152,7 +152,7 @@ bool posePart(const Batch& batch, const BatchShape& shape, std::size_t index, Po
     return true;
 }
 
-/// Tells vertices apart by all that moves them.
+/// Compares vertices by everything that moves them.
 class Movement {
   public:
     explicit Movement(const Deformation& deformation) : deformation_(deformation) {}
@@ -162,8 +162,8 @@ class Movement {
         std::uint32_t vertex;
     };
 
-    /// The same for those that are alike; of all that tells others apart, so that no file can
-    /// have many that are not.
+    /// Equal for vertices that move alike. It covers all that distinguishes others, so that no file
+    /// can cause many collisions.
     std::uint64_t hashOf(const Vertex& of) const {
         const SourceMesh& mesh = meshOf(of);
         std::uint64_t hash = 0;
@@ -173,7 +173,7 @@ class Movement {
         };
         const auto mixVector = [&mix](const glm::vec3& vector) {
             for (glm::length_t c = 0; c < 3; ++c)
-                mix(glm::floatBitsToUint(vector[c] + 0.0f)); // -0 is 0
+                mix(glm::floatBitsToUint(vector[c] + 0.0f)); // -0 hashes as 0
         };
         mixVector(mesh.positions[of.vertex]);
         if (mesh.influences.empty())

@@ -4,12 +4,12 @@
 
 namespace edgeshade {
 
-/// Puts the vertices of a batch that deforms where a shape has them, with their normals and
-/// tangents: morph targets first, then joints, in double, rounded once. False where a position does
-/// not fit into a float; the batch stays as it was.
+/// Computes the vertices of a deforming batch for a shape, with their normals and tangents: morph
+/// targets first, then joints, in double precision, rounded once. Returns false if a position does
+/// not fit into a float; the batch then stays as it was.
 bool poseBatch(Batch& batch, const BatchShape& shape);
 
-/// By vertex of a batch that deforms: the first vertex that is where it is in whatever pose.
+/// For each vertex of a deforming batch, the first vertex that coincides with it in every pose.
 std::vector<std::uint32_t> alikeVertices(const Batch& batch);
 
 } // namespace edgeshade

@@ -9,14 +9,14 @@
 
 namespace edgeshade {
 
-/// Triangles that a caller of the library hands in.
+/// Triangles from a caller of the library.
 struct TriangleMesh {
     std::vector<glm::vec3> positions;   ///< no NaN, no infinity, no -0
-    std::vector<std::uint32_t> indices; ///< three a triangle, below positions.size()
+    std::vector<std::uint32_t> indices; ///< three per triangle, below positions.size()
 };
 
-/// `positions`: x, y, z a vertex; `indices`: three a triangle. Throws InputError for numbers that
-/// don't come in threes, that aren't finite, and for vertices that there aren't.
+/// `positions`: x, y, z per vertex; `indices`: three per triangle. Throws InputError for lengths
+/// that aren't multiples of three, numbers that aren't finite, and indices out of range.
 TriangleMesh triangleMesh(std::span<const float> positions, std::span<const std::uint32_t> indices);
 
 } // namespace edgeshade

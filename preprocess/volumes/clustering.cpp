@@ -9,18 +9,18 @@
 namespace edgeshade {
 namespace {
 
-/// What is known of a component before it is put into a cluster.
+/// Properties of a component that decide its cluster.
 struct Part {
     Box bounds;
     bool closed = false;
     bool alphaTested = false;
     std::size_t triangles = 0;
-    std::uint64_t place = 0; ///< on the Morton curve
+    std::uint64_t place = 0; ///< position on the Morton curve
 
     std::uint32_t kind() const { return closed ? 0 : alphaTested ? 2 : 1; }
 };
 
-/// Two zeros after each of the lowest 21 bits; there are no others.
+/// Inserts two zeros after each of the lowest 21 bits; the others must be 0.
 std::uint64_t spread(std::uint64_t bits) {
     bits = (bits | bits << 32) & 0x001F00000000FFFFu;
     bits = (bits | bits << 16) & 0x001F0000FF0000FFu;
@@ -39,7 +39,7 @@ std::uint64_t mortonCode(const glm::dvec3& point, const Box& all) {
     return code;
 }
 
-/// A box of floats: corners of triangles, before anything is added up.
+/// A box of floats, for corners of triangles.
 struct FloatBox {
     glm::vec3 low, high;
 
@@ -58,7 +58,7 @@ FloatBox boxOf(const WeldedMesh& mesh, const Triangle& triangle) {
     return box;
 }
 
-/// By triangle.
+/// The box of each triangle.
 std::vector<FloatBox> boxesOf(const WeldedMesh& mesh, Threads threads) {
     std::vector<FloatBox> boxes(mesh.triangles.size());
     forEachItem(boxes.size(), itemsOfThread, threads,
@@ -74,7 +74,7 @@ struct ComponentRun {
     FloatBox bounds;
 };
 
-/// Those of triangles [range.first, range.end) of a group's casters.
+/// Appends the runs of triangles [range.first, range.end) in a group's casters.
 void addRuns(const std::vector<FloatBox>& boxes, const Components& components,
              const ItemRange& range, bool alphaTested, std::vector<ComponentRun>& runs) {
     const std::size_t before = runs.size();
@@ -124,12 +124,12 @@ std::vector<Part> componentParts(const CasterMesh& mesh, const std::vector<Float
     return parts;
 }
 
-/// A Morton code as a key: 63 bits.
+/// A Morton code of 63 bits as a sort key.
 std::array<std::uint32_t, 2> keyOf(std::uint64_t code) {
     return {static_cast<std::uint32_t>(code >> 31), static_cast<std::uint32_t>(code & 0x7FFFFFFFu)};
 }
 
-/// By kind, then along the curve.
+/// Sorts by kind, then along the curve.
 std::vector<Keyed<3>> orderOf(const std::vector<Part>& parts, Threads threads) {
     std::vector<Keyed<3>> order(parts.size());
     forEachItem(parts.size(), itemsOfThread, threads, [&](std::size_t i) {
@@ -140,7 +140,7 @@ std::vector<Keyed<3>> orderOf(const std::vector<Part>& parts, Threads threads) {
     return order;
 }
 
-/// Clusters without triangles; `clusterOf`: by component.
+/// Builds clusters without their triangles; `clusterOf`: by component.
 std::vector<TriangleCluster> clustersOf(const std::vector<Part>& parts, Threads threads,
                                         std::vector<std::uint32_t>& clusterOf) {
     std::vector<TriangleCluster> clusters;
@@ -170,12 +170,12 @@ std::vector<TriangleCluster> clustersOf(const std::vector<Part>& parts, Threads 
     return clusters;
 }
 
-/// Triangles cluster after cluster, ascending in each.
+/// Triangles grouped by cluster, ascending in each.
 std::vector<std::uint32_t> byCluster(const Components& components,
                                      const std::vector<std::uint32_t>& clusterOf,
                                      std::size_t clusters, Threads threads) {
     const auto& component = components.ofTriangle;
-    // Counts of every part and cluster must not outgrow the triangles.
+    // The counts per part and cluster must not need more memory than the triangles.
     const auto parts = partsOf(component.size(), std::max(itemsOfThread, clusters), threads);
     std::vector<std::vector<std::size_t>> places(parts.size());
     forEachPart(parts, [&](std::size_t part, const ItemRange& range) {
@@ -205,7 +205,7 @@ void sortAlongCurve(const std::vector<FloatBox>& boxes, const Box& bounds,
         triangles[i] = order[i].number;
 }
 
-/// By triangle: whether its material is seen from its front alone.
+/// For each triangle, whether its material is single-sided.
 std::vector<std::uint8_t> singleSidedOf(const CasterMesh& mesh,
                                         const std::vector<Material>& materials) {
     std::vector<std::uint8_t> singleSided(mesh.welded.triangles.size(), 0);
@@ -215,7 +215,7 @@ std::vector<std::uint8_t> singleSidedOf(const CasterMesh& mesh,
     return singleSided;
 }
 
-/// Orders each cluster's triangles, which are ascending.
+/// Sorts each cluster's triangles, which come in ascending order.
 void orderTriangles(const CasterMesh& mesh, const std::vector<FloatBox>& boxes,
                     const std::vector<Material>& materials, Threads threads,
                     TriangleClusters& all) {
@@ -229,7 +229,7 @@ void orderTriangles(const CasterMesh& mesh, const std::vector<FloatBox>& boxes,
                                   [&](std::uint32_t t) { return singleSided[t] != 0; });
         cluster.singleSided = static_cast<std::uint32_t>(others - triangles.begin());
     };
-    // Threads share large clusters, or take a small one each.
+    // All threads share a large cluster; small ones take one thread each.
     const auto isLarge = [](const TriangleCluster& cluster) {
         return cluster.triangles.size() > 4 * itemsOfThread;
     };
@@ -240,10 +240,10 @@ void orderTriangles(const CasterMesh& mesh, const std::vector<FloatBox>& boxes,
     });
 }
 
-/// Gives the clusters their triangles' edges, ascending of each triangle.
+/// Gives the clusters their triangles' edges, ascending for each triangle.
 void addEdges(const EdgeList& edges, Threads threads, TriangleClusters& all) {
     const std::size_t triangles = all.triangles.size(), count = edges.edges.size();
-    std::vector<std::uint32_t> placeOf(triangles); // in all.triangles
+    std::vector<std::uint32_t> placeOf(triangles); // index in all.triangles
     forEachItem(triangles, itemsOfThread, threads,
                 [&](std::size_t i) { placeOf[all.triangles[i]] = static_cast<std::uint32_t>(i); });
     const auto triangleOf = [&](std::size_t e) {
@@ -254,7 +254,7 @@ void addEdges(const EdgeList& edges, Threads threads, TriangleClusters& all) {
         if (e + ahead < count) prefetch(placeOf[triangleOf(e + ahead)]);
         return placeOf[triangleOf(e)];
     };
-    std::vector<std::atomic<std::uint32_t>> next(triangles + 1); // how many, then where
+    std::vector<std::atomic<std::uint32_t>> next(triangles + 1); // counts, then positions
     forEachItem(count, itemsOfThread, threads, [&](std::size_t e) {
         next[placeOfEdge(e)].fetch_add(1, std::memory_order_relaxed);
     });
@@ -269,7 +269,8 @@ void addEdges(const EdgeList& edges, Threads threads, TriangleClusters& all) {
         const std::uint32_t place = next[placeOfEdge(e)].fetch_add(1, std::memory_order_relaxed);
         all.edges[place] = static_cast<std::uint32_t>(e);
     });
-    // Now `next` says where each triangle's end; threads may have come in any order.
+    // `next` now holds the end of each triangle's edges; threads may have written them in any
+    // order.
     forEachItem(triangles, itemsOfThread, threads, [&](std::size_t i) {
         const std::uint32_t first = i == 0 ? 0 : next[i - 1].load(std::memory_order_relaxed);
         const std::uint32_t end = next[i].load(std::memory_order_relaxed);

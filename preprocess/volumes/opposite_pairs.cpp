@@ -8,7 +8,7 @@ namespace {
 using Planes = std::vector<glm::vec4>;
 using Triangles = std::vector<std::uint32_t>;
 
-/// How much alike two planes are, flat ones most of all.
+/// How similar two planes are; equal ones rank highest.
 float likeness(const glm::vec4& p, const glm::vec4& q) {
     if (p == q) return 2.0f;
     return p.x * q.x + p.y * q.y + p.z * q.z;
@@ -18,7 +18,7 @@ OppositePair opposite(std::uint32_t forward, std::uint32_t backward) {
     return {{forward, false}, PairedTriangle{backward, false}};
 }
 
-/// Takes out of `forward` and `backward` the two that are most alike.
+/// Removes the most similar pair from `forward` and `backward`.
 OppositePair takeMostAlike(const Planes& planes, Triangles& forward, Triangles& backward) {
     std::size_t bestI = 0, bestJ = 0;
     float best = -3.0f;
@@ -55,10 +55,10 @@ void pairUp(const EdgeList& edges, const Edge& edge, const Planes& planes,
     }
     const auto opposites = edges.oppositesOf(edge);
     const auto runsForward = edges.forwardOf(edge);
-    Triangles forward, backward; // by the way they run through the edge
+    Triangles forward, backward; // by direction through the edge
     for (std::size_t i = 0; i < opposites.size(); ++i)
         (runsForward[i] ? forward : backward).push_back(opposites[i].triangle);
-    // Searching the whole of a large fan for each pair would take the cube of its size.
+    // Searching all of a large fan for each pair would take time cubic in its size.
     constexpr std::size_t largestSearch = 64;
     if (forward.size() > largestSearch || backward.size() > largestSearch)
         for (Triangles* side : {&forward, &backward})
@@ -72,7 +72,7 @@ void pairUp(const EdgeList& edges, const Edge& edge, const Planes& planes,
             pairs.push_back(takeMostAlike(planes, forward, backward));
         }
     }
-    // What is left runs one way.
+    // The remaining triangles all run the same way.
     for (; forward.size() > 1; forward.resize(forward.size() - 2))
         pairs.push_back({{forward[forward.size() - 1], false},
                          PairedTriangle{forward[forward.size() - 2], true}});

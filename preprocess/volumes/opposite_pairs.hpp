@@ -8,8 +8,8 @@
 
 namespace edgeshade {
 
-/// A triangle whose plane a record holds, negated where the triangle runs through the edge the
-/// other way than its place in the record says.
+/// A triangle whose plane a record holds. The plane is negated if the triangle runs through the
+/// edge in the other direction than its position in the record implies.
 struct PairedTriangle {
     std::uint32_t triangle = 0;
     bool negated = false;
@@ -19,14 +19,14 @@ struct PairedTriangle {
     }
 };
 
-/// Two triangles of an edge, or one: the edge's multiplicity gets w(first) - w(second), see
+/// One or two triangles of an edge: they add w(first) - w(second) to its multiplicity, see
 /// plane_pair_data.hpp.
 struct OppositePair {
     PairedTriangle first;
     std::optional<PairedTriangle> second;
 };
 
-/// The one record of an edge of one or two triangles, as nearly all are.
+/// The only record of an edge with one or two triangles; nearly all edges are such.
 inline OppositePair onlyPair(const EdgeList& edges, const Edge& edge) {
     const Opposite* const opposites = &edges.opposites[edge.firstOpposite];
     const std::uint8_t* const forward = &edges.forward[edge.firstOpposite];
@@ -36,12 +36,13 @@ inline OppositePair onlyPair(const EdgeList& edges, const Edge& edge) {
     if (forward[0] != forward[1])
         return forward[0] != 0 ? OppositePair{p, q}
                                : OppositePair{{q.triangle, false}, PairedTriangle{p.triangle}};
-    // Both run one way: the second comes first.
+    // Both run the same way: the second comes first.
     return {{q.triangle, p.negated}, PairedTriangle{p.triangle, !p.negated}};
 }
 
-/// Pairs up the triangles of an edge into ceil(n / 2) records: those that run opposite ways and
-/// look the same way first, since these cancel in most lights. `planes`: of every triangle.
+/// Pairs up the triangles of an edge into ceil(n / 2) records. Triangles that run in opposite
+/// directions and face alike are paired first, as these cancel in most lights. `planes`: one per
+/// triangle.
 void pairUp(const EdgeList& edges, const Edge& edge, const std::vector<glm::vec4>& planes,
             std::vector<OppositePair>& pairs);
 

@@ -25,7 +25,7 @@ Box boxOf(const std::vector<CapRecord>& caps, std::size_t first, std::size_t end
     return box;
 }
 
-/// Fills in the caps, in the order of clusters; returns which cap each triangle has.
+/// Writes the caps, in the order of clusters; returns the cap of each triangle.
 std::vector<std::uint32_t> addCaps(const WeldedMesh& mesh, const std::vector<glm::vec4>& planes,
                                    Threads threads, PlanePairShadow& shadow) {
     const std::vector<std::uint32_t>& triangles = shadow.capTriangles;
@@ -48,17 +48,17 @@ std::vector<std::uint32_t> addCaps(const WeldedMesh& mesh, const std::vector<glm
     return capOf;
 }
 
-/// Puts the records of some edges, in the order of clusters, from given places on.
+/// Writes the records of some edges, in the order of clusters, from given positions on.
 class SideWriter {
   public:
     SideWriter(const WeldedMesh& mesh, const EdgeList& edges, const std::vector<glm::vec4>& planes,
                const std::vector<std::uint32_t>& capOf)
         : mesh_(mesh), edges_(edges), planes_(planes), capOf_(capOf) {}
 
-    std::size_t pair = 0, single = 0; ///< where the next go
+    std::size_t pair = 0, single = 0; ///< where the next records go
     std::size_t flatPairs = 0, flatEdges = 0;
 
-    /// `vertices`: filled in where the records are to last for all poses; no pair is dropped then.
+    /// `vertices`: also filled in if the records serve all poses; then no pair is dropped.
     void write(const Edge& edge, PlanePairShadow& shadow, RecordVertices* vertices) {
         const std::size_t before = pair + single;
         if (edge.oppositeCount <= 2) {
@@ -71,7 +71,7 @@ class SideWriter {
         flatEdges += pair + single == before;
     }
 
-    /// What write() reads of an edge, in two steps, the second some edges after the first.
+    /// Prefetches write()'s data of an edge in two steps, the second a few edges after the first.
     void prefetchEdge(const Edge& edge) const {
         prefetch(edges_.opposites[edge.firstOpposite]);
         prefetch(edges_.forward[edge.firstOpposite]);
@@ -120,12 +120,12 @@ class SideWriter {
     std::vector<OppositePair> paired_;
 };
 
-/// Records of two planes, of one.
+/// Numbers of pairs and of singles.
 struct SideCounts {
     std::size_t pairs = 0, singles = 0;
 };
 
-/// The most that the edges' records can be, and what they are where no pair is flat.
+/// The most records that the edges can have, reached if no pair is flat.
 SideCounts mostSides(const EdgeList& edges, const std::vector<std::uint32_t>& order,
                      const ItemRange& range) {
     SideCounts counts;
@@ -138,7 +138,7 @@ SideCounts mostSides(const EdgeList& edges, const std::vector<std::uint32_t>& or
     return counts;
 }
 
-/// Fills in pairs and singles; returns how many each cluster has.
+/// Writes pairs and singles; returns their numbers for each cluster.
 std::vector<SideCounts> addSides(const WeldedMesh& mesh, const EdgeList& edges,
                                  const std::vector<glm::vec4>& planes,
                                  const std::vector<std::uint32_t>& capOf,
@@ -167,7 +167,7 @@ std::vector<SideCounts> addSides(const WeldedMesh& mesh, const EdgeList& edges,
     std::vector<std::size_t> pairCounts(parts.size()), flatPairs(parts.size()),
         flatEdges(parts.size());
     std::vector<std::vector<SideCounts>> counts(parts.size());
-    const auto clusterOf = [&](std::size_t edge) { // the cluster of one of the ordered edges
+    const auto clusterOf = [&](std::size_t edge) { // by index of the ordered edges
         const auto after = std::upper_bound(
             clustered.clusters.begin(), clustered.clusters.end(), edge,
             [](std::size_t e, const TriangleCluster& cluster) { return e < cluster.edges.end; });
@@ -220,12 +220,12 @@ RecordRange rangeAfter(const RecordRange& last, std::size_t count) {
     return {last.end(), static_cast<std::uint32_t>(count)};
 }
 
-/// The caps of a cluster by material where that matters.
+/// Groups a cluster's caps by material, where the material matters.
 void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster,
                std::span<const std::uint32_t> triangles, std::vector<MaterialCasters>& groups) {
     auto firstCap = static_cast<std::uint32_t>(cluster.triangles.first);
     if (!cluster.alphaTested) {
-        const std::size_t anyMaterial = mesh.groups.front().material; // all of them are opaque
+        const std::size_t anyMaterial = mesh.groups.front().material; // all are opaque
         groups.push_back({anyMaterial, firstCap, static_cast<std::uint32_t>(triangles.size())});
         return;
     }
@@ -242,7 +242,7 @@ void addGroups(const CasterMesh& mesh, const TriangleCluster& cluster,
     }
 }
 
-/// The clusters; `sides`: how many records each has.
+/// Adds the clusters; `sides`: their numbers of records.
 void addClusters(const CasterMesh& mesh, const TriangleClusters& clustered,
                  const std::vector<SideCounts>& sides, PlanePairShadow& shadow) {
     ShadowCluster last;
@@ -295,7 +295,7 @@ PlanePairShadow recordsOf(const CasterMesh& mesh, const EdgeList& edges,
     return shadow;
 }
 
-/// A vertex of the batch for each welded one.
+/// One vertex of the batch for each welded vertex.
 std::vector<std::uint32_t> batchVertices(const CasterMesh& mesh, const Casters& casters) {
     std::vector<std::uint32_t> inBatch(mesh.welded.positions.size());
     for (std::size_t t = 0; t < mesh.welded.triangles.size(); ++t)
@@ -304,7 +304,7 @@ std::vector<std::uint32_t> batchVertices(const CasterMesh& mesh, const Casters& 
     return inBatch;
 }
 
-/// Puts records where vertices are; asks each plane as the first pose did.
+/// Moves records to the vertices' positions; each keeps the triangles whose planes it holds.
 class Poser {
   public:
     Poser(const RecordVertices& vertices, const Batch& batch) : vertices_(vertices) {
@@ -410,7 +410,7 @@ std::size_t sideRunsOf(const SideCounts& sides, bool closed) {
     return quadVertices * ((closed ? 1 : 2) * sides.pairs + sides.singles);
 }
 
-/// All but runs of sides.
+/// All costs without runs of sides.
 PlanePairCosts costsOf(const SideCounts& sides, std::size_t flatEdges, std::size_t caps) {
     PlanePairCosts costs;
     costs.records = sides.pairs + sides.singles;

@@ -10,63 +10,63 @@
 
 namespace edgeshade {
 
-// What the layout `adapted` draws shadow volumes from (docs/method.md, C1 to C8): which kinds of
-// edges there are, and why each is right.
+// The records of the layout `adapted`, from which shadow volumes are drawn (docs/method.md, C1 to
+// C8): the kinds of edges, and why each is right.
 //
-// Every triangle T that counts adds a prism: front cap, back cap, three sides. T's side of the
-// light is s(T), the sign of dot(plane, light) with T's plane as trianglePlanes() has it; what
-// counts of it is w(T): s(T) itself, or only s = 1 (light-facing triangles), or only s = -1. An
-// edge A < B is drawn |m| times, m the sum of d(T) w(T) over its triangles, d(T) = 1 where T runs
-// from A to B and -1 where it runs from B to A. Since edges and caps ask the same four floats, what
-// they emit is a closed chain whatever those floats are (docs/method.md, The closed chain).
+// Every triangle T that counts adds a prism: front cap, back cap, three sides. Its side of the
+// light s(T) is the sign of dot(plane, light) with T's plane from trianglePlanes(). Its weight w(T)
+// is s(T) itself, or counts only s = 1 (light-facing triangles), or only s = -1. An edge A < B is
+// drawn |m| times. Its multiplicity m is the sum of d(T) w(T) over its triangles, where d(T) is 1
+// if T runs from A to B and -1 if it runs from B to A. Edges and caps evaluate the same four
+// floats. The result is therefore a closed chain whatever those floats are (docs/method.md, The
+// closed chain).
 //
 // - PairRecord: two of an edge's triangles with d0 = 1 and d1 = -1, so m = w0 - w1. Triangles that
 //   run the same way are paired too, one of them with its plane negated, which turns w into -w:
-//   then all triangles must count. An edge of n triangles takes pairs of those that run opposite
-//   ways as long as there are any, then of the rest: its multiplicity is the sum over its records.
-// - SingleRecord: the triangle that is left over where n is odd, m = w, the plane negated if d =
-// -1.
-// - Nothing: a pair whose planes are equal bit for bit, as they are across the edges within a flat
-//   patch. w0 - w1 is 0 for every light.
+//   then all triangles must count. An edge of n triangles first pairs triangles that run in
+//   opposite directions, then the rest. Its multiplicity is the sum over its records.
+// - SingleRecord: the triangle left over if n is odd, m = w, with its plane negated if d = -1.
+// - No record: a pair whose planes are equal bit for bit, as across the edges within a flat patch.
+//   w0 - w1 is 0 for every light.
 //
-// With a flat tolerance such patches are nearly flat, and their plane is that of the one they grew
-// from. Edges and caps of every triangle still ask the same four floats, so the chain is as closed
-// as before: for that it is no matter which plane they ask. What gets wrong is s(T) of triangles
-// that the light grazes at less than the tolerance, or less than their distance from the patch's
-// plane: their prisms, whose cross-section is at most sin(tolerance) of the triangle's area, count
-// with the other sign, and the silhouette runs along the patch's border instead of through it.
+// With a flat tolerance the patches are nearly flat, and use the plane of the patch they grew from.
+// Edges and caps of every triangle still evaluate the same four floats, so the chain is as closed
+// as before: it does not depend on which plane they use. The error is in s(T) of triangles that the
+// light grazes at less than the tolerance, or less than their distance from the patch's plane.
+// Their prisms, whose cross-section is at most sin(tolerance) of the triangle's area, count with
+// the other sign. The silhouette runs along the patch's border instead of through it.
 //
-// Of what deforms every triangle has a plane of its own and no pair is dropped: what is flat in one
-// pose is not in another. Where a pose puts the vertices, posedPlanePairs() has the same records
-// ask the planes that the triangles have there.
+// In a deforming batch every triangle has its own plane and no pair is dropped: triangles that are
+// coplanar in one pose are not in another. For a new pose, posedPlanePairs() gives the same records
+// the planes that the triangles have there.
 //
-// Components are sets of triangles connected through edges, so all records of an edge belong to
-// one, and each component's chain is closed by itself. In a *closed* component every edge has as
-// many triangles in one direction as in the other: there are nothing but pairs of opposite
-// directions, winding numbers exist, and where docs/method.md, C8 allows it the light-facing
+// Components are sets of triangles connected through edges. All records of an edge therefore belong
+// to one component, and each component's chain is closed by itself. In a *closed* component every
+// edge has as many triangles in one direction as in the other. It has only pairs of opposite
+// directions, and winding numbers exist. Where docs/method.md, C8 allows it, the light-facing
 // triangles alone decide between lit and shadowed, at half the quads and half the caps. A component
-// with MASK or BLEND triangles doesn't count as closed: the eye sees through it.
+// with MASK or BLEND triangles doesn't count as closed, since the eye sees through it.
 
-/// 56 bytes.
+/// An edge with two triangles; 56 bytes.
 struct PairRecord {
     glm::vec3 a, b;
     glm::vec4 plane0, plane1;
 };
 
-/// 40 bytes.
+/// An edge with one triangle; 40 bytes.
 struct SingleRecord {
     glm::vec3 a, b;
     glm::vec4 plane;
 };
 
-/// A triangle as it is wound; 52 bytes.
+/// A triangle in its own winding; 52 bytes.
 struct CapRecord {
     glm::vec3 a, b, c;
     glm::vec4 plane;
 };
 static_assert(sizeof(PairRecord) == 56 && sizeof(SingleRecord) == 40 && sizeof(CapRecord) == 52);
 
-/// The cap that a pair's plane is of, and whether it is negated.
+/// The cap that a record's plane comes from, and whether it is negated.
 struct PlaneOf {
     std::uint32_t bits = 0; ///< 2 * cap + negated
 
@@ -82,84 +82,84 @@ struct RecordRange {
     std::uint32_t end() const { return first + count; }
 };
 
-/// Whole components that lie near each other: what a frame draws or leaves out, and how, is decided
-/// cluster by cluster.
+/// Whole components near each other. A frame decides for each cluster whether and how it is drawn.
 struct ShadowCluster {
     Box bounds;
-    bool closed = false;      ///< every component of it
+    bool closed = false;      ///< every component is closed
     bool alphaTested = false; ///< some casters are not opaque
     std::uint32_t components = 1;
     RecordRange pairs, singles, caps;
-    std::uint32_t singleSided = 0; ///< how many of `caps`, which are the first, have no back to see
-    RecordRange groups;            ///< of PlanePairShadow::groups
-    RecordRange leaves; ///< of PlanePairShadow::leaves: each holds the next leafTriangles caps
+    std::uint32_t singleSided = 0; ///< the first of `caps` that are single-sided
+    RecordRange groups;            ///< in PlanePairShadow::groups
+    RecordRange leaves; ///< in PlanePairShadow::leaves: each holds the next leafTriangles caps
 };
 
-/// Which vertices the records of a batch that deforms are between.
+/// The vertices of a deforming batch's records.
 struct RecordVertices {
-    std::vector<std::uint32_t> inBatch; ///< a vertex of the batch for each welded one
-    std::vector<std::array<std::uint32_t, 2>> pairs, singles; ///< welded; a and b
+    std::vector<std::uint32_t> inBatch; ///< a vertex of the batch for each welded vertex
+    std::vector<std::array<std::uint32_t, 2>> pairs, singles; ///< a and b, as welded vertices
     std::vector<PlaneOf> singlePlanes;
-    std::vector<Triangle> caps; ///< welded
+    std::vector<Triangle> caps; ///< welded vertices
 };
 
-/// One batch.
+/// The records of one batch.
 struct PlanePairShadow {
-    std::vector<PairRecord> pairs; ///< cluster after cluster, closed ones first; as singles, caps
-    std::vector<std::array<PlaneOf, 2>> pairPlanes; ///< what PairRecord's planes are, by pair
+    std::vector<PairRecord> pairs; ///< cluster by cluster, closed ones first; so are singles and
+                                   ///< caps
+    std::vector<std::array<PlaneOf, 2>> pairPlanes; ///< origin of the planes, for each pair
     std::vector<SingleRecord> singles;
     std::vector<CapRecord> caps;
-    std::vector<std::uint32_t> capTriangles; ///< which of CasterMesh's triangles each cap is
-    std::vector<MaterialCasters> groups;     ///< ranges of caps; opaque clusters have one each
+    std::vector<std::uint32_t> capTriangles; ///< the triangle of CasterMesh for each cap
+    std::vector<MaterialCasters> groups;     ///< ranges of caps; one for each opaque cluster
     std::vector<ShadowCluster> clusters;
     std::vector<Box> leaves;                             ///< boxes around neighbouring caps
-    std::size_t edges = 0;                               ///< all, flat ones too
-    std::size_t flatPairs = 0;                           ///< pairs that were dropped
-    std::size_t flatEdges = 0;                           ///< edges of which nothing is left
+    std::size_t edges = 0;                               ///< of all edges, flat ones too
+    std::size_t flatPairs = 0;                           ///< pairs dropped
+    std::size_t flatEdges = 0;                           ///< edges without a record
     std::shared_ptr<const RecordVertices> vertices = {}; ///< null: the batch is rigid
-    /// By cluster: what findSolids() says of it; nothing: nobody has asked yet.
+    /// For each cluster, the result of findSolids(); null: not computed yet.
     std::optional<std::vector<std::uint8_t>> solids = {};
 };
 
-/// What plane-pair records take; sums over batches with +=.
+/// Cost of plane-pair records; += sums over batches.
 struct PlanePairCosts {
     std::size_t records = 0;
     std::size_t flatEdges = 0;
     std::size_t sideBytes = 0; ///< on the GPU, instanced
-    std::size_t capBytes = 0;  ///< of all caps; they are uploaded when they are first drawn
-    /// Vertices that the vertex shader runs for one point light when neither it nor the eye is
-    /// within any cluster's bounds, and everything is in view.
+    std::size_t capBytes = 0;  ///< of all caps; each cap is uploaded when first drawn
+    /// Vertex shader runs for one point light, if neither it nor the eye is within any cluster's
+    /// bounds and everything is in view.
     std::size_t sideRuns = 0;
-    std::size_t capRuns = 0; ///< of all caps; volumes that the eye is outside of are drawn without
+    std::size_t capRuns = 0; ///< for all caps; volumes that the eye is outside of need none
 
     PlanePairCosts& operator+=(const PlanePairCosts& other);
-    /// What one place more costs of records that are there: vertices.
+    /// The cost of one more place for existing records: vertices.
     PlanePairCosts runsAlone() const;
 };
 PlanePairCosts costsOf(const PlanePairShadow& shadow);
 
-/// The costs of buildPlanePairs() with the same words, without making the records. `components`:
-/// the mesh's. `deforms`: no pair is dropped.
+/// The costs of buildPlanePairs() with the same arguments, without making the records.
+/// `components`: the mesh's. `deforms`: no pair is dropped.
 PlanePairCosts planePairCosts(const CasterMesh& mesh, const EdgeList& edges,
                               const Components& components, const std::vector<Material>& materials,
                               double flatTolerance, bool deforms, Threads threads = {});
 
-/// Builds the records of one batch. `materials` tell which casters are alpha-tested;
+/// Builds the records of one batch. `materials` decide which casters are alpha-tested;
 /// `flatTolerance`: degrees, see trianglePlanes().
 PlanePairShadow buildPlanePairs(const CasterMesh& mesh, const EdgeList& edges,
                                 const std::vector<Material>& materials, double flatTolerance = 0.0,
                                 Threads threads = {});
 
-/// Those of a batch: of what deforms, records that last for all poses (weldForRecords()), with
+/// Builds the records of a batch. If it deforms, they serve all poses (weldForRecords()), with
 /// RecordVertices and without patches.
 PlanePairShadow buildPlanePairs(const Batch& batch, const Casters& casters,
                                 const std::vector<Material>& materials, double flatTolerance);
 
-/// The records of a batch that deforms, as buildPlanePairs() made them, where its vertices are now.
-/// Nothing but positions, planes and boxes differs.
+/// The records of a deforming batch, made by buildPlanePairs(), at its current vertices. Only
+/// positions, planes and boxes differ.
 PlanePairShadow posedPlanePairs(const PlanePairShadow& shadow, const Batch& batch);
 
-/// The whole pipeline for every batch of a scene: weld, edges, records.
+/// All steps for every batch of a scene: weld, edges, records.
 std::vector<std::shared_ptr<const PlanePairShadow>>
 buildPlanePairs(const Scene& scene, bool castMasked, double flatTolerance = 0.0);
 

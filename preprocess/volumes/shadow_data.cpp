@@ -8,7 +8,7 @@ namespace edgeshade {
 
 namespace {
 
-/// The hash takes its time and depends on nothing else: it is found meanwhile.
+/// Welds and hashes at once, as the hash takes long and depends on nothing else.
 void weldAndHash(const Batch& batch, const std::vector<Material>& materials, bool castMasked,
                  Threads threads, BatchTopology& built) {
     inParallel(2, threads, [&](std::size_t task) {

@@ -12,17 +12,17 @@
 
 namespace edgeshade {
 
-/// Degrees that a flat tolerance stays below.
+/// Upper limit of a flat tolerance, exclusive, in degrees.
 inline constexpr double flatToleranceEnd = 45.0;
 
-/// What of a scene's triangles the shadow data hold, and how they were found.
+/// Which triangles of a scene the shadow data hold, and how they were made.
 struct CasterSettings {
     double weldTolerance = 0.0; ///< scene units
     bool castMasked = false;    ///< MASK and BLEND surfaces cast too
     double casterError = 0.0;   ///< scene units, see simplifyCasters()
-    double flatTolerance = 0.0; ///< degrees, see growPatches(); plane-pair records alone
+    double flatTolerance = 0.0; ///< degrees, see growPatches(); for plane-pair records only
     InstanceChoice instances = InstanceChoice::automatic;
-    bool autoWeld = false; ///< weldTolerance is still to be chosen, by settingsFor()
+    bool autoWeld = false; ///< settingsFor() has still to choose weldTolerance
 
     bool operator==(const CasterSettings&) const = default;
 };
@@ -34,13 +34,13 @@ struct BatchShadow {
     std::vector<MaterialCasters> groups; ///< ranges of caps
 };
 
-/// Seconds that the stages took.
+/// Seconds taken by each stage.
 struct BuildSeconds {
     double weldChoice = 0.0; ///< choosing the weld tolerance
     double simplify = 0.0;
     double weld = 0.0;
     double edges = 0.0;
-    double records = 0.0; ///< planes, and counting what records they make
+    double records = 0.0; ///< planes, and counting their records
     double pack = 0.0;
 };
 
@@ -51,7 +51,7 @@ struct BatchTopology {
     std::uint64_t hash = 0; ///< positionsHash()
 };
 
-/// One a batch; batches that share their geometry share these.
+/// One per batch; batches with the same geometry share one.
 using Topologies = std::vector<std::shared_ptr<const BatchTopology>>;
 using Shadows = std::vector<std::shared_ptr<const BatchShadow>>;
 
@@ -59,17 +59,17 @@ using Shadows = std::vector<std::shared_ptr<const BatchShadow>>;
 Topologies buildTopology(const Scene& scene, bool castMasked, BuildSeconds& seconds,
                          Threads threads = {});
 
-/// The one multiplicity of all records: `published` has a single maxMult for the scene.
+/// The multiplicity of all records: `published` has a single maxMult for the scene.
 int sceneMultiplicity(const Topologies& topology);
 
 /// Sides and caps of one batch.
 BatchShadow buildShadow(const BatchTopology& topology, int maxMultiplicity);
 
-/// The whole pipeline for one batch, with a multiplicity of its own.
+/// All steps for one batch, with its own multiplicity.
 BatchShadow buildShadow(const Batch& batch, const std::vector<Material>& materials,
                         bool castMasked);
 
-/// The whole pipeline: weld, edges, sides and caps of every batch.
+/// All steps for every batch: weld, edges, sides and caps.
 Shadows buildShadows(const Scene& scene, bool castMasked);
 
 } // namespace edgeshade

@@ -11,16 +11,16 @@
 namespace edgeshade {
 namespace {
 
-/// The sine of the angle at its first vertex below which a triangle joins no flat patch: to be
-/// coplanar says too little of a plane where three points are almost on a line.
+/// Sine of the angle at a triangle's first vertex below which it joins no flat patch: coplanarity
+/// says too little about the plane of three points that are almost on a line.
 constexpr double thinnest = 1e-6;
 
-/// Triangles of an edge up to which each is compared with each. Edges of larger fans join no
+/// Triangles of an edge up to which all are compared with each other. Edges of larger fans join no
 /// patches.
 constexpr std::uint32_t largestFan = 64;
 
 struct Facet {
-    glm::dvec3 normal{0.0}; ///< as long as twice the area
+    glm::dvec3 normal{0.0}; ///< its length is twice the area
     bool thin = true;
 };
 
@@ -33,7 +33,7 @@ struct TwoSides {
         ab = glm::dvec3(mesh.positions[triangle[1]]) - a;
         ac = glm::dvec3(mesh.positions[triangle[2]]) - a;
     }
-    /// As long as twice the area.
+    /// Its length is twice the area.
     glm::dvec3 normal() const { return glm::cross(ab, ac); }
 };
 
@@ -46,7 +46,7 @@ Facet facetOf(const WeldedMesh& mesh, const Triangle& triangle) {
     return facet;
 }
 
-/// `across`: along its normal, of any length.
+/// `across`: along the plane's normal, of any length.
 glm::vec4 planeOf(const glm::dvec3& across, const glm::vec3& point) {
     const double length = glm::length(across);
     if (!(length > 0.0) || !std::isfinite(length)) return glm::vec4(0.0f);
@@ -54,20 +54,21 @@ glm::vec4 planeOf(const glm::dvec3& across, const glm::vec3& point) {
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, glm::dvec3(point))));
 }
 
-/// Whether the triangles' normals, of unit length and rounded to floats, differ by more than they
-/// can where both lie in one plane and neither is thin.
+/// Whether the triangles' normals, of unit length and rounded to floats, differ by more than is
+/// possible if both lie in one plane and neither is thin.
 bool isClearlyBent(const glm::vec4& p, const glm::vec4& q) {
-    constexpr float roundings = 1e-5f; // of floats; of doubles, 1e-16 over `thinnest`, far fewer
+    constexpr float roundings = 1e-5f; // of floats; for doubles, 1e-16 over `thinnest` is far
+                                       // smaller
     const glm::vec3 difference = glm::vec3(p) - glm::vec3(q);
     return glm::dot(difference, difference) > roundings * roundings;
 }
 
-/// Two triangles of an edge that lie in one plane, oriented alike.
+/// Two coplanar triangles of an edge with the same orientation.
 struct FlatPair {
     std::uint32_t p, q;
 };
 
-/// In the order of the edges.
+/// The flat pairs, in the order of the edges.
 std::vector<FlatPair> flatPairs(const WeldedMesh& mesh, const EdgeList& edges,
                                 const std::vector<glm::vec4>& planes, Threads threads) {
     const auto isFlat = [&](const Edge& edge, const Opposite& p, const Opposite& q) {
@@ -103,10 +104,11 @@ std::vector<FlatPair> flatPairs(const WeldedMesh& mesh, const EdgeList& edges,
     return std::move(found[0]);
 }
 
-/// For each triangle the largest one of its flat patch.
+/// For each triangle the largest triangle of its flat patch.
 std::vector<std::uint32_t> largestOf(const WeldedMesh& mesh, const std::vector<FlatPair>& flat) {
     DisjointSets patches(mesh.triangles.size());
-    std::vector<double> areas(mesh.triangles.size(), -1.0); // twice; only of those in patches
+    std::vector<double> areas(mesh.triangles.size(), -1.0); // twice the area; only of triangles in
+                                                            // patches
     for (const FlatPair& pair : flat) {
         patches.unite(pair.p, pair.q);
         for (const std::uint32_t t : {pair.p, pair.q})
@@ -124,13 +126,13 @@ std::vector<std::uint32_t> largestOf(const WeldedMesh& mesh, const std::vector<F
     return largest;
 }
 
-/// Gives the triangles of each flat patch the plane of its largest.
+/// Gives the triangles of each flat patch the plane of its largest triangle.
 void shareLargest(const WeldedMesh& mesh, const std::vector<FlatPair>& flat,
                   std::vector<glm::vec4>& planes) {
     if (flat.empty()) return;
     const std::vector<std::uint32_t> largest = largestOf(mesh, flat);
     for (std::size_t t = 0; t < planes.size(); ++t)
-        planes[t] = planes[largest[t]]; // the largest one's own stays
+        planes[t] = planes[largest[t]]; // the largest triangle keeps its own
 }
 
 } // namespace

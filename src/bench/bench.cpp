@@ -17,20 +17,21 @@
 namespace edgeshade::bench {
 namespace {
 
-constexpr int framesPerStageFrame = 4; // stages cost further frames, so not all have some
-constexpr int repeatedFrames = 3;      // drawn again at the end
-constexpr int mostTries = 5;           // where the GPU was disturbed
+constexpr int framesPerStageFrame = 4; // stages need additional frames, so only every fourth frame
+                                       // has them
+constexpr int repeatedFrames = 3;      // the first frames, drawn again at the end
+constexpr int mostTries = 5;           // if the GPU was disturbed
 
-/// What a contender needs on the GPU. Those that need the same share it, and nothing else: what
-/// each takes of memory is told.
+/// The data that a contender needs on the GPU. Only contenders with equal needs share it, as each
+/// one's memory is reported.
 struct Needs {
-    std::optional<VolumeRecords> volumes; ///< nothing: draws none
-    bool proposed = false;                ///< most records never reach the GPU
+    std::optional<VolumeRecords> volumes; ///< null: draws none
+    bool proposed = false; ///< only potential silhouettes; most records never reach the GPU
     bool primitiveMaps = false;
-    bool automatic = false;                ///< of the lights where they pay
-    bool seeThroughLooksUp = false;        ///< where volumes are counted
-    std::size_t mapBytes = 0;              ///< what primitive maps may take, where there may be any
-    std::optional<std::size_t> shadowed{}; ///< lights that have shadows; nothing: all
+    bool automatic = false;         ///< only for lights where they pay
+    bool seeThroughLooksUp = false; ///< see-through surfaces use maps where volumes are counted
+    std::size_t mapBytes = 0;       ///< limit for primitive maps, if there may be any
+    std::optional<std::size_t> shadowed{}; ///< lights with shadows; null: all
 
     auto operator<=>(const Needs&) const = default;
 };
@@ -48,7 +49,7 @@ Needs needsOf(const RenderSettings& settings) {
     return needs;
 }
 
-/// A scene that some of the contenders draw, with what they share of it.
+/// A scene with the data that its contenders share.
 class Stage {
   public:
     Stage(const LoadedScene& loaded, const gl::Capabilities& capabilities)
@@ -56,9 +57,9 @@ class Stage {
 
     bool isOf(const LoadedScene& loaded) const { return &loaded == &loaded_; }
 
-    /// Works out what the frame shows. RayCrossings are kept while the lights rest;
-    /// `volumes`: somebody draws them; `mostShadowed`: the most lights that anybody has with
-    /// shadows.
+    /// Computes the frame's view. RayCrossings are kept while the lights rest. `volumes`: some
+    /// contender draws volumes. `mostShadowed`: the largest number of shadowed lights of any
+    /// contender.
     void look(const FrameRequest& request, bool moves, bool volumes,
               std::optional<std::size_t> mostShadowed) {
         Stopwatch watch;
@@ -78,7 +79,7 @@ class Stage {
     const FrameView& view() const { return view_; }
     double planMs(bool volumes) const { return planMs_ + (volumes ? layersMs_ : 0.0); }
 
-    /// With the groups of casters and the maps that the lights of `view`, a contender's, need.
+    /// The scene with the groups of casters and the maps for the lights of a contender's `view`.
     GpuScene& sceneFor(const Needs& needs, const FrameView& view, const Renderer& renderer) {
         auto found = scenes_.find(needs);
         if (found == scenes_.end())
@@ -100,7 +101,7 @@ class Stage {
     double layersMs_ = 0.0;
 };
 
-/// One setting, ready to draw.
+/// A setting, ready to draw.
 struct Contender {
     Contender(const Setting& setting_, const RenderSettings& render, Stage& stage_,
               const gl::Capabilities& capabilities)
@@ -119,7 +120,7 @@ struct Contender {
 
 } // namespace
 
-/// The contenders of a task in one context, with all that they draw.
+/// The contenders of a task in one context, with their scenes.
 class Course {
   public:
     Course(const LoadedScene& loaded, const Task& task)
@@ -143,7 +144,7 @@ class Course {
                 frameMs(*contender);
     }
 
-    /// Draws frame `index` by all, and now and then the stages of one half a frame on.
+    /// Draws frame `index` by all contenders, and now and then times the stages half a frame later.
     void measure(int index) {
         look(shareOf(index));
         inTurn(index, [&](Contender& contender) {
@@ -162,7 +163,7 @@ class Course {
         });
     }
 
-    /// Draws frame `index` by those contenders alone; what it took each of them.
+    /// Draws frame `index` by the contenders `who`; returns milliseconds for each.
     std::vector<double> frame(int index, std::span<const std::size_t> who) {
         look(shareOf(index));
         std::vector<double> times(who.size());
@@ -174,7 +175,7 @@ class Course {
         return times;
     }
 
-    /// Draws a frame of the beginning once more.
+    /// Draws one of the first frames again.
     void repeat(int index) {
         look(shareOf(index));
         inTurn(index,
@@ -212,7 +213,7 @@ class Course {
             stage->look(request, task_.lightMoves, anyVolumes(*stage), mostShadowed());
     }
 
-    /// Nothing: somebody has shadows of all lights.
+    /// Null: some contender has shadows of all lights.
     std::optional<std::size_t> mostShadowed() const {
         std::size_t most = 0;
         for (const auto& contender : contenders_) {
@@ -235,14 +236,14 @@ class Course {
                !contender.renderer.policyFor(contender.stage.facts()).asksPoints();
     }
 
-    /// Calls `use` for every contender, each time with another one first.
+    /// Calls `use` for every contender, starting with another one each time.
     template <class Use>
     void inTurn(int index, Use use) {
         for (std::size_t i = 0; i < contenders_.size(); ++i)
             use(*contenders_[(static_cast<std::size_t>(index) + i) % contenders_.size()]);
     }
 
-    /// What a contender draws.
+    /// The view that a contender draws.
     static FrameView viewFor(const Contender& contender) {
         FrameView view = contender.stage.view();
         view.divide(contender.setting.depthSlices);
@@ -254,7 +255,7 @@ class Course {
         return view;
     }
 
-    /// Of the frame that was drawn last.
+    /// Adds the fill of the last frame.
     static void addFill(Contender& contender) {
         const VolumeRenderer* volumes = contender.renderer.volumes();
         const FrameView view = viewFor(contender);
@@ -264,7 +265,7 @@ class Course {
         contender.fills.push_back(fillOf(contender.renderer.plan(), view));
     }
 
-    /// Likewise.
+    /// Adds the counts of lights of the last frame.
     static void addLights(Contender& contender) {
         const FramePlan& plan = contender.renderer.plan();
         const FrameView view = viewFor(contender);
@@ -290,7 +291,7 @@ class Course {
         gl::requireNoError("drawing for measuring");
     }
 
-    /// The spans of what `use` draws; drawn again where the GPU was disturbed.
+    /// The spans of `use`'s drawing, repeated if the GPU was disturbed.
     template <class Use>
     std::vector<gl::SpanTimer::Span> timed(Use use) {
         for (int i = 0; i < mostTries; ++i) {
@@ -305,7 +306,8 @@ class Course {
     }
 
     double frameMs(Contender& contender) {
-        // What is made on first use is no part of a frame; of lights that move, nothing is first.
+        // Builds before timing what only the first use needs, as it is no part of a frame. Moving
+        // lights need nothing of that kind.
         contender.stage.sceneFor(contender.needs, viewFor(contender), contender.renderer);
         return timed([&] {
                    timer_.begin(0);

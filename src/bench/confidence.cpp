@@ -12,10 +12,10 @@ namespace {
 
 struct Sample {
     double mean = 0.0;
-    double deviation = 0.0; ///< standard, of the values
+    double deviation = 0.0; ///< standard deviation of the values
 };
 
-/// Of at least two values.
+/// Mean and deviation of at least two values.
 Sample sampleOf(std::span<const double> values) {
     const double count = static_cast<double>(values.size());
     Sample sample{std::accumulate(values.begin(), values.end(), 0.0) / count, 0.0};
@@ -25,7 +25,7 @@ Sample sampleOf(std::span<const double> values) {
     return sample;
 }
 
-/// How far off the mean of `count` values may be.
+/// Error margin of the mean of `count` values.
 double marginOf(double deviation, std::size_t count, Surety surety) {
     return studentQuantile(count - 1, surety) * deviation / std::sqrt(static_cast<double>(count));
 }
@@ -64,11 +64,11 @@ double medianBelow(std::span<const double> values) {
     std::sort(sorted.begin(), sorted.end());
     const std::size_t count = sorted.size();
     const double n = static_cast<double>(count);
-    if (count > 200) { // binomial to normal
+    if (count > 200) { // normal approximation of the binomial
         const double rank = std::ceil(0.5 * n + 1.96 * 0.5 * std::sqrt(n)) + 1.0;
         return sorted[static_cast<std::size_t>(rank) - 1];
     }
-    // The k-th smallest is below the median where k or more of the values are.
+    // The k-th smallest is below the median if at least k of the values are.
     std::size_t best = count;
     double chance = 0.0, exactly = std::pow(0.5, n);
     for (std::size_t k = count; k >= 1; --k) {

@@ -5,34 +5,34 @@
 
 namespace edgeshade::bench {
 
-/// What something keeps within, as far as was measured.
+/// Bounds of a measured quantity.
 struct Bounds {
     double low = 0.0;
     double high = 0.0;
 };
 
-/// How sure a bound is.
+/// Confidence of a bound.
 enum class Surety {
     likely,  ///< 97.5 %
     certain, ///< 99.5 %
 };
 
-/// That quantile of Student's t with `freedom` >= 1 degrees of freedom.
+/// The quantile of that confidence of Student's t, with `freedom` >= 1 degrees of freedom.
 double studentQuantile(std::size_t freedom, Surety surety);
 
-/// Certain bounds, either of them, of the mean of ln(own[i] / other[i]) over as many pairs of
-/// values above 0, with Student's t. A spread below `leastSpread` is taken for that: few values may
-/// happen to agree. Infinite for fewer than two pairs.
+/// Bounds of the mean of ln(own[i] / other[i]) over pairs of values above 0, each certain, by
+/// Student's t. A spread below `leastSpread` is raised to it, as few values may agree by chance.
+/// Infinite for fewer than two pairs.
 Bounds logRatioBounds(std::span<const double> own, std::span<const double> other,
                       double leastSpread);
 
-/// What the median of values like these is likely below, whatever they are distributed like: one of
-/// them (by the binomial distribution). The largest where there are too
-/// few for that; 0 for no values.
+/// An upper bound, likely, of the median of values like these, whatever their distribution (by the
+/// binomial distribution). It is one of the values: the largest if there are too few, 0 if there
+/// are none.
 double medianBelow(std::span<const double> values);
 
-/// What the mean of values like these is likely below, with Student's t; for a single value that
-/// itself, 0 for none.
+/// An upper bound, likely, of the mean of values like these, by Student's t. A single value is
+/// returned itself; 0 for none.
 double meanBelow(std::span<const double> values);
 
 } // namespace edgeshade::bench

@@ -7,14 +7,14 @@ namespace edgeshade::bench {
 namespace {
 
 constexpr std::size_t terms = 6;
-using Row = std::array<double, terms + 1>; ///< with the right side
+using Row = std::array<double, terms + 1>; ///< the last entry is the right-hand side
 
-/// What k0..k5 are multiplied by.
+/// The factors of k0..k5.
 std::array<double, terms> termsOf(double e, double m) {
     return {m * m * e, m * m, m * e, m, e, 1.0};
 }
 
-/// Solves by Gaussian elimination with the largest pivots.
+/// Solves by Gaussian elimination with partial pivoting.
 std::array<double, terms> solved(std::array<Row, terms> rows) {
     for (std::size_t c = 0; c < terms; ++c) {
         const auto pivot =
@@ -46,7 +46,7 @@ double EquationFit::at(double edges, double multiplicity) const {
 }
 
 EquationFit fitEquation(std::span<const EvaluationTime> times) {
-    // Normal equations of the terms over the time; scaled, as e is far larger than 1.
+    // Normal equations of the terms divided by the time; scaled, as e is far larger than 1.
     std::array<double, terms> scale{};
     for (const EvaluationTime& time : times) {
         const auto factors = termsOf(time.edges, time.multiplicity);

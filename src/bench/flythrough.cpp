@@ -20,7 +20,7 @@ Camera Flythrough::cameraAt(double share) const {
     const double outside = 0.5 + 0.5 * std::cos(angle); // 1 at the start, 0 half way
     const double distance = framing_ * (0.25 + 0.8 * outside);
     const double height = glm::radians(6.0 + 22.0 * outside);
-    const double around = angle + 0.5; // no axis of the scene is looked along
+    const double around = angle + 0.5; // never looks along an axis of the scene
     const glm::dvec3 direction(std::sin(around) * std::cos(height), std::sin(height),
                                std::cos(around) * std::cos(height));
     return {center_ + distance * direction, center_, fovDegrees_};

@@ -11,12 +11,13 @@
 namespace edgeshade::bench {
 namespace {
 
-constexpr int firstFrames = 8, firstViews = 4; // of a first round, at least
+constexpr int firstFrames = 8, firstViews = 4; // least number in a first round
 constexpr std::size_t leastAlike = 8;          // wrong pixels
-// Spreads of logarithms that are taken at least, see logRatioBounds().
+// Least spreads of logarithms, see logRatioBounds().
 constexpr double spreadOfTimes = 0.03, spreadOfErrors = 0.5;
-constexpr double leastLonger = 0.05; // logarithm: what takes less than 5 % longer is not dropped
-// Shares of the time by when rounds must be over: of the first frames and of views.
+constexpr double leastLonger = 0.05; // logarithm: settings that take less than 5 % longer are not
+                                     // dropped
+// Shares of the time at which rounds must end: the first frames, and the views.
 constexpr double firstFramesEnd = 0.35, viewsEnd = 0.75;
 
 std::size_t wrongIn(std::span<const ViewErrors> views) {
@@ -26,7 +27,7 @@ std::size_t wrongIn(std::span<const ViewErrors> views) {
     return sum;
 }
 
-/// One more each, so that there are logarithms.
+/// Counts plus one, so that they have logarithms.
 std::vector<double> positiveCounts(std::span<const ViewErrors> views) {
     std::vector<double> counts;
     for (const ViewErrors& view : views)
@@ -41,15 +42,15 @@ bool certainlyMoreWrong(std::span<const ViewErrors> own, std::span<const ViewErr
     return static_cast<double>(wrongIn(own)) > margin * static_cast<double>(wrongIn(other));
 }
 
-/// Whether the two draw the same pictures for all that is known: as much is wrong in every view,
-/// and enough of it that this is no chance.
+/// Whether two settings seem to draw the same pictures: they have equally many wrong pixels in
+/// every view, and enough of them to rule out chance.
 bool drawAlike(std::span<const ViewErrors> own, std::span<const ViewErrors> other) {
     const auto alike = [](const ViewErrors& a, const ViewErrors& b) { return a.wrong == b.wrong; };
     return own.size() >= firstViews && wrongIn(own) >= leastAlike &&
            std::equal(own.begin(), own.end(), other.begin(), other.end(), alike);
 }
 
-/// The rounds of `count` frames, each in the flight's order and all over it.
+/// The rounds of `count` frames; each covers the whole flight, in its order.
 std::deque<std::vector<int>> frameRounds(int count) {
     int step = 1;
     while ((count + 2 * step - 1) / (2 * step) >= firstFrames)
@@ -73,7 +74,7 @@ std::vector<std::vector<int>> viewRounds(int count) {
     return rounds;
 }
 
-/// One run of halve().
+/// A run of halve().
 class Halving {
   public:
     Halving(std::size_t count, const Effort& effort, Measurer& measurer)
@@ -103,24 +104,24 @@ class Halving {
         prepare(timing, [this] { measurer_.prepareFrames(who_); });
         while (addRound(timing, frames.front(), 1.0)) {
             frames.pop_front();
-            if (frames.empty()) break; // all is measured: nothing is saved any more
+            if (frames.empty()) break; // all is measured, so dropping saves nothing
             drop();
         }
         return std::move(standings_);
     }
 
   private:
-    /// What is measured piece by piece.
+    /// A measurement in steps: frames or views.
     struct Steps {
         const char* name;
-        bool kept; ///< however long it takes
+        bool kept; ///< done however long it takes
         std::function<void(int)> add;
-        double each = 0.0;      ///< seconds of a setting's last one
-        double preparing = 0.0; ///< of a setting
+        double each = 0.0;      ///< seconds that the last one took per setting
+        double preparing = 0.0; ///< seconds of preparation per setting
         int done = 0;
     };
 
-    /// Whether what takes so many seconds a setting is over by then.
+    /// Whether work of `secondsOfSetting` per setting ends before that share of the time.
     bool fits(double secondsOfSetting, double shareOfTime) {
         return measurer_.clock() + secondsOfSetting * static_cast<double>(who_.size()) <=
                shareOfTime * effort_.seconds;
@@ -133,7 +134,8 @@ class Halving {
         steps.preparing = (measurer_.clock() - before) / static_cast<double>(who_.size());
     }
 
-    /// Whether time was left for all of it; what is done is taken from the round.
+    /// Measures a round, and removes from it what is done. Returns whether the time sufficed for
+    /// all.
     bool addRound(Steps& steps, std::vector<int>& round, double shareOfTime) {
         ++rounds_;
         for (const std::size_t i : who_)
@@ -187,7 +189,7 @@ class Halving {
     Effort effort_;
     Measurer& measurer_;
     std::vector<Standing> standings_;
-    std::vector<std::size_t> who_; ///< not dropped
+    std::vector<std::size_t> who_; ///< settings not dropped
     int rounds_ = 0;
     int stepsDone_ = 0;
     double steps_;
@@ -202,7 +204,7 @@ double percentOf(std::span<const ViewErrors> views, std::size_t ViewErrors::*par
     return visible == 0 ? 0.0 : 100.0 * static_cast<double>(count) / static_cast<double>(visible);
 }
 
-/// The mean of what is wrong has bounds where every view's share counts as much as its pixels.
+/// Bounds the mean of wrong pixels, with every view's share weighted by its pixels.
 double wrongBelow(std::span<const ViewErrors> views) {
     const double visible = [&] {
         double sum = 0.0;
@@ -223,7 +225,7 @@ Estimate estimateOf(const Evidence& evidence) {
             wrongBelow(evidence.views)};
 }
 
-/// Of what was dropped, by what dominated it.
+/// Estimate of a dropped setting, from the one that dominated it.
 Estimate estimateOf(const Evidence& own, const Evidence& dominator, const Estimate& of) {
     Estimate estimate = estimateOf(own);
     const double ratio =
@@ -249,7 +251,7 @@ std::vector<Standing> halve(std::size_t count, const Effort& effort, Measurer& m
 
 std::vector<Estimate> estimatesOf(std::span<const Standing> standings) {
     std::vector<std::optional<Estimate>> known(standings.size());
-    // What dominates is quicker, so that this ends.
+    // Ends, as every dominator is faster.
     const std::function<Estimate(std::size_t)> of = [&](std::size_t i) {
         const Standing& own = standings[i];
         if (!known[i])

@@ -8,80 +8,80 @@
 
 namespace edgeshade::bench {
 
-/// What is wrong in one view.
+/// Errors in one view.
 struct ViewErrors {
     std::size_t wrong = 0;
-    std::size_t beyond1px = 0; ///< of these, with no boundary near
-    std::size_t visible = 0;   ///< pixels
+    std::size_t beyond1px = 0; ///< of these, away from boundaries
+    std::size_t visible = 0;   ///< visible pixels
 };
 
-/// What was measured of a setting. Frames and views are the same for all settings, in the same
-/// order; those that were dropped have the first of them.
+/// Measurements of a setting. All settings have the same frames and views in the same order;
+/// dropped settings have only the first of them.
 struct Evidence {
     std::vector<double> frameMs;
     std::vector<ViewErrors> views;
 };
 
-/// Whether one setting takes longer than another and gets more wrong, beyond what more frames and
-/// more views could turn round: by certain bounds of the ratio of their times in the same frames,
-/// and likewise of their errors view by view, and by the sum of errors, which few views may decide.
-/// What gets as much wrong in every one of at least four views draws the same, and longer is
-/// enough.
+/// Whether one setting certainly takes longer than another and has more wrong pixels, so that more
+/// frames and views would not reverse it. It compares by certain bounds of the ratio of times in
+/// the same frames, and of the errors view by view, and by the sum of errors, which a few views may
+/// decide. Settings with equal errors in each of at least four views draw the same; then taking
+/// longer is enough.
 bool isCertainlyDominated(const Evidence& own, const Evidence& other);
 
-/// How much is measured of the settings that are not dropped.
+/// How much to measure of the settings that are not dropped.
 struct Effort {
     int frames = 40;
     int views = 16;
-    bool keepsFrames = false; ///< so many, however long that takes
+    bool keepsFrames = false; ///< measure all of these frames, however long they take
     bool keepsViews = false;
-    double seconds = 240.0; ///< that all of it may take, from when the measurer's clock began
+    double seconds = 240.0; ///< total time, from the start of the measurer's clock
 };
 
-/// Who measures for halve().
+/// Measures settings for halve().
 class Measurer {
   public:
     virtual ~Measurer() = default;
-    /// Seconds since the beginning.
+    /// Seconds since the start.
     virtual double clock() = 0;
-    /// Makes what frames or views of these settings take; `who`: ascending indices.
+    /// Prepares frames or views of these settings; `who`: ascending indices.
     virtual void prepareFrames(std::span<const std::size_t> who) = 0;
     virtual void prepareViews(std::span<const std::size_t> who) = 0;
-    /// Milliseconds of frame `index` of each of them.
+    /// Milliseconds of frame `index` for each of them.
     virtual std::vector<double> frame(int index, std::span<const std::size_t> who) = 0;
     virtual std::vector<ViewErrors> view(int index, std::span<const std::size_t> who) = 0;
-    /// Told before every frame and view. `share`: of all of them that is done.
+    /// Called before every frame and view. `share`: of the whole work done.
     virtual void progress(double share, const std::string& doing) = 0;
 };
 
-/// Where a setting stands at the end.
+/// Final result of a setting.
 struct Standing {
     Evidence evidence;
-    int rounds = 0; ///< in which it was measured
-    /// What dominated it early, by index, and is quicker; may have been dropped, too.
+    int rounds = 0; ///< rounds in which it was measured
+    /// Index of the faster setting that dominated it early, which may have been dropped too.
     std::optional<std::size_t> dominator;
 };
 
-/// Successive halving: measures all of `count` settings a little, drops those that are certainly
-/// dominated, and measures what is left further, in rounds of frames and of views, each twice as
-/// many as before. First some frames of all are timed, then views are judged, then further frames.
-/// Whatever doesn't fit into the time is left out, for all settings alike, but for one frame and
+/// Successive halving: measures all `count` settings briefly, drops those that are certainly
+/// dominated, and measures the rest further, in rounds of frames and of views, each twice as long
+/// as the last. First some frames of all are timed, then views are judged, then further frames.
+/// Work that doesn't fit into the time is skipped for all settings alike, except for one frame and
 /// one view.
 std::vector<Standing> halve(std::size_t count, const Effort& effort, Measurer& measurer);
 
-/// What is known of a setting at the end.
+/// Final estimate of a setting.
 struct Estimate {
     double milliseconds = 0.0; ///< median
     double wrongPercent = 0.0; ///< of visible pixels
     double beyond1pxPercent = 0.0;
-    /// What other frames and views are unlikely to exceed: medianBelow(), meanBelow().
+    /// Values that other frames and views are unlikely to exceed: medianBelow(), meanBelow().
     double millisecondsBelow = 0.0;
     double wrongPercentBelow = 0.0;
 };
 
-/// The estimates, comparable with each other: of what was dropped, which only had some of the
-/// frames and views, times are those of its dominator times the median ratio of the two, errors its
-/// dominator's and the difference of the two, over what both had.
+/// Estimates that are comparable with each other. A dropped setting has only some of the frames and
+/// views. Its times are its dominator's times the median ratio of the two; its errors are its
+/// dominator's plus the difference of the two, each over what both had.
 std::vector<Estimate> estimatesOf(std::span<const Standing> standings);
 
 } // namespace edgeshade::bench

@@ -12,9 +12,9 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-constexpr double facesUp = 0.5;                ///< least height of a normal of length 1
-constexpr double aboveFloor = 0.25;            ///< of the range
-constexpr double hueStep = 0.6180339887498949; ///< between neighbours, of the circle
+constexpr double facesUp = 0.5;                ///< least height of a unit normal
+constexpr double aboveFloor = 0.25;            ///< share of the range
+constexpr double hueStep = 0.6180339887498949; ///< between neighbours, as a share of the circle
 
 /// Triangles, and the area of each with all before it.
 struct Floor {
@@ -47,7 +47,7 @@ Floor floorOf(const Scene& scene, double leastHeight) {
     return floor;
 }
 
-/// Fully bright, half saturated; linear. `hue`: a share of the circle.
+/// A linear colour, fully bright and half saturated. `hue`: a share of the circle.
 glm::vec3 colorOf(double hue) {
     glm::vec3 color;
     for (glm::length_t c = 0; c < 3; ++c) {
@@ -57,7 +57,7 @@ glm::vec3 colorOf(double hue) {
     return color;
 }
 
-/// A point of the floor, by three numbers of [0, 1).
+/// A point of the floor, chosen by three numbers in [0, 1).
 glm::dvec3 pointOn(const Floor& floor, const std::array<double, 3>& place) {
     const auto found =
         std::upper_bound(floor.areas.begin(), floor.areas.end(), place[0] * floor.area());

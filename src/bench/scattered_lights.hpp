@@ -7,13 +7,13 @@
 
 namespace edgeshade::bench {
 
-/// Around each place of the floor, on the average, this many of scatterLights()' lights reach.
+/// The average number of scatterLights()' lights that reach a place on the floor.
 inline constexpr double overlappingLights = 4.0;
 
-/// So many point lights over a scene's surfaces, the same on every machine: evenly over what faces
-/// up by area (over all surfaces where nothing does), a quarter of their range above it, of many
-/// hues, in candela. Their range is what has overlappingLights of them reach a place whatever their
-/// number, and no more than the scene's diagonal: of more lights each reaches less.
+/// `count` point lights over a scene's surfaces, the same on every machine. They are spread evenly
+/// by area over surfaces that face up (over all surfaces if none does), a quarter of their range
+/// above, in many hues, in candela. Their range lets overlappingLights of them reach a place
+/// whatever their number, up to the scene's diagonal: the more lights, the shorter their range.
 std::vector<Light> scatterLights(const Scene& scene, std::size_t count);
 
 } // namespace edgeshade::bench

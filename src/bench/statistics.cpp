@@ -44,7 +44,7 @@ Ratios ratiosOf(std::span<const double> own, std::span<const double> other) {
 
 std::vector<double> timesInTurns(std::size_t count, int turns,
                                  const std::function<std::optional<double>(std::size_t)>& measure) {
-    std::vector<std::vector<double>> shares(count); // one a turn
+    std::vector<std::vector<double>> shares(count); // one per turn
     double quickest = std::numeric_limits<double>::infinity();
     for (int turn = 0; turn < turns; ++turn) {
         std::vector<double> times;

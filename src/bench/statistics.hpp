@@ -7,14 +7,13 @@
 
 namespace edgeshade::bench {
 
-/// Half of the values are at most as large; of an even number the mean of the middle two. 0 for no
-/// values.
+/// The median; of an even number of values the mean of the middle two. 0 for no values.
 double median(std::vector<double> values);
 
 /// The smallest value that at least `share` (0..1] of the values don't exceed. 0 for no values.
 double percentile(std::vector<double> values, double share);
 
-/// How times spread.
+/// Distribution of times.
 struct Spread {
     double median = 0.0;
     double p95 = 0.0;
@@ -22,30 +21,30 @@ struct Spread {
 };
 Spread spreadOf(const std::vector<double>& values);
 
-/// How the ratios of paired values spread.
+/// Distribution of the ratios of paired values.
 struct Ratios {
     double median = 0.0;
     double min = 0.0;
     double max = 0.0;
 };
-/// own[i] / other[i]; as many of both, `other` above 0.
+/// Ratios own[i] / other[i]; both have the same length, and `other` is above 0.
 Ratios ratiosOf(std::span<const double> own, std::span<const double> other);
 
-/// What each of `count` things takes, measured in turns of all of them: the median of its shares of
-/// a turn, times the quickest turn. Where a machine is slower for a while it is so for all of a
-/// turn, and what disturbs a thing in less than half of the turns doesn't count. Best for things
-/// that take about as long as each other. `measure` says nothing where it failed, and the turn is
-/// left out; nothing is returned where none is left.
+/// The time of each of `count` things, measured in turns of all of them: the median of its shares
+/// of a turn, times the fastest turn. A machine that is slower for a while is so for a whole turn,
+/// and disturbances in less than half of the turns don't count. Works best for things that take
+/// about equally long. `measure` returns null on failure, and the turn is skipped; the result is
+/// empty if none remains.
 std::vector<double> timesInTurns(std::size_t count, int turns,
                                  const std::function<std::optional<double>(std::size_t)>& measure);
 
-/// The line that least squares put through points (x, y), and how well it fits.
+/// The least-squares line through points (x, y), and its quality.
 struct Line {
     double slope = 0.0;
     double offset = 0.0;
-    double rSquared = 0.0; ///< share of y's variance that the line explains
+    double rSquared = 0.0; ///< share of y's variance explained by the line
 };
-/// At least two points with different x.
+/// Needs at least two points with different x.
 Line fittedLine(std::span<const double> x, std::span<const double> y);
 
 } // namespace edgeshade::bench

@@ -18,8 +18,8 @@ const char* nameOf(Silhouette silhouette) {
     return silhouette == Silhouette::all ? "all silhouette" : "none silhouette";
 }
 
-/// Milliseconds of a draw, by number of edges. Few edges are drawn several times at a stretch, so
-/// that a measurement takes about as long as that of many: what disturbs finds it as often.
+/// Milliseconds of a draw, by number of edges. Small numbers are drawn several times in a row, so
+/// that every measurement takes about as long, and disturbances hit it as often.
 std::map<std::size_t, double> timesOf(SyntheticSubject& subject, const SyntheticTask& task,
                                       gl::SpanTimer& timer) {
     const std::size_t most = *std::max_element(task.edges.begin(), task.edges.end());
@@ -36,7 +36,7 @@ std::map<std::size_t, double> timesOf(SyntheticSubject& subject, const Synthetic
         return spans.front().milliseconds;
     };
     for (std::size_t i = 0; i < task.edges.size(); ++i)
-        measure(i); // to warm up
+        measure(i); // warms up
     const auto times = timesInTurns(task.edges.size(), task.turns, measure);
     gl::requireNoError("evaluating synthetic edges");
     if (times.empty())

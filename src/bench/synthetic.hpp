@@ -11,15 +11,15 @@
 
 namespace edgeshade::bench {
 
-/// How evaluating the silhouette is measured with nothing else going on (thesis, 6.3.3).
+/// Measurement of the silhouette evaluation alone (thesis, 6.3.3).
 struct SyntheticTask {
     std::vector<std::size_t> edges{10'000, 20'000, 30'000, 40'000, 50'000,
                                    60'000, 70'000, 80'000, 90'000};
-    std::vector<int> multiplicities{1, 2, 3, 4, 5, 6, 7, 8, 9}; ///< opposite vertices an edge
-    int turns = 9; ///< of drawing as many edges as there are: see timesInTurns()
-    /// Of the opposite-vertex layouts.
+    std::vector<int> multiplicities{1, 2, 3, 4, 5, 6, 7, 8, 9}; ///< opposite vertices per edge
+    int turns = 9; ///< turns over all numbers of edges: see timesInTurns()
+    /// For the opposite-vertex layouts.
     MultiplicityMethod method = MultiplicityMethod::referenceEdge;
-    std::optional<gl::Timing> timing; ///< nothing: bestTiming()
+    std::optional<gl::Timing> timing; ///< null: bestTiming()
 };
 
 /// One cell of the table.
@@ -31,12 +31,12 @@ struct SyntheticRow {
     double ms = 0.0;
 };
 
-/// What the rows of one layout and silhouette add up to.
+/// The fit over the rows of one layout and silhouette.
 struct SyntheticFit {
     std::string layout;
     Silhouette silhouette = Silhouette::all;
     EquationFit equation;
-    double leastRSquared = 1.0; ///< of the lines time over edges, one a multiplicity
+    double leastRSquared = 1.0; ///< of the lines time over edges, one per multiplicity
 };
 
 struct SyntheticReport {
@@ -46,8 +46,8 @@ struct SyntheticReport {
     std::vector<SyntheticFit> fits;
 };
 
-/// Draws the sides of synthetic meshes in every layout that the GL has, their output degenerated
-/// in the vertex shader. `progress` gets the share done and what is being done. Throws Error.
+/// Draws the sides of synthetic meshes in every layout that the GL has, with degenerate output from
+/// the vertex shader. `progress` receives the share done and a description. Throws Error.
 SyntheticReport measureSynthetic(const SyntheticTask& task,
                                  const std::function<void(double, const std::string&)>& progress);
 

@@ -44,7 +44,7 @@ class OppositeVertexSubject : public SyntheticSubject {
     std::size_t recordsPerEdge_ = 1;
 };
 
-/// The plane of a triangle; where the light is in it exactly, exactly so.
+/// The plane of a triangle; exact if the light is exactly in it.
 glm::vec4 planeOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
     return glm::vec4(glm::dvec4(normal, -glm::dot(normal, a)));
@@ -57,8 +57,7 @@ RenderSettings settingsFor(SidesLayout layout) {
     return settings;
 }
 
-/// Records of one plane or two (preprocess/volumes/plane_pair_data.hpp), with no flat edges among
-/// them.
+/// Records of one or two planes (preprocess/volumes/plane_pair_data.hpp), without flat edges.
 class PlanePairSubject : public SyntheticSubject {
   public:
     PlanePairSubject(const SyntheticMesh& mesh, SidesLayout layout,
@@ -85,7 +84,7 @@ class PlanePairSubject : public SyntheticSubject {
     }
 
   private:
-    /// All pairs as silhouettes that count twice, and the single records.
+    /// Draws all pairs as silhouettes of multiplicity two, and the single records.
     std::vector<VolumeDraw> draws(std::size_t edgeCount) const {
         std::vector<VolumeDraw> draws;
         const auto add = [&](VolumeDraw::Records records, std::size_t count, Times times) {
@@ -101,7 +100,8 @@ class PlanePairSubject : public SyntheticSubject {
         return draws;
     }
 
-    /// Triangles in the light's plane come last, so that those of a pair cancel where they should.
+    /// Triangles in the light's plane are moved last, so that the planes of a pair cancel where
+    /// they should.
     static void addRecords(const SyntheticMesh& mesh, const Edge& edge, PlanePairShadow& shadow) {
         const glm::vec3 &a = mesh.positions[edge.a], &b = mesh.positions[edge.b];
         std::vector<glm::vec4> planes;

@@ -11,7 +11,7 @@
 
 namespace edgeshade::bench {
 
-/// A synthetic mesh on the GPU, in some layout.
+/// A synthetic mesh on the GPU in one layout.
 class SyntheticSubject {
   public:
     virtual ~SyntheticSubject() = default;
@@ -19,15 +19,15 @@ class SyntheticSubject {
     virtual void draw(std::size_t edgeCount) = 0;
 };
 
-/// A layout that can be measured: its name, and what uploads a mesh of edges with as many opposite
-/// vertices each.
+/// A layout to measure: its name, and a function that uploads a mesh whose edges each have
+/// `oppositeCount` opposite vertices.
 struct SyntheticLayout {
     std::string name;
     std::function<std::unique_ptr<SyntheticSubject>(const SyntheticMesh&, int oppositeCount)>
         upload;
 };
 
-/// All layouts that the GL has, the best first. `method`: of the published ones.
+/// All layouts that the GL has, best first. `method`: for the published ones.
 std::vector<SyntheticLayout> syntheticLayouts(MultiplicityMethod method,
                                               const gl::Capabilities& capabilities);
 

@@ -20,7 +20,8 @@ SyntheticMesh syntheticMesh(std::size_t edgeCount, int oppositeCount, Silhouette
     SyntheticMesh mesh;
     const auto count = static_cast<std::uint32_t>(oppositeCount);
     for (std::size_t e = 0; e < edgeCount; ++e) {
-        // Ascending x keeps the vertices in order. All of it is exact in floats up to 2^21 edges.
+        // x ascends, to keep the vertices in order. All coordinates are exact in floats up to 2^21
+        // edges.
         const float x = 8.0f * static_cast<float>(e);
         const auto a = static_cast<std::uint32_t>(mesh.positions.size());
         mesh.edges.edges.push_back(
@@ -28,7 +29,7 @@ SyntheticMesh syntheticMesh(std::size_t edgeCount, int oppositeCount, Silhouette
         mesh.positions.emplace_back(x + 3.0f, 1.0f, 0.0f);
         mesh.positions.emplace_back(x + 4.0f, 2.0f, 0.0f);
         for (int i = 0; i < oppositeCount; ++i) {
-            // The two of a pair differ in nothing but their side.
+            // The two vertices of a pair differ only in their side.
             const int place =
                 silhouette == Silhouette::all ? i : i - (i % LARGEST_RECORD_MULTIPLICITY) % 2;
             mesh.positions.emplace_back(x + 5.0f + 0.25f * static_cast<float>(place), 1.5f,

@@ -8,18 +8,18 @@
 
 namespace edgeshade {
 
-/// A level's place in the atlas, in texels, its border included.
+/// A level's rectangle in the atlas, in texels, with its border.
 struct AtlasTile {
     int x, y;
     int size;
 };
 
-/// Radiance by direction and roughness, in one texture of 8-bit RGBA that is filtered linearly and
-/// has no mipmaps. shaders_es2/environment_layout.glsl says what lies where.
+/// Radiance by direction and roughness, in one texture of 8-bit RGBA, filtered linearly and without
+/// mipmaps. shaders_es2/environment_layout.glsl gives its layout.
 class Atlas {
   public:
-    /// All black, for radiance up to `largest`, above 0; beyond largestEncodedRadiance counts as
-    /// that.
+    /// Creates a black atlas for radiance up to `largest`, above 0, clamped to
+    /// largestEncodedRadiance.
     explicit Atlas(float largest = 1.0f);
 
     static int width();
@@ -30,20 +30,20 @@ class Atlas {
     static float roughness(int level);
     static AtlasTile tile(int level);
 
-    /// Texels along the edge of the map that a level takes.
+    /// Texels along the edge of a level's map.
     static int mapSize(int level) { return tile(level).size - 2; }
 
     /// Encodes a map of mapSize(level).
     void setLevel(int level, const OctahedralMap& map);
 
-    /// What the GL gives between texels: each channel filtered by itself, 0 to 1. `texel` counts
+    /// The GL's linear filtering between texels: each channel by itself, 0 to 1. `texel` counts
     /// from the first texel's corner and is at least 1/2 away from the atlas' edges.
     glm::vec4 filtered(const glm::vec2& texel) const;
 
-    /// What decodeRadiance() takes beside a texel.
+    /// The second argument of decodeRadiance().
     float largestRoot() const { return largestRoot_; }
 
-    /// Rows of width() texels.
+    /// Texels in rows of width().
     const std::vector<std::uint8_t>& rgba() const { return rgba_; }
 
   private:

@@ -3,8 +3,8 @@
 namespace edgeshade {
 namespace {
 
-/// The squared norm of each harmonic's factor, times 4 pi, times what the clamped cosine does to
-/// its band, over pi: 1, 2/3, 1/4.
+/// For each harmonic the squared norm of its factor, times 4 pi, times the clamped cosine's factor
+/// for its band over pi: 1, 2/3, 1/4.
 constexpr std::array<double, 9> scales = {1.0,      3.0 * 2 / 3, 3.0 * 2 / 3, 3.0 * 2 / 3, 15.0 / 4,
                                           15.0 / 4, 5.0 / 16,    15.0 / 4,    15.0 / 16};
 

@@ -5,22 +5,22 @@
 
 namespace edgeshade {
 
-/// Coefficients of 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2.
+/// Coefficients of the terms 1, y, z, x, xy, yz, 3z^2 - 1, xz, x^2 - y^2.
 using DiffuseCoefficients = std::array<glm::vec3, 9>;
 
-/// Adds up what light from all around does to a white Lambert surface, in spherical harmonics of
-/// bands 0 to 2 (Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment
-/// Maps", 2001).
+/// Accumulates the light that a white Lambert surface reflects of its surroundings, in spherical
+/// harmonics of bands 0 to 2 (Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance
+/// Environment Maps", 2001).
 class DiffuseSum {
   public:
-    /// Radiance from a direction of unit length; the solid angle in any unit, all together are the
-    /// sphere.
+    /// Adds radiance from a direction of unit length. Solid angles may have any unit, as their sum
+    /// stands for the sphere.
     void add(const glm::vec3& direction, const glm::vec3& radiance, double solidAngle);
 
-    /// The mean radiance, which is the mean over all normals of irradiance / pi.
+    /// The mean radiance, equal to the mean over all normals of irradiance / pi.
     glm::dvec3 mean() const;
 
-    /// Irradiance / pi, as environmentDiffuse() evaluates it.
+    /// Coefficients of irradiance / pi, for environmentDiffuse().
     DiffuseCoefficients coefficients() const;
 
   private:
@@ -28,7 +28,7 @@ class DiffuseSum {
     double solidAngle_ = 0.0;
 };
 
-/// The terms that the coefficients belong to, at a normal of unit length.
+/// The terms of the coefficients at a normal of unit length.
 std::array<float, 9> diffuseTerms(const glm::vec3& normal);
 
 } // namespace edgeshade

@@ -7,19 +7,19 @@
 
 namespace edgeshade {
 
-/// Light from all around, without end and without shadow, ready to be looked up: linear radiance in
-/// the world's axes, +Y up. neutralEnvironment() and readEnvironment() make one,
-/// uploadEnvironment() brings it to the GPU, shaders_es2/environment.glsl looks it up there.
+/// Distant light from all directions, without shadows, ready to be sampled: linear radiance in the
+/// world's axes, +Y up. Made by neutralEnvironment() or readEnvironment(), uploaded as a
+/// GpuEnvironment, and sampled on the GPU by shaders_es2/environment.glsl.
 struct Environment {
     DiffuseCoefficients diffuse{};
     Atlas specular;
 };
 
-/// What a white Lambert surface of this normal, of unit length, sends back: irradiance / pi. The
-/// same as in environment.glsl; so is the next.
+/// Irradiance / pi at a normal of unit length: the light that a white Lambert surface reflects.
+/// environment.glsl computes this and the next function in the same way.
 glm::vec3 environmentDiffuse(const Environment& environment, const glm::vec3& normal);
 
-/// Radiance around a reflected direction, of unit length, filtered by the GGX lobe of a perceptual
+/// Radiance around a reflected direction of unit length, filtered by the GGX lobe of a perceptual
 /// roughness 0 to 1: the first factor of the split sum.
 glm::vec3 environmentSpecular(const Environment& environment, const glm::vec3& direction,
                               float roughness);

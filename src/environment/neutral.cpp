@@ -9,7 +9,7 @@
 namespace edgeshade {
 namespace {
 
-/// Values at even steps of the height from -1 to 1, linear between them.
+/// Values at even steps of the height from -1 to 1, interpolated linearly.
 class HeightTable {
   public:
     template <class Value>
@@ -31,7 +31,7 @@ class HeightTable {
     std::array<float, count> values_{};
 };
 
-/// Around directions of a height. All that is around them depends on the height alone.
+/// Filtered radiance around directions by their height; nothing depends on the azimuth.
 HeightTable filteredByHeight(const HeightTable& radiance, float roughness) {
     constexpr int samples = 128;
     const SpecularLobe lobe(roughness, samples);
@@ -59,7 +59,7 @@ DiffuseCoefficients diffuseOf(const HeightTable& radiance) {
 } // namespace
 
 float neutralRadiance(float height) {
-    constexpr float mean = 1.0241916f; // of what follows
+    constexpr float mean = 1.0241916f; // mean of the sum below
     const float ground = 0.55f + 0.15f * height;
     const float sky = 0.9f;
     const float band = height / 0.18f;

@@ -4,12 +4,12 @@
 
 namespace edgeshade {
 
-/// Radiance of the neutral sky and ground at the sine of an elevation, -1 to 1: grey, brighter
-/// above than below, with a band of light along the horizon and a soft light overhead, so that
-/// metal has something to reflect. Its mean over all directions is 1.
+/// Radiance of the neutral sky and ground at the sine of an elevation, -1 to 1. It is grey,
+/// brighter above than below, with a band of light along the horizon and a soft light overhead for
+/// metal to reflect. Its mean over all directions is 1.
 float neutralRadiance(float height);
 
-/// The environment that is there when no other is asked for. No file is read.
+/// The default environment. It reads no file.
 Environment neutralEnvironment();
 
 } // namespace edgeshade

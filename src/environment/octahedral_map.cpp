@@ -6,13 +6,13 @@
 namespace edgeshade {
 namespace {
 
-/// Over the edges of the lower half, which folds outwards.
+/// Reflects a point over the diagonal edge, as the lower half is folded outwards.
 glm::vec2 folded(const glm::vec2& at) {
     return {(1.0f - std::abs(at.y)) * (at.x >= 0.0f ? 1.0f : -1.0f),
             (1.0f - std::abs(at.x)) * (at.y >= 0.0f ? 1.0f : -1.0f)};
 }
 
-/// The point of the octahedron |x| + |y| + |z| = 1.
+/// The point on the octahedron |x| + |y| + |z| = 1.
 glm::vec3 pointFromOctahedral(const glm::vec2& at) {
     const float height = 1.0f - std::abs(at.x) - std::abs(at.y);
     const glm::vec2 ground = height >= 0.0f ? at : folded(at);
@@ -50,7 +50,7 @@ glm::ivec2 OctahedralMap::texelAt(const glm::vec3& direction) const {
 }
 
 float OctahedralMap::solidAngle(int x, int y) const {
-    // A face lies 1 / sqrt(3) from the centre, and unfolding shrinks it by sqrt(3).
+    // A face is 1 / sqrt(3) from the centre, and unfolding shrinks it by sqrt(3).
     const float distance = glm::length(pointFromOctahedral(middle(x, y)));
     const float edge = 2.0f / static_cast<float>(size_);
     return edge * edge / (distance * distance * distance);
@@ -80,7 +80,7 @@ float OctahedralMap::largest() const {
 glm::vec3 OctahedralMap::lookUp(const glm::vec3& direction) const {
     const glm::vec2 texel =
         (octahedralFromDirection(direction) * 0.5f + 0.5f) * static_cast<float>(size_) +
-        0.5f; // counted from the middle of the border's first
+        0.5f; // counted from the middle of the border's first texel
     const glm::ivec2 first = glm::min(glm::ivec2(texel), glm::ivec2(size_));
     const glm::vec2 share = texel - glm::vec2(first);
     const std::size_t corner = index(first.x - 1, first.y - 1);

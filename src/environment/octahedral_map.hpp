@@ -6,19 +6,19 @@
 
 namespace edgeshade {
 
-/// Where a direction, of any length but 0, lies on the map, within [-1, 1]: the octahedron unfolded
-/// into a square, +Y in its middle, -Y in its corners (Meyer et al., "On Floating-Point Normal
-/// Vectors", 2010).
+/// The position of a direction, of any length but 0, on the map, within [-1, 1]. The map is the
+/// octahedron unfolded into a square, +Y in its middle, -Y in its corners (Meyer et al., "On
+/// Floating-Point Normal Vectors", 2010).
 glm::vec2 octahedralFromDirection(const glm::vec3& direction);
 
-/// The other way; of unit length.
+/// The direction of unit length at a position on the map.
 glm::vec3 directionFromOctahedral(const glm::vec2& at);
 
-/// Radiance by direction. A border of one texel repeats what lies across the square's edge, so that
-/// linear filtering has no seam.
+/// Radiance by direction. A border of one texel repeats the texels across the square's edge, so
+/// that linear filtering has no seam.
 class OctahedralMap {
   public:
-    /// Of `size` x `size` texels, 1 or more, and the border.
+    /// Allocates `size` x `size` texels, 1 or more, and the border.
     explicit OctahedralMap(int size);
 
     int size() const { return size_; }
@@ -27,25 +27,25 @@ class OctahedralMap {
     glm::vec3& at(int x, int y) { return texels_[index(x, y)]; }
     const glm::vec3& at(int x, int y) const { return texels_[index(x, y)]; }
 
-    /// The middle of a texel.
+    /// The direction of a texel's middle.
     glm::vec3 direction(int x, int y) const;
 
-    /// The texel that a direction falls into.
+    /// The texel that contains a direction.
     glm::ivec2 texelAt(const glm::vec3& direction) const;
 
-    /// Of a texel, in sr, by the formula at its middle: all together are about 4 pi.
+    /// Solid angle of a texel in sr, by the formula at its middle; the sum is about 4 pi.
     float solidAngle(int x, int y) const;
 
-    /// Fills the border; after texels were set.
+    /// Fills the border; call it after setting texels.
     void closeBorder();
 
     /// The largest value of any channel.
     float largest() const;
 
-    /// Filtered linearly.
+    /// Radiance in a direction, filtered linearly.
     glm::vec3 lookUp(const glm::vec3& direction) const;
 
-    /// Sets every texel to what `radiance` gives for its direction, and the border.
+    /// Sets every texel to `radiance` of its direction, and the border.
     template <class Radiance>
     void fill(Radiance radiance) {
         for (int y = 0; y < size_; ++y)

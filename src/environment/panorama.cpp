@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// The row or column that the `i`-th of `from` falls into where they become `to`.
+/// The row or column of the `to` cells that contains the `i`-th of the `from` source cells.
 int cellOf(int i, int from, int to) {
     return static_cast<int>(std::int64_t{i} * to / from);
 }
@@ -20,12 +20,13 @@ Panorama::Panorama(RadianceFile& file)
     : width_(std::min(file.width(), mostColumns)), height_(std::min(file.height(), mostRows)),
       texels_(index(0, height_), glm::vec3(0.0f)) {
     std::vector<std::size_t> cells;
-    std::vector<int> columns(static_cast<std::size_t>(width_), 0); // that each cell is made of
+    std::vector<int> columns(static_cast<std::size_t>(width_), 0); // source columns per cell
     for (int x = 0; x < file.width(); ++x) {
         cells.push_back(static_cast<std::size_t>(cellOf(x, file.width(), width_)));
         ++columns[cells.back()];
     }
-    std::vector<glm::dvec3> sums(columns.size(), glm::dvec3(0.0)); // floats would overflow
+    // double, as floats would overflow
+    std::vector<glm::dvec3> sums(columns.size(), glm::dvec3(0.0));
     int rows = 0;
     for (int y = 0; y < file.height(); ++y) {
         const std::span<const glm::vec3> row = file.readRow();

@@ -7,13 +7,13 @@
 
 namespace edgeshade {
 
-/// Radiance by direction on an equirectangular picture: its middle column looks along -Z, right of
-/// it is +X, its left and right edges are +Z, its top is +Y.
+/// Radiance by direction on an equirectangular picture: its middle column is -Z, to the right of it
+/// is +X, its left and right edges are +Z, its top is +Y.
 class Panorama {
   public:
     static constexpr int mostColumns = 1024, mostRows = 512;
 
-    /// Reads all rows, larger pictures averaged to that size. Throws InputError.
+    /// Reads all rows, and averages larger pictures down to that size. Throws InputError.
     explicit Panorama(RadianceFile& file);
 
     int width() const { return width_; }
@@ -21,16 +21,16 @@ class Panorama {
 
     const glm::vec3& at(int x, int y) const { return texels_[index(x, y)]; }
 
-    /// The middle of a texel.
+    /// The direction of a texel's middle.
     glm::vec3 direction(int x, int y) const;
 
-    /// Of each texel of a row, in sr.
+    /// Solid angle of each texel in a row, in sr.
     double solidAngle(int y) const;
 
-    /// Multiplies all, and cuts it off at `largest`.
+    /// Multiplies all radiance by `factor`, and clamps it to `largest`.
     void scale(double factor, double largest);
 
-    /// Filtered linearly.
+    /// Radiance in a direction, filtered linearly.
     glm::vec3 lookUp(const glm::vec3& direction) const;
 
   private:

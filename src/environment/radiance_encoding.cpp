@@ -6,8 +6,8 @@
 namespace edgeshade {
 namespace {
 
-/// The least multiplier, of 255. Some GLs filter to 8 bits, which is off by up to one, and that is
-/// much of a small one.
+/// The smallest multiplier, of 255. Some GLs filter to 8 bits, with an error of up to one, which is
+/// large relative to a small multiplier.
 constexpr float leastMultiplier = 64.0f;
 
 std::uint8_t byteOf(float value) {

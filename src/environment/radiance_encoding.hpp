@@ -6,15 +6,15 @@
 
 namespace edgeshade {
 
-/// Radiance above this is cut off.
+/// Radiance above this is clamped.
 inline constexpr float largestEncodedRadiance = 64.0f;
 
-/// Linear radiance, 0 or more, as 8-bit RGBA: its square root over `largestRoot`, above 0, with a
-/// common multiplier in alpha. A channel that is half of the brightest one or more is off by 1 % or
+/// Encodes linear radiance, 0 or more, as 8-bit RGBA: its square root over `largestRoot`, above 0,
+/// with a common multiplier in alpha. A channel of at least half the brightest one is off by 1 % or
 /// by a thousandth of largestRoot * sqrt(radiance), whichever is more.
 std::array<std::uint8_t, 4> encodeRadiance(const glm::vec3& radiance, float largestRoot);
 
-/// Of a texel, or of texels filtered linearly, as the GL gives them: 0 to 1. Grey stays grey.
+/// Decodes a texel, or texels filtered linearly by the GL, with values 0 to 1. Grey stays grey.
 glm::vec3 decodeRadiance(const glm::vec4& stored, float largestRoot);
 
 } // namespace edgeshade

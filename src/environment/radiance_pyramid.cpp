@@ -36,7 +36,7 @@ RadiancePyramid::RadiancePyramid(OctahedralMap map) {
 }
 
 glm::vec3 RadiancePyramid::lookUp(const glm::vec3& direction, float solidAngle) const {
-    // Half of the binary logarithm, rounded: a level's texels are four of the one before.
+    // Half the binary logarithm, rounded: a texel of one level covers four of the level before.
     const int level = std::ilogb(std::max(1.0f, 2.0f * solidAngle * texelsPerSr_)) / 2;
     const auto last = static_cast<int>(levels_.size()) - 1;
     return levels_[static_cast<std::size_t>(std::min(level, last))].lookUp(direction);

@@ -6,19 +6,19 @@
 
 namespace edgeshade {
 
-/// A map and its halves, each texel the mean of four by their solid angles, so that averages over
-/// wide solid angles are one look-up.
+/// A map and its successive halves, whose texels are means of four by their solid angles. A lookup
+/// gives the average over a wide solid angle.
 class RadiancePyramid {
   public:
-    /// Of a map whose size is a power of two.
+    /// Builds it from a map whose size is a power of two.
     explicit RadiancePyramid(OctahedralMap map);
 
-    /// About the mean over so many sr around a direction.
+    /// Approximate mean over `solidAngle` sr around a direction.
     glm::vec3 lookUp(const glm::vec3& direction, float solidAngle) const;
 
   private:
     std::vector<OctahedralMap> levels_; ///< from the largest to 1 x 1
-    float texelsPerSr_;                 ///< of the largest, on average
+    float texelsPerSr_;                 ///< of the largest level, on average
 };
 
 } // namespace edgeshade

@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-/// Of all texels, what a pixel of RGBE takes and a code in front of it, and a header.
+/// The largest file: for all texels an RGBE pixel with a code in front of it, and a header.
 constexpr std::uint64_t mostFileBytes =
     std::uint64_t{8} * RadianceFile::largest * RadianceFile::largest + (1 << 20);
 
@@ -51,13 +51,13 @@ Environment readEnvironment(const std::filesystem::path& path, EnvironmentScale 
 Environment readEnvironment(std::span<const std::uint8_t> bytes, const std::string& name,
                             EnvironmentScale scale) {
     constexpr glm::dvec3 luminance(0.2126, 0.7152, 0.0722); // IEC 61966-2-1
-    constexpr double largest = 1 << 24;                     // sums of it are floats still
+    constexpr double largest = 1 << 24;                     // floats can still hold sums of it
     RadianceFile file(bytes, name);
     Panorama panorama(file);
     const double mean = glm::dot(diffuseOf(panorama).mean(), luminance);
     if (mean == 0.0) throw InputError(name + " is black all over.");
     panorama.scale(scale == EnvironmentScale::meanOne ? 1.0 / mean : 1.0, largest);
-    constexpr int size = 512; // texels are about as large as the largest panorama's
+    constexpr int size = 512; // its texels are about as large as those of the largest panorama
     const RadiancePyramid pyramid(octahedralFromPanorama(panorama, size));
     return {diffuseOf(panorama).coefficients(), filteredByRoughness(pyramid)};
 }

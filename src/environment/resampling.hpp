@@ -5,9 +5,9 @@
 
 namespace edgeshade {
 
-/// The panorama on an octahedral map: where its texels are the smaller ones, near the poles, their
-/// mean by solid angle, so that a small bright light keeps its power; between them filtered
-/// linearly.
+/// Resamples the panorama to an octahedral map. Near the poles, where the panorama's texels are
+/// smaller, it takes their mean by solid angle, so that a small bright light keeps its power.
+/// Elsewhere it filters linearly.
 OctahedralMap octahedralFromPanorama(const Panorama& panorama, int size);
 
 } // namespace edgeshade

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// The digits of a number in base 2, mirrored behind the point.
+/// The number's digits in base 2, mirrored behind the point.
 float radicalInverse(std::uint32_t number) {
     float inverse = 0.0f;
     for (float digit = 0.5f; number != 0; number >>= 1, digit *= 0.5f)
@@ -21,14 +21,14 @@ float radicalInverse(std::uint32_t number) {
 
 float ggxDistribution(float cosine, float roughness) {
     const float alpha = roughness * roughness;
-    // 1 + cosine^2 (alpha^2 - 1), without what cancels where both are near 1.
+    // 1 + cosine^2 (alpha^2 - 1), without cancellation where both are near 1.
     const float base = (1.0f - cosine) * (1.0f + cosine) + cosine * cosine * alpha * alpha;
     return alpha * alpha / (pi * base * base);
 }
 
 SpecularLobe::SpecularLobe(float roughness, int samples) {
-    const float square = roughness * roughness * roughness * roughness; // of alpha
-    // Up to this share of the half vectors, light comes from above the surface.
+    const float square = roughness * roughness * roughness * roughness; // alpha squared
+    // Up to this share of the half vectors, light arrives from above the surface.
     const float above = 1.0f / (1.0f + square);
     float sum = 0.0f;
     for (int i = 0; i < samples; ++i) {

@@ -5,24 +5,24 @@
 
 namespace edgeshade {
 
-/// Directions that a GGX surface of one roughness reflects towards an eye above it, as the split
-/// sum has them (normal, eye and reflected direction are one): Karis, "Real Shading in Unreal
-/// Engine 4", 2013. The same every time.
+/// Directions that a GGX surface of one roughness reflects to an eye above it, under the split
+/// sum's assumption that normal, eye and reflected direction coincide: Karis, "Real Shading in
+/// Unreal Engine 4", 2013. Deterministic.
 class SpecularLobe {
   public:
     struct Sample {
         glm::vec3 direction; ///< +Z is the normal
-        float weight;        ///< of all together 1
-        float solidAngle;    ///< in sr, of what the sample stands for
+        float weight;        ///< all weights sum to 1
+        float solidAngle;    ///< of the sample, in sr
     };
 
-    /// Perceptual roughness above 0, to 1.
+    /// Perceptual roughness above 0, up to 1.
     SpecularLobe(float roughness, int samples);
 
     const std::vector<Sample>& samples() const { return samples_; }
 
-    /// What `radiance`, called with a direction and a solid angle, gives around a direction of unit
-    /// length.
+    /// The weighted mean of `radiance`, called with a direction and a solid angle, around a
+    /// direction of unit length.
     template <class Radiance>
     glm::vec3 filter(const glm::vec3& around, Radiance radiance) const {
         const glm::mat3 worldFromLobe = frameAround(around);
@@ -38,7 +38,7 @@ class SpecularLobe {
     std::vector<Sample> samples_;
 };
 
-/// The density of microfacets' normals, GGX, at a cosine to the normal. Perceptual roughness.
+/// GGX density of microfacet normals at a cosine to the normal, for a perceptual roughness.
 float ggxDistribution(float cosine, float roughness);
 
 } // namespace edgeshade

@@ -17,7 +17,7 @@ int integer(GLenum name) {
     return value;
 }
 
-/// 0 where the stage has no highp.
+/// Mantissa bits of the stage's highp; 0 without highp.
 int highpMantissaBits(GLenum stage) {
     GLint range[2] = {}, mantissa = 0;
     glGetShaderPrecisionFormat(stage, GL_HIGH_FLOAT, range, &mantissa);
@@ -51,7 +51,7 @@ Capabilities queryCapabilities(void* (*lookUp)(const char*)) {
     capabilities.fragmentHighpMantissaBits = highpMantissaBits(GL_FRAGMENT_SHADER);
     capabilities.instancing =
         Instancing::find(capabilities.version, capabilities.extensions, lookUp);
-#ifndef __EMSCRIPTEN__ // pages draw one colour at a time
+#ifndef __EMSCRIPTEN__ // pages draw into one colour attachment at a time
     capabilities.framebufferFlip = FramebufferFlip::find(capabilities.extensions, lookUp);
 #endif
     capabilities.multisampling =

@@ -11,20 +11,20 @@
 
 namespace edgeshade::gl {
 
-/// What is used of a context.
+/// How much of a context's abilities is used.
 enum class Limits {
-    device,     ///< all that it has
-    es2Minimum, ///< what every OpenGL ES 2.0 has, see limited()
+    device,     ///< all of them
+    es2Minimum, ///< those of every OpenGL ES 2.0, see limited()
 };
 
-/// Mantissa bits of floats in the vertex stage that ES 2.0 guarantees for highp (GLSL ES 1.00,
-/// section 4.5.2).
+/// Mantissa bits that ES 2.0 guarantees for highp floats in the vertex stage (GLSL ES 1.00, section
+/// 4.5.2).
 inline constexpr int leastMantissaBits = 16;
 
-/// Bits that ES 2.0 guarantees for places between pixels (OpenGL ES 2.0.25, table 6.18).
+/// Subpixel bits that ES 2.0 guarantees (OpenGL ES 2.0.25, table 6.18).
 inline constexpr int leastSubpixelBits = 4;
 
-/// What the current context is and can do.
+/// The current context's identity and abilities.
 struct Capabilities {
     std::string vendor;
     std::string renderer;
@@ -33,7 +33,7 @@ struct Capabilities {
     int depthBits = 0;
     int stencilBits = 0;
     int samples = 0;
-    int subpixelBits = 0; ///< vertices are put on a grid of 2^-subpixelBits pixels
+    int subpixelBits = 0; ///< vertices are snapped to a grid of 2^-subpixelBits pixels
     int vertexAttributes = 0;
     int textureUnits = 0; ///< of the fragment stage
     int varyingVectors = 0;
@@ -48,21 +48,20 @@ struct Capabilities {
     std::optional<Multisampling> multisampling;
     std::optional<TimerQueries> timerQueries;
 
-    /// Whether the processor draws: Mesa's llvmpipe and softpipe, SwiftShader.
+    /// Whether the processor renders: Mesa's llvmpipe and softpipe, SwiftShader.
     bool isSoftware() const;
 
     bool has(const std::string& extension) const { return listsExtension(extensions, extension); }
 };
 
-/// Asks the current context. `lookUp` maps a GL function's name to its address or null.
+/// Queries the current context. `lookUp` maps a GL function's name to its address or null.
 Capabilities queryCapabilities(void* (*lookUp)(const char*));
 
-/// What remains of them under limits. Of es2Minimum: version 2.0 without extensions, so no
-/// instancing, no 32-bit indices, no depth textures, no derivatives, no antialiasing by
-/// framebuffers and no timer queries; 8 attributes, 8 texture units, 8 varying, 128 vertex and 16
-/// fragment uniform vectors; 16 bits of depth, 8 of stencil; 16 mantissa bits in the vertex stage.
-/// Textures have up to 2048 texels a side, as the guaranteed 64 serve neither textures nor shadow
-/// maps.
+/// The capabilities under limits. es2Minimum leaves version 2.0 without extensions: no instancing,
+/// no 32-bit indices, no depth textures, no derivatives, no antialiasing by framebuffers and no
+/// timer queries. There are 8 attributes, 8 texture units, 8 varying, 128 vertex and 16 fragment
+/// uniform vectors; 16 bits of depth, 8 of stencil; 16 mantissa bits in the vertex stage. Textures
+/// have up to 2048 texels a side, since the guaranteed 64 are too few for textures and shadow maps.
 Capabilities limited(Capabilities capabilities, Limits limits);
 
 } // namespace edgeshade::gl

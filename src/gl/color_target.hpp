@@ -4,15 +4,15 @@
 
 namespace edgeshade::gl {
 
-/// A texture of 8-bit RGBA texels that is drawn into, read texel by texel, and the framebuffer for
-/// that, to which depth and stencil may be attached.
+/// A texture of 8-bit RGBA texels to draw into, sampled without filtering, and its framebuffer.
+/// Depth and stencil may be attached to the framebuffer.
 struct ColorTarget {
     Texture texture;
     Framebuffer framebuffer;
 
     ColorTarget() = default;
     /// Leaves the framebuffer bound, and no texture. Throws Error(unavailable) if the GL is out of
-    /// memory; whether it can draw so, the framebuffer's status says.
+    /// memory. The framebuffer's status says whether the GL can draw into it.
     ColorTarget(int width, int height);
 };
 

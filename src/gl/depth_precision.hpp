@@ -2,9 +2,9 @@
 
 namespace edgeshade::gl {
 
-/// Makes the bound picture's depth as coarse as one of `wanted` bits: of a fixed-point buffer of
-/// `bits` bits only the lowest 2^wanted values are used, by the depth range. Does nothing where it
-/// has no more than `wanted`.
+/// Reduces the bound picture's depth precision to `wanted` bits: the depth range restricts a
+/// fixed-point buffer of `bits` bits to its lowest 2^wanted values. Does nothing if the buffer has
+/// no more than `wanted` bits.
 void coarsenDepth(int bits, int wanted);
 
 } // namespace edgeshade::gl

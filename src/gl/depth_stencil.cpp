@@ -9,7 +9,7 @@ namespace edgeshade::gl {
 namespace {
 
 #ifdef __EMSCRIPTEN__
-// WebGL 1 has names of its own for it (WebGL 1.0.3, section 6.8).
+// WebGL 1 has its own names for it (WebGL 1.0.3, section 6.8).
 constexpr GLenum packedFormat = 0x84F9;     // DEPTH_STENCIL
 constexpr GLenum packedAttachment = 0x821A; // DEPTH_STENCIL_ATTACHMENT
 #else

@@ -7,21 +7,21 @@
 
 namespace edgeshade::gl {
 
-/// Depth and an 8-bit stencil for framebuffers of one's own: packed in one renderbuffer, which is
-/// core in ES 3.0 and WebGL 1 and an extension in ES 2.0, else in two.
+/// Depth and an 8-bit stencil for this program's framebuffers. They are packed in one renderbuffer
+/// where that is possible (core in ES 3.0 and WebGL 1, an extension in ES 2.0), otherwise in two.
 class DepthStencil {
   public:
     /// Throws Error(unavailable) if the GL is out of memory.
     DepthStencil(int width, int height, const Capabilities& capabilities);
 
-    /// Attaches both to the bound framebuffer, whose status says whether the GL can draw so.
+    /// Attaches both to the bound framebuffer, whose status says whether the GL can draw into it.
     void attach() const;
 
     std::size_t bytes() const { return bytes_; }
 
   private:
-    Renderbuffer depth_;   ///< with the stencil where they are packed
-    Renderbuffer stencil_; ///< where they are apart
+    Renderbuffer depth_;   ///< also the stencil, if they are packed
+    Renderbuffer stencil_; ///< if they are separate
     std::size_t bytes_ = 0;
 };
 

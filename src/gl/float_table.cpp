@@ -18,7 +18,7 @@ GLenum formatOf(std::size_t channels) {
     return channels == 2 ? GL_LUMINANCE_ALPHA : GL_RGBA;
 }
 
-/// There floats are formats of their own, and the extension needn't be.
+/// ES 3 has sized float formats, and needs no extension for them.
 bool isEs3(const Capabilities& capabilities) {
     return capabilities.version.starts_with("OpenGL ES 3");
 }
@@ -72,7 +72,7 @@ void FloatTable::allocate(std::size_t count, std::size_t channels,
 void FloatTable::fillRows(std::size_t first, const void* texels, std::size_t count) const {
     glBindTexture(GL_TEXTURE_2D, texture_.name());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    // Whole rows, then what the last one has: nothing is copied for their sake.
+    // Uploads whole rows, then the rest of the last one, so that nothing has to be copied.
     const std::size_t whole = count / columns_, rest = count % columns_;
     const auto rows = [&](std::size_t row, std::size_t width, std::size_t height) {
         if (width == 0 || height == 0) return;

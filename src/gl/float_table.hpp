@@ -7,21 +7,21 @@
 
 namespace edgeshade::gl {
 
-/// Numbers for a fragment shader to look up one by one: a texture of floats (GL_OES_texture_float)
-/// in rows, each texel's numbers in (x, w) or all of (x, y, z, w).
+/// Numbers that a fragment shader reads one texel at a time: a texture of floats
+/// (GL_OES_texture_float) in rows. Each texel has two numbers in (x, w), or four in (x, y, z, w).
 class FloatTable {
   public:
     FloatTable() = default;
-    /// Throws Error(unavailable) if they are more than the GL's largest texture holds, or it is out
-    /// of memory.
+    /// Throws Error(unavailable) if they exceed the GL's largest texture, or it is out of memory.
     FloatTable(std::span<const glm::vec2> texels, const Capabilities& capabilities);
     FloatTable(std::span<const glm::vec4> texels, const Capabilities& capabilities);
-    /// So many of four numbers each, to be filled: where hasWideTables(). Throws if they are too
-    /// many; the GL's memory isn't asked for, which would wait for all that it draws.
+    /// Allocates `texels` texels of four numbers each, for fill(), if hasWideTables(). Throws if
+    /// they are too many. Doesn't check for lack of memory, as that would wait until the GL has
+    /// finished drawing.
     FloatTable(std::size_t texels, const Capabilities& capabilities);
 
-    /// Whole rows from the given texel on, which begins one; the last one may be shorter. Binds no
-    /// texture.
+    /// Uploads whole rows from texel `first` on, which starts a row; the last row may be shorter.
+    /// Leaves no texture bound.
     void fill(std::size_t first, std::span<const glm::vec4> texels) const;
 
     Name texture() const { return texture_.name(); }
@@ -39,9 +39,9 @@ class FloatTable {
     std::size_t bytes_ = 0;
 };
 
-/// Whether fragment shaders can look up floats and reckon with all of their bits.
+/// Whether fragment shaders can sample floats and compute with all of their bits.
 bool hasFloatTables(const Capabilities& capabilities);
-/// The same of tables of four numbers a texel, which ES 3 has in its core.
+/// Whether the same holds for tables of four numbers a texel, which are core in ES 3.
 bool hasWideTables(const Capabilities& capabilities);
 
 } // namespace edgeshade::gl

@@ -5,17 +5,17 @@
 
 namespace edgeshade::gl {
 
-/// Framebuffers of one's own whose rows lie as those of the default framebuffer do:
-/// GL_MESA_framebuffer_flip_y. Rasterisers round along y as rows lie, so that only then both get
-/// the same pixels.
+/// Flips this program's framebuffers so that their rows run like those of the default framebuffer:
+/// GL_MESA_framebuffer_flip_y. Rasterisers round along y in the direction of rows, so that only
+/// then do both get the same pixels.
 class FramebufferFlip {
   public:
-    /// Nothing where the GL has none. `lookUp` maps a name to an entry point or null.
+    /// Null if the GL lacks the extension. `lookUp` maps a name to an entry point or null.
     static std::optional<FramebufferFlip> find(const std::string& extensions,
                                                void* (*lookUp)(const char*));
 
-    /// Flips the bound framebuffer. What is drawn and read of it stays; its textures have their
-    /// rows from above.
+    /// Flips the bound framebuffer. Drawing and reading work as before; its textures have their
+    /// first row at the top.
     void flip() const;
 
   private:

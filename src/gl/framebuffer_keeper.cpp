@@ -6,7 +6,7 @@
 
 namespace edgeshade::gl {
 
-// In browsers nothing coarsens depth.
+// Depth is never coarsened in browsers.
 constexpr bool keepsDepthRange = !inBrowser;
 
 FramebufferKeeper::FramebufferKeeper() : scissor_(glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE) {

@@ -2,9 +2,9 @@
 
 namespace edgeshade::gl {
 
-/// For drawing elsewhere in between: the framebuffer that was bound is bound again, whatever
-/// happens; so are the scissor, which cuts that framebuffer's picture and is off until then, and
-/// the depth range, which is whole until then.
+/// Saves the bound framebuffer, the scissor and the depth range while the program draws elsewhere,
+/// and restores them on destruction. Until then the scissor, which belongs to that framebuffer's
+/// picture, is off, and the depth range is full.
 class FramebufferKeeper {
   public:
     FramebufferKeeper();
@@ -15,7 +15,7 @@ class FramebufferKeeper {
   private:
     int name_ = 0;
     bool scissor_;
-    int scissorBox_[4] = {}; ///< where it was on
+    int scissorBox_[4] = {}; ///< saved if the scissor was on
     float depthRange_[2] = {};
     float depthClear_ = 1.0f;
 };

@@ -31,7 +31,7 @@ void* lookUp(const char* name) {
     return reinterpret_cast<void*>(eglGetProcAddress(name));
 }
 
-/// Displays worth trying, best first.
+/// Displays to try, best first.
 std::vector<EGLDisplay> candidateDisplays() {
     std::vector<EGLDisplay> displays;
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -80,7 +80,7 @@ EGLConfig chooseConfig(EGLDisplay display, int depthBits) {
     return config;
 }
 
-/// One that tells when it is lost, where there are such.
+/// Creates a context that reports its loss, if possible.
 EGLContext createContext(EGLDisplay display, EGLConfig config) {
     const EGLint robust[] = {EGL_CONTEXT_CLIENT_VERSION, 2,
                              EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,

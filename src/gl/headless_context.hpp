@@ -10,12 +10,12 @@
 
 namespace edgeshade::gl {
 
-/// An OpenGL ES 2 context with a picture of its own and no display, by EGL.
+/// An OpenGL ES 2 context by EGL with its own picture and without a display.
 ///
-/// Takes the first of: a hardware device (EGL_EXT_platform_device), Mesa without a surface, the
-/// default display. The picture is a pbuffer with 8-bit RGBA, depth and stencil, drawn through a
-/// multisampled framebuffer where samples are asked for (Mesa ignores them in pbuffers). Current
-/// on the thread that made it until it is destroyed.
+/// Uses the first available of: a hardware device (EGL_EXT_platform_device), Mesa without a
+/// surface, the default display. The picture is a pbuffer with 8-bit RGBA, depth and stencil. If
+/// samples are requested it is drawn through a multisampled framebuffer, as Mesa ignores them in
+/// pbuffers. The context is current on the thread that created it until it is destroyed.
 class HeadlessContext {
   public:
     struct Request {
@@ -23,10 +23,10 @@ class HeadlessContext {
         int height = 1;
         int samples = 0; ///< 0: no antialiasing
         Limits limits = Limits::device;
-        int depthBits = 24; ///< at least; 16 if there is no more
+        int depthBits = 24; ///< at least; 16 if no more is available
     };
 
-    /// Throws Error(unavailable) that says what is missing.
+    /// Throws Error(unavailable) naming what is missing.
     explicit HeadlessContext(const Request& request);
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
@@ -38,7 +38,7 @@ class HeadlessContext {
 
     /// The picture, RGBA, rows top to bottom. Throws Error(unavailable) if the context was lost.
     std::vector<std::uint8_t> readPixels() const { return readPixels(width_, height_); }
-    /// Its lower left part, which is where smaller views are drawn.
+    /// The lower left part of the picture, where smaller views are drawn.
     std::vector<std::uint8_t> readPixels(int width, int height) const;
 
   private:
@@ -51,7 +51,7 @@ class HeadlessContext {
     int width_ = 0;
     int height_ = 0;
     Capabilities capabilities_;
-    std::optional<ResetStatus> reset_; ///< where the context tells
+    std::optional<ResetStatus> reset_; ///< null: the context doesn't report its loss
     std::optional<MultisampledFramebuffer> multisampled_;
 };
 

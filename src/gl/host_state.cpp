@@ -5,7 +5,7 @@
 namespace edgeshade::gl {
 namespace {
 
-// What ES 3 has beyond the header of ES 2.
+// Constants of ES 3 that ES 2's header lacks.
 constexpr GLenum vertexArrayBinding = 0x85B5, vertexDivisor = 0x88FE, samplerBinding = 0x8919,
                  drawFramebuffer = 0x8CA9, readFramebuffer = 0x8CA8,
                  readFramebufferBinding = 0x8CAA, packBuffer = 0x88EB, packBufferBinding = 0x88ED,
@@ -55,7 +55,7 @@ OwnArrays::~OwnArrays() {
 
 HostState::HostState(const HostFunctions& functions, const OwnArrays& arrays)
     : functions_(functions) {
-    // A lost context never runs out of errors.
+    // The limit is for a lost context, which returns errors forever.
     for (int i = 0; i < 16; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;

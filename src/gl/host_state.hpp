@@ -8,8 +8,8 @@
 
 namespace edgeshade::gl {
 
-/// A vertex array object, where the context has them: attributes that are set while it is bound
-/// are no host's.
+/// A vertex array object, where the context has them: attributes set while it is bound don't change
+/// the host's.
 class OwnArrays {
   public:
     explicit OwnArrays(const HostFunctions& functions);
@@ -17,17 +17,18 @@ class OwnArrays {
     OwnArrays(const OwnArrays&) = delete;
     OwnArrays& operator=(const OwnArrays&) = delete;
 
-    unsigned name() const { return name_; } ///< 0: there are none
+    unsigned name() const { return name_; } ///< 0: none
 
   private:
     HostFunctions functions_;
     unsigned name_ = 0;
 };
 
-/// The GL's state as whoever owns the context has it: saved, then as this program expects it, that
-/// is as in a fresh context where it doesn't set it itself, until this is destroyed. Of textures
-/// the 2D ones of the fragment stage's units are kept. Not kept, as nothing here sets it:
-/// attributes' current values, line width, hints, cube textures, uniform buffers.
+/// Saves the host's GL state, sets the state that this program expects, and restores the host's on
+/// destruction. The expected state is that of a fresh context, except where this program sets it
+/// itself. Of textures, it saves the 2D bindings of the fragment stage's units. It doesn't save
+/// what nothing here sets: current values of attributes, line width, hints, cube textures, uniform
+/// buffers.
 class HostState {
   public:
     HostState(const HostFunctions& functions, const OwnArrays& arrays);
@@ -35,7 +36,7 @@ class HostState {
     HostState(const HostState&) = delete;
     HostState& operator=(const HostState&) = delete;
 
-    unsigned error() const { return error_; } ///< the first that was there; 0: none
+    unsigned error() const { return error_; } ///< the host's first error; 0: none
 
   private:
     struct Attribute {
@@ -59,7 +60,7 @@ class HostState {
     std::vector<std::pair<unsigned, bool>> switches_; ///< glEnable()
     std::vector<std::pair<unsigned, int>> storage_;   ///< glPixelStorei()
     std::vector<Unit> units_;
-    std::vector<Attribute> attributes_; ///< where there are no vertex arrays
+    std::vector<Attribute> attributes_; ///< without vertex array objects
     int activeTexture_ = 0, program_ = 0, arrayBuffer_ = 0, elementBuffer_ = 0, renderbuffer_ = 0;
     int framebuffer_ = 0, readFramebuffer_ = 0, vertexArray_ = 0;
     int packBuffer_ = 0, unpackBuffer_ = 0;
@@ -75,8 +76,8 @@ class HostState {
     float depthClear_ = 1.0f, offsetFactor_ = 0.0f, offsetUnits_ = 0.0f;
 };
 
-/// Sets what drawing expects of a state of which nothing is known; that of vertex arrays and of
-/// bindings, but for samplers and pixel buffers, is left.
+/// Sets the state that drawing expects, whatever it was before. Leaves vertex arrays and bindings
+/// alone, except for samplers and pixel buffers.
 void setDrawingDefaults(const HostFunctions& functions);
 
 } // namespace edgeshade::gl

@@ -5,18 +5,18 @@
 
 namespace edgeshade::gl {
 
-/// Instanced drawing, which GLES 2 has only as an extension.
+/// Instanced drawing, which is only an extension in GLES 2.
 class Instancing {
   public:
-    /// Looks the entry points up: core names from ES 3.0 on, else GL_EXT_instanced_arrays,
-    /// GL_ANGLE_instanced_arrays or GL_NV_instanced_arrays with its draw call. Nothing if this
-    /// context has neither. `lookUp` maps a name to an entry point or null.
+    /// Looks up the entry points: core names from ES 3.0 on, otherwise GL_EXT_instanced_arrays,
+    /// GL_ANGLE_instanced_arrays or GL_NV_instanced_arrays with its draw call. Null if the context
+    /// has none of them. `lookUp` maps a name to an entry point or null.
     static std::optional<Instancing> find(const std::string& version, const std::string& extensions,
                                           void* (*lookUp)(const char*));
 
     void divisor(unsigned attribute, unsigned value) const { divisor_(attribute, value); }
     void drawTriangles(int vertices, int instances) const;
-    /// By the first `indices` 16-bit indices of the bound element array.
+    /// Draws by the first `indices` 16-bit indices of the bound element array.
     void drawIndexedTriangles(int indices, int instances) const;
 
   private:

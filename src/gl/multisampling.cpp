@@ -9,7 +9,7 @@
 namespace edgeshade::gl {
 namespace {
 
-// The same values in ES 3.0 and in both extensions.
+// ES 3.0 and both extensions use the same values.
 constexpr GLenum readFramebuffer = 0x8CA8;
 constexpr GLenum drawFramebuffer = 0x8CA9;
 constexpr GLenum largestSamples = 0x8D57;

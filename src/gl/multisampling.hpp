@@ -7,20 +7,20 @@
 
 namespace edgeshade::gl {
 
-/// Renderbuffers of several samples a pixel and their averaging, which GLES 2 has only as an
-/// extension: core names from ES 3.0 on, else GL_ANGLE_framebuffer_multisample or
+/// Renderbuffers with several samples a pixel, and their resolve. GLES 2 has them only as an
+/// extension: core names from ES 3.0 on, otherwise GL_ANGLE_framebuffer_multisample or
 /// GL_NV_framebuffer_multisample.
 class Multisampling {
   public:
-    /// Nothing where the GL has none.
+    /// Null if the GL has none of these.
     static std::optional<Multisampling>
     find(const std::string& version, const std::string& extensions, void* (*lookUp)(const char*));
 
-    /// Makes storage for the bound renderbuffer.
+    /// Allocates storage for the bound renderbuffer.
     void makeStorage(int samples, unsigned format, int width, int height) const {
         storage_(0x8D41 /* RENDERBUFFER */, samples, format, width, height);
     }
-    /// Averages the colours of one framebuffer into another of the same size, and leaves that
+    /// Averages the samples of one framebuffer into another of the same size, and leaves the latter
     /// bound.
     void average(Name from, Name into, int width, int height) const;
 
@@ -32,17 +32,16 @@ class Multisampling {
     Blit blit_ = nullptr;
 };
 
-/// What a framebuffer with several samples a pixel draws into: colour, and depth with an 8-bit
-/// stencil.
+/// The attachments of a multisampled framebuffer: colour, and depth with an 8-bit stencil.
 class SampledBuffers {
   public:
     SampledBuffers() = default;
-    /// Makes both and attaches them to the bound framebuffer, whose status says whether the GL can
-    /// draw so. `format`: a GL enum, of the colour.
+    /// Creates both and attaches them to the bound framebuffer, whose status says whether the GL
+    /// can draw into it. `format`: the colour's GL enum.
     SampledBuffers(const Multisampling& multisampling, int samples, unsigned format, int width,
                    int height);
 
-    int samples() const { return samples_; } ///< a pixel, as the GL has made them
+    int samples() const { return samples_; } ///< per pixel, as the GL made them
 
   private:
     Renderbuffer color_;
@@ -53,7 +52,7 @@ class SampledBuffers {
 /// A multisampled framebuffer beside the default one.
 class MultisampledFramebuffer {
   public:
-    /// Makes it and binds it for drawing. Throws Error(unavailable) if this context can't.
+    /// Creates it and binds it for drawing. Throws Error(unavailable) if this context can't.
     MultisampledFramebuffer(int width, int height, int samples, const std::string& version,
                             const std::string& extensions, void* (*lookUp)(const char*));
 

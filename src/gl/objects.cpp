@@ -27,8 +27,8 @@ void deleteRenderbuffer(Name name) {
     glDeleteRenderbuffers(1, &name);
 }
 
-/// In browsers asking whether there was an error waits for all that is being drawn: only where much
-/// memory was asked for.
+/// Bytes below which browsers don't check for lack of memory, as glGetError() waits there until all
+/// drawing is done.
 constexpr std::size_t surelyThere = inBrowser ? 4u << 20 : 0;
 
 Buffer::Buffer(Kind kind, std::span<const std::byte> bytes) : size_(bytes.size()) {

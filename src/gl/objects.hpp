@@ -1,7 +1,7 @@
 #pragma once
 
 // Thin owners of GL objects: one C++ object owns one GL object and deletes it. They need a current
-// context for their whole life and know nothing of shadows.
+// context throughout their life, and know nothing of shadows.
 
 #include "preprocess/scene/sampler.hpp"
 
@@ -12,9 +12,9 @@
 
 namespace edgeshade::gl {
 
-using Name = unsigned int; ///< a GL object's name; 0: none
+using Name = unsigned int; ///< name of a GL object; 0: none
 
-/// A name that is deleted once; `Deleter` is called with it.
+/// Owns a name and deletes it once, by `Deleter`.
 template <void (*Deleter)(Name)>
 class Owned {
   public:
@@ -73,21 +73,21 @@ Buffer vertexBuffer(std::span<const T> values) {
     return Buffer(Buffer::Kind::vertices, std::as_bytes(values));
 }
 
-/// A texture without an image yet, of which single texels are looked up, at its edges those there;
-/// left bound to the active unit's GL_TEXTURE_2D. Of any size.
+/// A texture without an image yet, sampled without filtering and clamped at its edges; of any size.
+/// Left bound to the active unit's GL_TEXTURE_2D.
 Texture nearestTexture();
 
-/// A texture of 8-bit RGBA texels, rows top to bottom, with mipmaps where its sampler takes them.
-/// Width and height must be powers of two.
+/// A texture of 8-bit RGBA texels, rows top to bottom, with mipmaps if its sampler uses them. Width
+/// and height must be powers of two.
 Texture makeTexture(std::span<const std::uint8_t> rgba, int width, int height,
                     const Sampler& sampler);
 
-/// What a GL that notices the loss of its context reports (GL_KHR_robustness, ES 3.2).
+/// The error of a GL that notices the loss of its context (GL_KHR_robustness, ES 3.2).
 inline constexpr unsigned contextLost = 0x0507;
 
-/// Throws Error(unavailable) if the GL has recorded an error; `doing` says at what.
+/// Throws Error(unavailable) if the GL has recorded an error; `doing` says what it was doing.
 void requireNoError(const char* doing);
-/// The same of an error that was asked for already.
+/// As above for an error that was already read.
 void requireNoError(unsigned error, const char* doing);
 
 } // namespace edgeshade::gl

@@ -2,8 +2,8 @@
 
 namespace edgeshade::gl {
 
-/// Whether the GL is a browser's. Asking it for state that the browser doesn't keep itself (a
-/// scissor's box, a depth range) waits for all that is being drawn.
+/// Whether the GL is a browser's. There, querying state that the browser doesn't cache (a scissor's
+/// box, a depth range) waits until all drawing is done.
 #ifdef __EMSCRIPTEN__
 inline constexpr bool inBrowser = true;
 #else

@@ -8,7 +8,7 @@
 namespace edgeshade::gl {
 namespace {
 
-/// With the GL's own words, where it has some; an error that it has recorded says more.
+/// Throws with the GL's log, if it has one; a recorded GL error takes precedence.
 [[noreturn]] void refuse(const std::string& sentence, const char* log) {
     requireNoError("making a program");
     const std::string reason = clauseOf(log);
@@ -58,7 +58,7 @@ Program::Program(const char* vertexSource, const char* fragmentSource,
     GLint uniforms = 0;
     glGetProgramiv(object_.name(), GL_ACTIVE_UNIFORMS, &uniforms);
     for (GLint i = 0; i < uniforms; ++i) {
-        char name[256] = ""; // GLSL ES 1.00 has none longer
+        char name[256] = ""; // the longest identifier that GLSL ES 1.00 allows
         GLint size = 0;
         GLenum type = 0;
         glGetActiveUniform(object_.name(), static_cast<GLuint>(i), sizeof name, nullptr, &size,

@@ -10,23 +10,23 @@
 
 namespace edgeshade::gl {
 
-/// A linked program of one vertex and one fragment stage, GLSL ES 1.00.
+/// A linked program with a vertex and a fragment stage in GLSL ES 1.00.
 class Program {
   public:
-    /// Compiles and links. `defines` are put in front of both stages, "NAME" or "NAME VALUE".
-    /// Attributes get the locations of their order in `attributes`; those that a variant doesn't
-    /// declare are skipped. Throws Error(unavailable) with the GL's log.
+    /// Compiles and links. `defines` are prepended to both stages, "NAME" or "NAME VALUE".
+    /// Attributes get their index in `attributes` as location; a variant may lack some of them.
+    /// Throws Error(unavailable) with the GL's log.
     Program(const char* vertexSource, const char* fragmentSource,
             const std::vector<std::string>& defines, const std::vector<std::string>& attributes);
 
     void use() const;
 
-    // Setting a uniform that the variant doesn't have does nothing. The program must be in use.
+    // Sets a uniform; does nothing if the variant lacks it. The program must be in use.
     void set(const char* uniform, float value) const;
     void set(const char* uniform, const glm::vec2& value) const;
     void set(const char* uniform, const glm::vec3& value) const;
     void set(const char* uniform, const glm::vec4& value) const;
-    /// Of an array; `uniform` ends with "[0]".
+    /// Sets an array; `uniform` ends with "[0]".
     void set(const char* uniform, std::span<const glm::vec3> values) const;
     void set(const char* uniform, std::span<const glm::vec4> values) const;
     void set(const char* uniform, const glm::mat3& value) const;
@@ -37,7 +37,7 @@ class Program {
     int location(const char* uniform) const;
 
     ProgramObject object_;
-    std::map<std::string, int, std::less<>> locations_; ///< of the uniforms that it has
+    std::map<std::string, int, std::less<>> locations_; ///< of the uniforms it has
 };
 
 } // namespace edgeshade::gl

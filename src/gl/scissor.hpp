@@ -4,11 +4,11 @@
 
 namespace edgeshade::gl {
 
-/// What the scissor lets through of a framebuffer of this size.
+/// The rectangle of a framebuffer of this size that the scissor lets through.
 PixelRectangle scissored(int width, int height);
 
-/// Draws within a rectangle alone, for as long as it lives; then the scissor is as before, but in
-/// browsers for its box where it is off.
+/// Restricts drawing to a rectangle for its lifetime, then restores the scissor. In browsers it
+/// doesn't restore the box of a scissor that was off.
 class ScissorScope {
   public:
     explicit ScissorScope(const PixelRectangle& rectangle);
@@ -17,7 +17,7 @@ class ScissorScope {
     ScissorScope& operator=(const ScissorScope&) = delete;
 
   private:
-    int box_[4] = {}; ///< in browsers where it was on
+    int box_[4] = {}; ///< in browsers saved only if the scissor was on
     bool enabled_;
 };
 

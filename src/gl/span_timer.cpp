@@ -20,7 +20,7 @@ SpanTimer::SpanTimer(Timing timing, const Capabilities& capabilities)
     if (timing == Timing::query && !queries_)
         throw Error(ExitStatus::unavailable,
                     "This GL has no timer queries (GL_EXT_disjoint_timer_query).");
-    if (queries_) queries_->wasDisturbed(); // from here on
+    if (queries_) queries_->wasDisturbed(); // resets the flag: disturbances count from here on
 }
 
 SpanTimer::~SpanTimer() {

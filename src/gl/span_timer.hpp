@@ -7,19 +7,19 @@
 
 namespace edgeshade::gl {
 
-/// How the GL's work is timed.
+/// How GL work is timed.
 enum class Timing {
     query,     ///< by the GPU's clock, GL_EXT_disjoint_timer_query
     finish,    ///< by the wall clock, waiting (glFinish) before and after
-    processor, ///< waiting too, but by this process's time on all cores: the work of a software GL,
-               ///< whatever else the machine does; says nothing about a GPU
+    processor, ///< waits too, but measures this process's CPU time on all cores: the work of a
+               ///< software GL, whatever else the machine does; says nothing about a GPU
 };
 
-/// Queries where the context has them and they tell all; else waiting. The timer queries of Mesa's
-/// software renderers leave out the vertex work, which is done before commands reach the queries.
+/// Queries if the context has them and they cover all work, otherwise waiting. Timer queries of
+/// Mesa's software renderers omit the vertex work, which is done before commands reach the queries.
 Timing bestTiming(const Capabilities& capabilities);
 
-/// Times spans of GL commands, one at a time. Queries are not waited for: a span is there some
+/// Times spans of GL commands, one at a time. It doesn't wait for queries: a span is available some
 /// frames later, in a browser after returning to the event loop.
 ///
 ///     timer.begin(label); ...; timer.end();
@@ -29,10 +29,10 @@ class SpanTimer {
     struct Span {
         int label = 0;
         double milliseconds = 0.0;
-        bool disturbed = false; ///< the time means nothing
+        bool disturbed = false; ///< the time is meaningless
     };
 
-    /// Throws Error(unavailable) for queries where there are none.
+    /// Throws Error(unavailable) if `timing` needs queries and there are none.
     SpanTimer(Timing timing, const Capabilities& capabilities);
     ~SpanTimer();
     SpanTimer(const SpanTimer&) = delete;
@@ -43,9 +43,9 @@ class SpanTimer {
     void begin(int label);
     void end();
 
-    /// The spans that are complete, in their order, each once.
+    /// Returns each complete span once, in order.
     std::vector<Span> take() { return take(false); }
-    /// Waits for all that were ended. Not in browsers.
+    /// Waits for all spans that have ended. Not in browsers.
     std::vector<Span> takeAll() { return take(true); }
 
   private:
@@ -58,10 +58,10 @@ class SpanTimer {
 
     Timing timing_;
     std::optional<TimerQueries> queries_;
-    std::vector<Name> free_;      ///< queries that can be used again
-    std::deque<Pending> pending_; ///< in their order
-    std::vector<Span> complete_;  ///< of waiting
-    int label_ = 0;               ///< of the span that runs
+    std::vector<Name> free_;      ///< queries ready for reuse
+    std::deque<Pending> pending_; ///< in order
+    std::vector<Span> complete_;  ///< when timing by waiting
+    int label_ = 0;               ///< of the running span
     double now() const;
     double start_ = 0.0; ///< milliseconds
 };

@@ -8,11 +8,11 @@
 
 namespace edgeshade::gl {
 
-/// The entry points of GL_EXT_disjoint_timer_query: how long the GPU takes for commands.
+/// Entry points of GL_EXT_disjoint_timer_query, which measures GPU time of commands.
 class TimerQueries {
   public:
-    /// Nothing where the context has no such extension, or counts no bits of time. `lookUp` maps a
-    /// name to an entry point or null.
+    /// Null if the context lacks the extension or has a timer of zero bits. `lookUp` maps a name to
+    /// an entry point or null.
     static std::optional<TimerQueries> find(const std::string& extensions,
                                             void* (*lookUp)(const char*));
 
@@ -21,10 +21,10 @@ class TimerQueries {
     void begin(Name query) const; ///< one at a time
     void end() const;
     bool isReady(Name query) const;
-    std::uint64_t nanoseconds(Name query) const; ///< waits until it is ready
+    std::uint64_t nanoseconds(Name query) const; ///< waits for the result
 
-    /// Whether the GPU was disturbed since the last call, by a change of its clock, say, so that
-    /// queries of that time mean nothing.
+    /// Whether the GPU was disturbed since the last call, for instance by a clock change; queries
+    /// from that time are meaningless.
     bool wasDisturbed() const;
 
   private:

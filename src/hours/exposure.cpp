@@ -6,7 +6,7 @@
 namespace edgeshade::hours {
 namespace {
 
-/// Adds up pixels, one after the other, so that sums are the same wherever they are made.
+/// Sums pixels one after the other, so that results are the same everywhere.
 class Sum {
   public:
     Sum(std::chrono::minutes step, std::optional<double> threshold)

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Where a value of one part differs from that of the first; never returns.
+/// Throws, as a part's value differs from the first part's.
 [[noreturn]] void failDiffering(const PartOfFile& part, const PartOfFile& first,
                                 const std::string& field, const std::string& value,
                                 const std::string& firstValue) {
@@ -69,7 +69,7 @@ void requireOneRun(const PartOfFile& part, const PartOfFile& first) {
     requireSamePixels(part, first, "node", a.exposure.node, b.exposure.node);
 }
 
-/// By number: which of the files it is.
+/// The files in the order of their part numbers.
 std::vector<const PartOfFile*> inOrder(const std::vector<PartOfFile>& parts) {
     std::vector<const PartOfFile*> byNumber(parts.front().part.of, nullptr);
     for (const PartOfFile& part : parts) {

@@ -4,15 +4,14 @@
 
 namespace edgeshade::hours {
 
-/// A part and the file that it came from, for messages.
+/// A part and its file's path, for messages.
 struct PartOfFile {
     std::string path;
     Part part;
 };
 
-/// The whole run's part, which is what the run would have found that had not been split. In any
-/// order. Throws InputError that names file, field and value: parts of different runs, a part
-/// twice, one missing.
+/// The whole run's part, as if the run had not been split. `parts`: in any order. Throws InputError
+/// naming file, field and value: parts of different runs, a repeated part, a missing one.
 Part merged(const std::vector<PartOfFile>& parts);
 
 } // namespace edgeshade::hours

@@ -11,38 +11,39 @@
 
 namespace edgeshade::hours {
 
-/// A point in the world that is asked for its sun.
+/// A point in the world whose sunlight is measured.
 struct ProbePoint {
     glm::dvec3 point{0.0};
-    std::optional<glm::dvec3> normal; ///< not 0; nothing: it faces everywhere
+    std::optional<glm::dvec3> normal; ///< not 0; null: the point has no facing
 };
 
-/// And what it sees.
+/// A point and its result.
 struct Probe : ProbePoint {
-    std::vector<bool> lit; ///< of each position of its part
+    std::vector<bool> lit; ///< one per position of its part
 };
 
-/// What was found of some of a run's sun positions; a whole run is part 1 of 1. It holds all that
-/// pictures and reports are made of, so that they come out the same from a whole run and from
-/// merged parts.
+/// Results for some of a run's sun positions; a whole run is part 1 of 1. It holds everything that
+/// pictures and reports are made from. They are therefore the same from a whole run and from merged
+/// parts.
 struct Part {
     std::size_t number = 1, of = 1; ///< 1 <= number <= of
-    /// As reports have them: what was asked for. Those that HoursSettings reads are there.
+    /// The settings requested, as in reports. Includes those that HoursSettings reads.
     nlohmann::ordered_json settings;
-    nlohmann::ordered_json camera; ///< likewise
-    std::string scene;             ///< a hash of all that casts or is seen, 16 digits
+    nlohmann::ordered_json camera; ///< the camera requested, as in reports
+    std::string scene;             ///< a hash of all casters and visible surfaces, 16 digits
     std::vector<std::string> warnings;
     std::size_t positionsOfRun = 0;  ///< at most mostPositions
-    std::vector<Position> positions; ///< every of-th of the run's, in order; see countOfPart()
-    std::chrono::minutes offset{0};  ///< the clock's
+    std::vector<Position> positions; ///< every of-th position of the run, in order; see
+                                     ///< countOfPart()
+    std::chrono::minutes offset{0};  ///< offset of the clock
     Exposure exposure;
     std::vector<Probe> probes;
-    /// Names in the file by index, of what the exposure shows.
+    /// Names of the exposure's materials and nodes, by index in the file.
     std::map<std::uint32_t, std::string> materials, nodes;
 };
 
-/// How many of so many positions are the part's: numbers number - 1, number - 1 + of, and so on,
-/// from 0. A day's positions, which cost unlike much, are spread evenly then.
+/// The number of a part's positions, of `positions`: those with index number - 1, number - 1 + of,
+/// and so on, from 0. This spreads a day's positions, which differ in cost, evenly over the parts.
 std::size_t countOfPart(std::size_t positions, std::size_t number, std::size_t of);
 
 } // namespace edgeshade::hours

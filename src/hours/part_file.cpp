@@ -29,7 +29,7 @@ T bitsOf(T value) {
     return value;
 }
 
-/// As a data URI.
+/// The pixels as a data URI.
 template <class T>
 std::string packed(const std::vector<T>& pixels) {
     Bytes bytes;
@@ -108,7 +108,7 @@ Position positionOf(const JsonField& field, std::chrono::minutes offset) {
     return position;
 }
 
-/// `positions`: how many the part has.
+/// `positions`: number of the part's positions.
 Probe probeOf(const JsonField& field, std::size_t positions) {
     Probe probe;
     probe.point = vectorOf(field.member("point"));

@@ -7,8 +7,8 @@
 
 namespace edgeshade::hours {
 
-/// A part as a file: JSON, whose arrays of pixels are data URIs of zlib streams, little-endian.
-/// Version 1. Same part, same bytes. Throws Error(unavailable) for more than 2^28 pixels.
+/// A part's file: JSON, with arrays of pixels as data URIs of zlib streams, little-endian. Version
+/// 1. The same part gives the same bytes. Throws Error(unavailable) for more than 2^28 pixels.
 ///
 ///     {"edgeshade_sunhours_part": 1, "part": K, "parts": N, "scene": "16 hex digits",
 ///      "settings": {...}, "camera": {...}, "warnings": [...], "positions_of_run": P,
@@ -18,11 +18,11 @@ namespace edgeshade::hours {
 ///      "pixels": {"lit" 16 bits, "surface" 8, "area" float, "material" 32, "node" 32}}
 std::string textOf(const Part& part);
 
-/// The part in a file. Safe on untrusted input. Throws InputError that names file, field and value
-/// for whatever is wrong with it: after it all of Part's rules hold.
+/// Reads a part from a file. Safe on untrusted input. Throws InputError naming file, field and
+/// value for every error: the result satisfies all of Part's rules.
 Part partFrom(const std::filesystem::path& path);
 
-/// A position as parts and reports have it.
+/// A position in the format of parts and reports.
 nlohmann::ordered_json jsonOf(const Position& position, std::chrono::minutes offset);
 
 } // namespace edgeshade::hours

@@ -15,9 +15,9 @@ struct Position {
     glm::dvec3 direction{0.0};            ///< towards the sun in the scene, of length 1
 };
 
-/// Of the intervals of one step from `from` to `to` those in whose middle the sun is above an
-/// altitude (degrees, refracted), in order of time. `step`: at least a minute; `north`: as
-/// sun::towardsSun() has it.
+/// Divides `from` to `to` into intervals of one step, and returns those in whose middle the sun is
+/// above `minAltitude` (degrees, refracted), in order of time. `step`: at least a minute; `north`:
+/// as for sun::towardsSun().
 std::vector<Position> positionsBetween(const sun::Place& place, sun::Instant from, sun::Instant to,
                                        std::chrono::minutes step, double minAltitude, double north);
 

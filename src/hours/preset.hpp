@@ -8,24 +8,23 @@
 
 namespace edgeshade::hours {
 
-/// A recommendation of sunlight, by the name that --preset has for it.
+/// A recommendation of sunlight, by its name in --preset.
 struct Preset {
     std::string_view name;
-    std::string_view source;                ///< what recommends it
-    double threshold = 0.0;                 ///< hours on the day
-    bool ofHalfTheArea = false;             ///< half of the area must have as much
-    std::chrono::month_day first{}, last{}; ///< days of the year that it is for; the last is taken
-                                            ///< where nobody says when
+    std::string_view source;                ///< of the recommendation
+    double threshold = 0.0;                 ///< hours per day
+    bool ofHalfTheArea = false;             ///< half of the area must reach the threshold
+    std::chrono::month_day first{}, last{}; ///< days of the year it applies to; the last is the
+                                            ///< default
 };
 
-/// The year of a preset's day where no date was typed: a fixed one, so that the same words give
-/// the same picture in any year. From year to year the sun there
-/// differs by less than half a degree.
+/// The year of a preset's default day. It is fixed, so that the same command gives the same picture
+/// in any year. From year to year the sun then differs by less than half a degree.
 inline constexpr std::chrono::year presetYear{2026};
 
 std::span<const Preset> presets();
 
-/// Null where there is none of that name.
+/// Null if there is none of that name.
 const Preset* findPreset(std::string_view name);
 
 } // namespace edgeshade::hours

@@ -33,7 +33,7 @@ Json groupsJson(const Part& whole, const HoursSettings& settings,
     return json;
 }
 
-/// In bins of an hour a day.
+/// The histogram, in bins of one hour a day.
 Json histogramJson(const Part& whole, const HoursSettings& settings, double area) {
     const auto width = static_cast<double>(settings.days);
     const double possible = possibleHours(whole, settings);

@@ -23,7 +23,7 @@ void require(const Schedule& schedule) {
         throw Error(ExitStatus::usage,
                     "--step: " + std::to_string(schedule.step.count()) + " does not divide the " +
                         std::to_string(length.count()) + " minutes of a day that --hours leaves.");
-    // Years of minutes are refused before they are worked out. The sun is up half of the time.
+    // Refuses years of minutes before computing them. The sun is up half of the time.
     constexpr std::size_t mostIntervals = 4 * mostPositions;
     if (schedule.days() * static_cast<std::size_t>(length / schedule.step) > mostIntervals)
         throw Error(ExitStatus::usage,

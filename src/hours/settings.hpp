@@ -9,19 +9,19 @@
 
 namespace edgeshade::hours {
 
-/// What of a run's settings pictures and reports are made by.
+/// The settings of a run that pictures and reports need.
 struct HoursSettings {
-    std::string file;              ///< the scene's, without folders
+    std::string file;              ///< the scene's name, without folders
     std::string from, to;          ///< dates
     std::size_t days = 1;          ///< 1 to 100,000
     std::chrono::minutes step{10}; ///< 1 to 1440
     std::chrono::minutes offset{0};
     double latitude = 0.0, longitude = 0.0;
-    std::optional<double> threshold; ///< hours a day, 0 or more
+    std::optional<double> threshold; ///< hours per day, 0 or more
     const Preset* preset = nullptr;  ///< null: none
 };
 
-/// Out of a run's settings as JSON. Throws InputError where one is missing or can't be.
+/// Reads a run's settings from JSON. Throws InputError if one is missing or invalid.
 HoursSettings hoursSettings(const JsonField& settings);
 
 } // namespace edgeshade::hours

@@ -4,8 +4,8 @@
 
 namespace edgeshade {
 
-/// For its lifetime and in this thread, stb_image gets no piece of memory larger than `bytes`. It
-/// takes what a file claims, and what inflates, for granted.
+/// For its lifetime and in this thread, limits each of stb_image's allocations to `bytes`.
+/// stb_image trusts a file's sizes, and doesn't bound what it inflates.
 class AllocationBound {
   public:
     explicit AllocationBound(std::size_t bytes);

@@ -17,12 +17,12 @@ namespace edgeshade {
 
 namespace {
 
-/// PNG or JPEG.
+/// Decodes PNG or JPEG.
 Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
                   MemoryBudget& memory) {
     constexpr int largest = 16384;
-    // What a byte can stand for: deflate 1,032 others, each up to 8 pixels of PNG; JPEG a bit for
-    // a block of 64 pixels.
+    // The most that a byte can stand for: deflate, 1,032 bytes of up to 8 pixels each in PNG; JPEG,
+    // one bit for a block of 64 pixels.
     constexpr std::uint64_t mostPixelsPerByte = 8 * 1032;
     if (const auto codes = oversizedHuffmanTable(bytes))
         throw InputError(name + " has a Huffman table of " + std::to_string(*codes) +
@@ -41,7 +41,7 @@ Image decodeByStb(std::span<const std::uint8_t> bytes, const std::string& name,
         throw InputError(said + ", which can't come from " + std::to_string(bytes.size()) +
                          " bytes.");
     countPixels(width, height, name, memory);
-    // Twice its bytes; 16 bits a channel, twice; and some for what is small.
+    // Twice the file's bytes, twice 16 bits a channel, and a margin for small images.
     const AllocationBound bound(2 * bytes.size() + static_cast<std::size_t>(16 * pixelCount) +
                                 (std::size_t{1} << 20));
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(

@@ -7,7 +7,7 @@ std::string sizeText(int width, int height) {
 }
 
 void countPixels(int width, int height, const std::string& name, MemoryBudget& memory) {
-    constexpr std::uint64_t bytesPerPixel = 12; // decoded, as RGBA, and the copy that is returned
+    constexpr std::uint64_t bytesPerPixel = 12; // decoded, as RGBA, and the returned copy
     memory.take(std::uint64_t(width) * static_cast<std::uint64_t>(height), bytesPerPixel,
                 name + " has " + sizeText(width, height) + ", which");
 }

@@ -18,7 +18,7 @@ struct Image {
 /// "640x480 pixels".
 std::string sizeText(int width, int height);
 
-/// Counts what decoding so many pixels takes. Throws LimitError.
+/// Counts the memory of decoding this many pixels. Throws LimitError.
 void countPixels(int width, int height, const std::string& name, MemoryBudget& memory);
 
 } // namespace edgeshade

@@ -8,7 +8,7 @@
 namespace edgeshade {
 namespace {
 
-/// Materials of the scene's surfaces.
+/// Materials that the scene's surfaces use.
 std::set<std::size_t> usedMaterials(const Scene& scene) {
     std::set<std::size_t> used;
     for (const Batch& batch : scene.batches)

@@ -9,8 +9,8 @@
 
 namespace edgeshade {
 
-/// Decides which images a scene is drawn with: of each texture that its surfaces sample the best
-/// one that can be decoded. Others of the file are never asked for.
+/// Chooses the images that a scene is drawn with: for each texture that its surfaces sample, the
+/// best image that can be decoded. Other images of the file are never decoded.
 ///
 ///     ImageChoice choice(document, scene);
 ///     for (auto wanted = choice.wanted(); !wanted.empty(); wanted = choice.wanted())
@@ -19,26 +19,27 @@ namespace edgeshade {
 ///     images = choice.finish();
 class ImageChoice {
   public:
-    /// The scene, which gets the warnings, must outlive this. Safe on untrusted input.
+    /// The scene gets the warnings, and must outlive this. Safe on untrusted input.
     ImageChoice(const GltfDocument& document, Scene& scene);
 
-    /// Images to decode next, each once; none: all is decided.
+    /// Images to decode next, each once; empty when all are decided.
     std::vector<int> wanted() const;
 
-    /// Takes a wanted one as `decode` gives it; null: it can be decoded, but nobody here needs its
-    /// pixels. Where that throws an InputError, it is left out with a warning. Throws LimitError.
+    /// Decodes a wanted image by `decode`, which returns null if the image can be decoded but its
+    /// pixels aren't needed here. If it throws InputError, the image is left out with a warning.
+    /// Throws LimitError.
     void decide(int image, const std::function<std::shared_ptr<const Image>()>& decode);
 
-    /// Sets the materials' images. Returns those whose pixels were taken.
+    /// Sets the materials' images. Returns those with pixels.
     SceneImages finish();
 
   private:
     Scene& scene_;
-    std::map<int, std::vector<int>> sources_; ///< by texture, those not refused, best first
+    std::map<int, std::vector<int>> sources_; ///< by texture: images not refused, best first
     SceneImages taken_;
 };
 
-/// Reads and decodes them all. Throws LimitError where they pass what the document may still take.
+/// Reads and decodes all images. Throws LimitError beyond the document's remaining limits.
 SceneImages decodeImages(const GltfDocument& document, Scene& scene);
 
 } // namespace edgeshade

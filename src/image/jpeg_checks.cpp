@@ -11,13 +11,14 @@ constexpr int mostCodes = 256;
 constexpr std::uint8_t startOfImage = 0xD8, endOfImage = 0xD9, startOfScan = 0xDA,
                        huffmanTables = 0xC4;
 
-/// The codes of the first table with too many in the segment that begins, with its length, at `at`.
+/// The number of codes of the first oversized table in the segment at `at`, where its length is
+/// stored.
 std::optional<int> oversizedIn(std::span<const std::uint8_t> bytes, std::size_t at) {
     if (at + 2 > bytes.size()) return std::nullopt;
     const std::size_t length = bytes[at] << 8 | bytes[at + 1];
     std::span<const std::uint8_t> rest = bytes.subspan(at + 2);
     for (std::size_t used = 2; used < length && !rest.empty();) {
-        // A decoder takes zeros for what is behind the end.
+        // Decoders read zeros beyond the end.
         const auto counts = rest.subspan(1, std::min<std::size_t>(16, rest.size() - 1));
         const int codes = std::accumulate(counts.begin(), counts.end(), 0);
         if (codes > mostCodes) return codes;
@@ -32,7 +33,7 @@ std::optional<int> oversizedIn(std::span<const std::uint8_t> bytes, std::size_t 
 } // namespace
 
 std::optional<int> oversizedHuffmanTable(std::span<const std::uint8_t> bytes) {
-    // The way that stb_image takes, from marker to marker.
+    // Goes from marker to marker as stb_image does.
     bool started = false, scanning = false;
     for (std::size_t at = 0; at + 1 < bytes.size();) {
         const std::uint8_t marker = bytes[at + 1];

@@ -13,7 +13,7 @@ void appendBigEndian(Bytes& bytes, std::uint32_t value) {
         bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-/// PNG (third edition), annex D.
+/// CRC of PNG (third edition), annex D.
 std::uint32_t crcOf(std::span<const std::uint8_t> bytes) {
     std::uint32_t crc = 0xFFFFFFFF;
     for (const std::uint8_t byte : bytes) {

@@ -11,10 +11,10 @@
 namespace edgeshade {
 namespace {
 
-/// Narrower rows are never run-length encoded channel by channel.
+/// Width from which rows may be run-length encoded channel by channel.
 constexpr int leastEncodedWidth = 8;
 
-/// A decimal number at the start of `text`, which loses it; -1 if there is none.
+/// Removes a decimal number from the start of `text` and returns it; -1 if there is none.
 int takeNumber(std::string_view& text) {
     int number = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -116,7 +116,7 @@ void RadianceFile::readEncodedRow() {
 }
 
 void RadianceFile::readFlatRow() {
-    int digits = 0; // of a run's length, 8 bits each, the lowest first
+    int digits = 0; // digits of a run's length, 8 bits each, lowest first
     for (std::size_t x = 0; x < stored_.size();) {
         Rgbe pixel;
         for (int channel = 0; channel < 4; ++channel)
@@ -126,7 +126,7 @@ void RadianceFile::readFlatRow() {
             digits = 0;
             continue;
         }
-        // The old encoding: (1, 1, 1, n) repeats the pixel before it.
+        // The old encoding: (1, 1, 1, n) repeats the previous pixel.
         const std::size_t count = digits < 4 ? std::size_t{pixel[3]} << (8 * digits) : 0;
         if (x == 0 || digits == 4 || count > stored_.size() - x)
             refuse("has a run in row " + std::to_string(rowsRead_) +

@@ -11,8 +11,8 @@
 namespace edgeshade {
 
 /// Reads a Radiance picture (.hdr; RGBE, flat or run-length encoded), row by row from the top. Safe
-/// on untrusted input: keeps one row, and takes no more time than its bytes warrant. stb_image, up
-/// to 2.27, never ends on some that are cut off. XYZE, and pictures whose rows don't go from the
+/// on untrusted input: it keeps one row, and its time is bounded by the file's bytes. stb_image, up
+/// to 2.27, never ends on some truncated files. XYZE, and pictures whose rows don't start at the
 /// top left, are refused. EXPOSURE and COLORCORR are not applied.
 class RadianceFile {
   public:
@@ -24,8 +24,8 @@ class RadianceFile {
     int width() const { return width_; }
     int height() const { return height_; }
 
-    /// The next row, linear RGB, finite and 0 or more; until the next call. At most height() times.
-    /// Throws InputError.
+    /// The next row, linear RGB, finite and 0 or more; valid until the next call. May be called
+    /// height() times. Throws InputError.
     std::span<const glm::vec3> readRow();
 
   private:
@@ -40,7 +40,7 @@ class RadianceFile {
     void readEncodedRow();
     void readFlatRow();
 
-    std::span<const std::uint8_t> rest_; ///< what is not read yet
+    std::span<const std::uint8_t> rest_; ///< not read yet
     std::string name_;
     int width_ = 0, height_ = 0;
     int rowsRead_ = 0;

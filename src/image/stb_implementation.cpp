@@ -1,4 +1,4 @@
-// stb's image libraries, compiled once. Reading takes its memory through an AllocationBound.
+// stb's image libraries, compiled once. Reading allocates memory through an AllocationBound.
 #include "src/image/allocation_bound.hpp"
 
 #include <cstdlib>
@@ -7,9 +7,9 @@
 namespace {
 
 constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
-thread_local std::size_t largestPiece = unbounded; // stb_image has no other way to tell it
+thread_local std::size_t largestPiece = unbounded; // stb_image offers no other way to pass it
 
-/// Zeros: stb_image before 2.28 looks codes up in Huffman tables that a JPEG never defined.
+/// Zeroed, as stb_image before 2.28 looks up codes in Huffman tables that a JPEG never defined.
 void* boundedCalloc(std::size_t size) {
     return size > largestPiece ? nullptr : std::calloc(1, size);
 }

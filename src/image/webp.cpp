@@ -10,7 +10,7 @@
 namespace edgeshade {
 
 void requireStillWebp(std::span<const std::uint8_t> bytes, const std::string& name) {
-    // The flags of an extended file's header (WebP container specification).
+    // Layout of an extended file's header (WebP container specification).
     constexpr std::size_t firstChunk = 12, flags = firstChunk + 8;
     constexpr std::uint8_t isAnimated = 0x02;
     const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

@@ -8,12 +8,12 @@
 
 namespace edgeshade {
 
-/// Refuses animations, of which no picture is the one to draw. `name` is for messages. Throws
+/// Refuses animations, which have no single picture to draw. `name` is for messages. Throws
 /// InputError.
 void requireStillWebp(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Decodes WebP, alpha not multiplied in, as decodeImage() does. Where the program was built
-/// without libwebp, every picture is refused. Safe on untrusted input. Throws InputError.
+/// Decodes WebP like decodeImage(), with straight alpha. A program built without libwebp refuses
+/// every image. Safe on untrusted input. Throws InputError.
 Image decodeWebp(std::span<const std::uint8_t> bytes, const std::string& name,
                  MemoryBudget& memory);
 

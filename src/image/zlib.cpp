@@ -7,14 +7,14 @@
 #include <stb_image.h>
 #include <stb_image_write.h>
 
-// Of stb_image_write.h, which has it outside of its declarations.
+// Defined in stb_image_write.h but not among its declarations.
 extern "C" unsigned char* stbi_zlib_compress(unsigned char* data, int size, int* compressedSize,
                                              int quality);
 
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t most = std::size_t{1} << 30; // stb counts by int
+constexpr std::size_t most = std::size_t{1} << 30; // stb counts in int
 
 } // namespace
 
@@ -33,7 +33,7 @@ Bytes deflated(std::span<const std::uint8_t> bytes) {
 
 std::optional<Bytes> inflated(std::span<const std::uint8_t> stream, std::size_t size) {
     if (size > most || stream.size() > most) return std::nullopt;
-    Bytes bytes(size + 1); // one more, to see what is too long
+    Bytes bytes(size + 1); // one more, to notice a stream that is too long
     const int found = stbi_zlib_decode_buffer(
         reinterpret_cast<char*>(bytes.data()), static_cast<int>(bytes.size()),
         reinterpret_cast<const char*>(stream.data()), static_cast<int>(stream.size()));

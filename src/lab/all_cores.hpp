@@ -7,7 +7,7 @@
 
 namespace edgeshade::lab {
 
-/// Calls work(index) for indices 0 to count - 1 on all cores, the caller's thread among them.
+/// Calls work(index) for indices 0 to count - 1 on all cores, including the caller's thread.
 template <class Work>
 void onAllCores(std::size_t count, Work work) {
     std::atomic<std::size_t> next{0};

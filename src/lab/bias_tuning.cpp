@@ -8,7 +8,7 @@
 namespace edgeshade::lab {
 namespace {
 
-/// Texels. Filtered maps, which know how steep what they show is, do with less.
+/// Biases to try, in texels. Filtered maps know the slope of their surfaces, and need less.
 std::vector<float> mapBiases(const ShadowMapSettings& map) {
     std::vector<float> biases = {0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 4.0f, 6.0f};
     if (isFiltered(map)) biases.insert(biases.begin(), {0.0f, 0.25f});
@@ -17,7 +17,7 @@ std::vector<float> mapBiases(const ShadowMapSettings& map) {
 constexpr std::size_t tuningViews = 3;
 constexpr double tuningPixels = 480.0 * 270.0; // of a small picture, at most
 
-/// A bias with what was wrong by it so far.
+/// A bias, and the wrong pixels with it so far.
 struct Trial {
     float bias = 0.0f;
     std::size_t wrong = 0;
@@ -25,7 +25,7 @@ struct Trial {
 
 } // namespace
 
-/// The bias with the fewest wrong pixels over the first views.
+/// Returns the bias with the fewest wrong pixels over the first views.
 float tunedBias(Jury& jury, const CompareTask& task, Renderer& renderer,
                 const Contender& contender) {
     const std::vector<float> biases = mapBiases(contender.settings.map);

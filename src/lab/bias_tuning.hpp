@@ -4,7 +4,7 @@
 
 namespace edgeshade::lab {
 
-/// The bias with the fewest wrong pixels over the first views, each in full.
+/// The bias with the fewest wrong pixels over the first views, at full size.
 float tunedBias(Jury& jury, const CompareTask& task, Renderer& renderer,
                 const Contender& contender);
 
@@ -12,12 +12,13 @@ float tunedBias(Jury& jury, const CompareTask& task, Renderer& renderer,
 struct Tuned {
     const Contender* contender = nullptr;
     Renderer* renderer = nullptr;
-    float bias = 0.0f; ///< found, texels
+    float bias = 0.0f; ///< the bias found, in texels
 };
 
-/// The biases of several contenders at once, far quicker: over the first views, which are drawn
-/// small and traced once for all of them, the better half of what is left after each. How many
-/// texels suit a map hardly depends on the size of the picture. `goesOn`: asked after each view.
+/// Finds the biases of several contenders at once, which is far quicker. The first views are drawn
+/// small and traced once for all. After each view the better half of the remaining biases is kept.
+/// The texels that suit a map hardly depend on the picture's size. `goesOn` is called after each
+/// view, and returns whether to continue.
 void tuneBiases(Jury& jury, const CompareTask& task, std::vector<Tuned>& contenders,
                 const std::function<bool()>& goesOn);
 

@@ -29,7 +29,7 @@ LitCounts drawn(Studio& studio, Renderer& renderer, const LoadedScene& loaded,
     return counter.read();
 }
 
-/// A soft map's mask as counts: the share that it says is lit, of so many points.
+/// A soft map's mask as counts of `points` points: the lit share of them.
 LitCounts shares(Studio& studio, Renderer& renderer, const LoadedScene& loaded, FrameView frame,
                  std::size_t points) {
     frame.mask = true;

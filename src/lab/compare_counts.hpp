@@ -6,19 +6,19 @@
 
 namespace edgeshade::lab {
 
-/// What comparing one contender's counts of a light's points found.
+/// Result of comparing one contender's counts of a light's points.
 struct CountResult {
     std::string name;
-    RenderSettings settings; ///< with the layout that was used
+    RenderSettings settings; ///< with the layout in use
     WrongSums sums;
-    std::vector<LightMethod> lights; ///< of the last view
+    std::vector<LightMethod> lights; ///< in the last view
     std::vector<WrongSums> byView;
 };
 
-/// Like compareAll(), of lights with an extent: counts, for every view and contender, how many of
-/// its points reach each pixel, and what of that is wrong. Of several lights of a view the first
-/// one counts, which must have an extent. Of a contender that counts no points but filters a soft
-/// map, the share that is lit stands for as many points as it would count, rounded. Throws Error.
+/// As compareAll(), for lights with an extent: counts for every view and contender how many of the
+/// light's points reach each pixel, and the errors. Of a view's lights the first one is used, which
+/// must have an extent. A contender that filters a soft map instead of counting points is compared
+/// by its lit share of as many points, rounded. Throws Error.
 std::vector<CountResult>
 compareCounts(const LoadedScene& loaded, const CompareTask& task,
               const std::function<void(double, const std::string&)>& progress);

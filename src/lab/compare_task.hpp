@@ -9,24 +9,25 @@
 
 namespace edgeshade::lab {
 
-/// One way of drawing that is compared.
+/// A way of drawing to compare.
 struct Contender {
     std::string name;
     RenderSettings settings;
-    std::optional<SidesLayout> layout; ///< nothing: the best that the GL has
-    std::optional<int> depthSlices;    ///< nothing: as many as pay
+    std::optional<SidesLayout> layout; ///< null: the GL's best
+    std::optional<int> depthSlices;    ///< null: as many as pay
     bool tuneMapBias = false; ///< maps: try several biases on the first views, keep the best
-    std::shared_ptr<const LoadedScene> scene; ///< with other casters; null: compareAll()'s own
+    std::shared_ptr<const LoadedScene> scene; ///< a scene with other casters; null: compareAll()'s
+                                              ///< scene
 };
 
-/// What is compared.
+/// A comparison.
 struct CompareTask {
     std::vector<LabView> views;
     int width = 1920;
     int height = 1080;
     gl::Limits limits = gl::Limits::device;
-    std::optional<double> near; ///< nothing: fitted to each view
-    std::vector<Light> lights;  ///< used in every view instead of its own; may be empty
+    std::optional<double> near; ///< null: fitted to each view
+    std::vector<Light> lights;  ///< replace every view's own lights; may be empty
     std::vector<Contender> contenders;
 };
 

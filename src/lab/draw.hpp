@@ -8,7 +8,7 @@
 
 namespace edgeshade::lab {
 
-/// Numbers that are the same on every platform: the library's distributions are not.
+/// Random numbers that are the same on every platform, unlike the standard library's distributions.
 class Draw {
   public:
     double unit() { return static_cast<double>(random_()) / 4294967296.0; }
@@ -34,7 +34,7 @@ struct SurfacePoint {
     glm::dvec3 normal{0.0, 1.0, 0.0};
 };
 
-/// The middle of a random triangle with an area; the origin where none is found.
+/// The middle of a random triangle with an area; the origin if none is found.
 SurfacePoint surfacePoint(const Scene& scene, Draw& draw);
 
 } // namespace edgeshade::lab

@@ -4,21 +4,21 @@
 
 namespace edgeshade::lab {
 
-/// Counts contenders' wrong pixels as compareAll() does, but view by view, of those that are asked
-/// for, and in their images alone.
+/// Counts contenders' wrong pixels as compareAll() does, but one requested view at a time, and in
+/// their images only.
 class ErrorSurvey {
   public:
-    /// Both must outlive it. Throws Error.
+    /// `loaded` and `task` must outlive it. Throws Error.
     ErrorSurvey(const LoadedScene& loaded, const CompareTask& task);
 
-    /// Makes the renderers of `who`, indices of contenders, and tunes their maps' biases, by more
-    /// than one view if `goesOn` says so.
+    /// Creates the renderers of `who`, indices of contenders, and tunes their maps' biases, with
+    /// further views as long as `goesOn` returns true.
     void prepare(std::span<const std::size_t> who, const std::function<bool()>& goesOn);
 
-    /// What is wrong in a view of the task, of each of `who`.
+    /// Wrong pixels in a view of the task, for each of `who`.
     std::vector<WrongCounts> count(std::size_t view, std::span<const std::size_t> who);
 
-    /// The bias that was tuned, texels; nothing where none was.
+    /// The tuned bias in texels; null if there is none.
     std::optional<float> tunedBias(std::size_t contender) const { return entries_[contender].bias; }
 
   private:
@@ -29,7 +29,7 @@ class ErrorSurvey {
 
     const CompareTask& task_;
     Jury jury_;
-    std::vector<Entry> entries_; ///< one a contender
+    std::vector<Entry> entries_; ///< one per contender
 };
 
 } // namespace edgeshade::lab

@@ -47,10 +47,10 @@ struct ExactTriangle {
 
 struct ExactHit {
     Rational t;
-    double u, v; ///< rounded; for textures alone
+    double u, v; ///< rounded, as only textures use them
 };
 
-/// Where origin + t * direction meets the triangle, its boundary included.
+/// The intersection of origin + t * direction with the triangle, boundary included.
 std::optional<ExactHit> intersect(const ExactTriangle& triangle, const Vector& origin,
                                   const Vector& direction) {
     const Vector ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
@@ -76,7 +76,7 @@ int signOf(const Rational& value) {
     return value.sign();
 }
 
-/// Whether anything but the surface stands between the point and the light.
+/// Whether anything but the surface itself is between the point and the light.
 bool isBlocked(const Oracle& oracle, std::uint32_t own, const ExactTriangle& surface,
                const Vector& point, const glm::dvec3& roundedPoint, std::size_t lightIndex) {
     const glm::dvec4 light = oracle.lightFromEye(lightIndex);
@@ -93,7 +93,8 @@ bool isBlocked(const Oracle& oracle, std::uint32_t own, const ExactTriangle& sur
     return false;
 }
 
-/// Whether a point, seen from the light, is within the cone. The angle's tangent is rounded.
+/// Whether a point is within the cone; `fromLight`: its position relative to the light. The angle's
+/// tangent is rounded.
 bool isInCone(const Cone& cone, const Vector& fromLight) {
     const Vector axis(cone.axis);
     const Rational along = dot(axis, fromLight), slope(std::tan(cone.outer));

@@ -4,15 +4,15 @@
 
 namespace edgeshade::lab {
 
-/// An answer in rational arithmetic, and whether it hangs on a hair.
+/// An answer in rational arithmetic, and whether it is degenerate.
 struct Verdict {
     Answer answer;
-    bool coincident = false; ///< two surfaces at the very same depth, or a light in the plane
+    bool coincident = false; ///< two surfaces at exactly the same depth, or a light in the plane
 };
 
-/// The answer at a picture point without rounding: triangles relative to the eye and the ray are
-/// taken as the doubles that they are. For the few pixels that the oracle and a picture disagree
-/// on; about a millisecond each.
+/// The answer at a picture point without rounding: the triangles relative to the eye and the ray
+/// are taken as the doubles that they are. Used for the few pixels where the oracle and a picture
+/// disagree; takes about a millisecond each.
 Verdict judgeExactly(const Oracle& oracle, double x, double y);
 
 } // namespace edgeshade::lab

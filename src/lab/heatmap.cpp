@@ -6,7 +6,7 @@
 namespace edgeshade::lab {
 namespace {
 
-constexpr int halo = 4; // pixels around a wrong one
+constexpr int halo = 4; // pixels around a wrong pixel
 
 std::array<std::uint8_t, 3> colorOf(PixelKind kind) {
     switch (kind) {

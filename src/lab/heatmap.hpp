@@ -4,9 +4,9 @@
 
 namespace edgeshade::lab {
 
-/// The picture in grey with its wrong pixels in colour: red wrongly lit, blue wrongly dark, green
-/// otherwise wrong, yellow ties; each with a faint square around it, so that single pixels are
-/// seen. RGBA rows top to bottom.
+/// The picture in grey with wrong pixels in colour: red wrongly lit, blue wrongly dark, green
+/// otherwise wrong, yellow ties. Each has a faint square around it, so that single pixels are
+/// visible. RGBA rows top to bottom.
 std::vector<std::uint8_t> heatmap(const std::vector<std::uint8_t>& image,
                                   const std::vector<PixelKind>& kinds, int width, int height);
 

@@ -8,8 +8,8 @@
 namespace edgeshade::lab {
 namespace {
 
-/// Lights from which the oracle's picture is drawn at once, and no more one for each set of lights
-/// that some pixels have.
+/// Number of lights from which the oracle's picture is drawn in one go, instead of once for each
+/// set of lights that some pixels have.
 constexpr std::size_t manyLights = 9;
 
 /// `mostShadowed`: see chooseLights().
@@ -94,7 +94,7 @@ FrameView Jury::frameWith(const LoadedScene& drawn, std::optional<int> depthSlic
     return frame;
 }
 
-/// Contenders with the same slices and the same look share them.
+/// Contenders with the same slices and look share these pictures.
 Jury::Unshadowed& Jury::unshadowedLike(const RenderSettings& settings, const FrameView& frame) {
     const Look look(frame.slices.size(), settings.shading, settings.ambient, settings.exposure);
     if (const auto known = unshadowed_.find(look); known != unshadowed_.end()) return known->second;

@@ -12,43 +12,43 @@ namespace edgeshade::lab {
 /// Draws and judges contenders' pictures, view by view.
 class Jury {
   public:
-    /// Both must outlive it.
+    /// `loaded` and `task` must outlive it.
     Jury(const LoadedScene& loaded, const CompareTask& task);
 
-    /// Moves on to another view: traces it once for all contenders.
+    /// Moves on to another view, and traces it once for all contenders.
     void see(const LabView& view) { see(view, task_.width, task_.height); }
-    /// In a smaller picture than the task's.
+    /// As above, at another size than the task's.
     void see(const LabView& view, int width, int height);
 
-    /// All that there is to say of a contender in this view, ties and its mask included.
+    /// Compares everything about a contender in this view, with ties and its mask.
     Comparison compare(Renderer& renderer, const Contender& contender);
 
-    /// What is wrong in its image and nothing else, which takes far less: what the oracle is asked
-    /// again about a pixel is kept for other contenders.
+    /// Counts wrong pixels in its image only, which is far quicker: pixels judged again by the
+    /// oracle are kept for other contenders.
     WrongCounts countWrongImage(Renderer& renderer, const Contender& contender);
 
     const std::vector<std::uint8_t>& image() const { return pictures_.image; }
     const Studio& studio() const { return studio_; }
-    /// How the last contender's shadows were made, light by light.
+    /// How the last contender made its shadows, by light.
     const std::vector<LightMethod>& methods() const { return methods_; }
 
   private:
-    /// One view with its oracle, which all contenders share.
+    /// A view with its oracle, shared by all contenders.
     struct JudgedView {
         FrameRequest request;
-        FrameView frame; ///< of the oracle's scene
+        FrameView frame; ///< view of the oracle's scene
         std::unique_ptr<Oracle> oracle;
         SettledAnswers answers;
     };
 
-    /// What the pictures without shadows are drawn with: slices and look.
+    /// Properties of pictures without shadows: slices and look.
     using Look = std::tuple<std::size_t, Shading, float, float>;
 
-    /// The program's pictures of one look without shadows, of the view.
+    /// A view's pictures without shadows, for one look.
     struct Unshadowed {
         Pictures::Unshadowed draw;
-        Pictures::LitAs drawAll;                 ///< where there are many lights
-        std::unique_ptr<OraclePicture> expected; ///< made when first asked for
+        Pictures::LitAs drawAll;                 ///< set if there are many lights
+        std::unique_ptr<OraclePicture> expected; ///< created on first use
     };
 
     FrameView frameWith(const LoadedScene& drawn, std::optional<int> depthSlices,
@@ -62,9 +62,9 @@ class Jury {
     Studio studio_;
     AlphaLookup alpha_;
     JudgedView judged_;
-    /// Of judged_, by the scene and how many lights have shadows.
+    /// Frames of judged_, by scene and number of shadowed lights.
     std::map<std::pair<const LoadedScene*, std::optional<std::size_t>>, FrameView> frames_;
-    std::map<Look, Unshadowed> unshadowed_; ///< of judged_
+    std::map<Look, Unshadowed> unshadowed_; ///< pictures of judged_
     std::map<Look, std::shared_ptr<Renderer>> plain_;
     Pictures pictures_;
     std::vector<LightMethod> methods_;

@@ -8,11 +8,11 @@
 
 namespace edgeshade::lab {
 
-/// Some of a picture's lights. Takes memory of its own only where it has others than the first 64.
+/// A subset of a picture's lights. Allocates memory only for lights beyond the first 64.
 class LightSet {
   public:
     LightSet() = default;
-    /// Bit i: light i.
+    /// Bit i stands for light i.
     LightSet(std::uint64_t first) : first_(first) {}
 
     void add(std::size_t light) {
@@ -40,7 +40,7 @@ class LightSet {
 
   private:
     std::uint64_t first_ = 0;
-    std::vector<std::uint64_t> more_; ///< 64 each, the last not 0
+    std::vector<std::uint64_t> more_; ///< 64 lights each; the last one is not 0
 };
 
 } // namespace edgeshade::lab

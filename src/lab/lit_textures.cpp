@@ -31,7 +31,7 @@ LitTextures::LitTextures(const std::vector<Answer>& answers, std::size_t lights,
             lookups_.push_back({dark, size});
             continue;
         }
-        for (std::size_t i = 0; i < answers.size(); ++i) { // GL's rows go up
+        for (std::size_t i = 0; i < answers.size(); ++i) { // GL's rows run upwards
             const std::size_t row = static_cast<std::size_t>(height) - 1 - i / columns;
             pixels[4 * (row * columns + i % columns)] = answers[i].lit.has(light) ? 255 : 0;
         }

@@ -8,11 +8,11 @@
 
 namespace edgeshade::lab {
 
-/// Answers as surfaces look up how much of each light is seen: a texture a light, white where it
-/// reaches. Lights that reach no pixel share one.
+/// Answers as textures that surfaces sample for the visibility of each light: one texture per
+/// light, white where it reaches. Lights that reach no pixel share one.
 class LitTextures {
   public:
-    /// `answers`: rows top to bottom. Throws Error(unavailable) where the GL is out of memory.
+    /// `answers`: rows top to bottom. Throws Error(unavailable) if the GL is out of memory.
     LitTextures(const std::vector<Answer>& answers, std::size_t lights, int width, int height);
 
     /// By light.

@@ -15,21 +15,21 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Some units of rounding, for sums of a few products.
+/// A few units of rounding, for sums of a few products.
 constexpr double rounding = 1e-14;
 
 double magnitude(const glm::dvec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-/// Where the line origin + t * direction meets a triangle, in double (Moeller and Trumbore), with
-/// bounds of the error.
+/// The intersection of the line origin + t * direction with a triangle, in double precision
+/// (Moeller and Trumbore), with error bounds.
 struct Meeting {
     double t, u, v;
     double tError, uError, vError;
 
     bool inside() const { return u >= 0.0 && v >= 0.0 && u + v <= 1.0; }
-    /// Whether inside() is beyond doubt.
+    /// Whether the result of inside() is certain.
     bool certain() const {
         const bool out = u < -uError || v < -vError || u + v > 1.0 + uError + vError;
         const bool in = u > uError && v > vError && u + v < 1.0 - uError - vError;
@@ -37,7 +37,7 @@ struct Meeting {
     }
 };
 
-/// `originError`: how far off the origin, and with it the direction, may be.
+/// `originError`: error bound of the origin, and so of the direction.
 Meeting intersect(const EyeTriangle& triangle, const glm::dvec3& origin, double originError,
                   const glm::dvec3& direction) {
     const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
@@ -77,7 +77,7 @@ bool isCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
            glm::dot(normal, other.c - surface.a) == 0.0;
 }
 
-/// Whether rounding could hide that `other` lies in the plane of `surface`, or make it seem so.
+/// Whether rounding could change the answer to whether `other` lies in the plane of `surface`.
 bool isNearlyCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
     const glm::dvec3 normal = normalOf(surface);
     const double area = magnitude(surface.b - surface.a) * magnitude(surface.c - surface.a);
@@ -88,13 +88,14 @@ bool isNearlyCoplanar(const EyeTriangle& surface, const EyeTriangle& other) {
     return true;
 }
 
-/// A ray on its way through Embree, with what the filter decides by.
+/// A ray's traversal by Embree, with the data of the filter function.
 struct Traversal {
-    RTCIntersectContext context;                     // first: the filter casts the pointer back
+    RTCIntersectContext context; // first member: the filter casts the pointer back
     const std::function<bool(std::uint32_t)>* visit; ///< returns whether to stop
 };
 
-/// Offers every touched triangle to the visitor; never lets Embree end a ray by itself.
+/// Calls the visitor for every triangle that the ray touches; never lets Embree end a ray by
+/// itself.
 void offer(const RTCFilterFunctionNArguments* arguments) {
     if (arguments->valid[0] == 0) return;
     const auto* traversal = reinterpret_cast<const Traversal*>(arguments->context);
@@ -102,7 +103,8 @@ void offer(const RTCFilterFunctionNArguments* arguments) {
     if (!(*traversal->visit)(triangle)) arguments->valid[0] = 0;
 }
 
-/// How far a point, seen from the light, is within a cone; below 0 outside of it.
+/// How far a point is within a cone, negative outside; `fromLight`: its position relative to the
+/// light.
 double depthInCone(const Cone& cone, const glm::dvec3& fromLight) {
     const double along = glm::dot(cone.axis, fromLight);
     const double aside = glm::length(glm::cross(cone.axis, fromLight));
@@ -149,7 +151,7 @@ struct Oracle::Tree {
     Tree& operator=(const Tree&) = delete;
 
     /// Calls visit(triangle) for all triangles that the ray may touch, until it returns true. The
-    /// ray starts a little before its origin, so that rounding to float loses nothing.
+    /// ray starts slightly before its origin, so that rounding to float misses nothing.
     void traverse(const glm::dvec3& origin, const glm::dvec3& direction, double length,
                   const std::function<bool(std::uint32_t)>& visit) const {
         const double reach = glm::length(direction);
@@ -288,7 +290,7 @@ void Oracle::visitSurfaces(const PixelRay& ray,
         const Meeting meeting = intersect(triangle, ray.origin, 0.0, ray.direction);
         const bool hit = meeting.inside() && meeting.t >= question_.near &&
                          !isCutOut(triangle, meeting.u, meeting.v);
-        // The edge of a cutout is texture filtering's matter, which has no error bound.
+        // Texture filtering decides the edge of a cutout, and has no error bound.
         const bool certain =
             meeting.certain() && std::abs(meeting.t - question_.near) > meeting.tError &&
             question_.scene->materials[triangle.material].alphaMode == AlphaMode::opaque;
@@ -299,7 +301,7 @@ void Oracle::visitSurfaces(const PixelRay& ray,
 
 Oracle::Checked Oracle::checkedAt(double x, double y) const {
     Hit nearest{0, infinity, 0.0};
-    double second = infinity; // the least depth that another surface may have
+    double second = infinity; // least possible depth of another surface
     bool certain = true;
     visitSurfaces(pixelRay(question_, x, y), [&](const Hit& hit, bool sure) {
         certain = certain && sure;
@@ -376,7 +378,7 @@ bool Oracle::isBlocked(std::uint32_t own, const glm::dvec3& point, double pointE
         if (!meeting.certain() || (meeting.inside() && !surelyPlaced)) sure = false;
         if (!meeting.inside() || !between) return false;
         if (isHole(other, meeting.u, meeting.v)) {
-            sure = false; // a cutout's edge is the filter's matter
+            sure = false; // texture filtering decides a cutout's edge
             return false;
         }
         if (isNearlyCoplanar(triangles_[own], other)) {

@@ -8,7 +8,7 @@ void OraclePicture::follow(const std::vector<Answer>& answers) {
     const bool first = colors_.empty();
     colors_.resize(answers.size());
     lit_.resize(answers.size());
-    std::map<LightSet, std::vector<std::size_t>> wanted; // pixels by their lights
+    std::map<LightSet, std::vector<std::size_t>> wanted; // pixels by the lights they have
     for (std::size_t i = 0; i < answers.size(); ++i)
         if (first || lit_[i] != answers[i].lit) wanted[answers[i].lit].push_back(i);
     std::vector<std::uint8_t> all;

@@ -5,8 +5,8 @@
 
 namespace edgeshade::lab {
 
-/// What the program's picture would be if every pixel were lit as the oracle says: the program's
-/// own shading with the oracle's visibility.
+/// The program's picture if every pixel were lit as the oracle says: the program's own shading with
+/// the oracle's visibility.
 class OraclePicture {
   public:
     using Color = std::array<int, 3>;
@@ -15,7 +15,7 @@ class OraclePicture {
     explicit OraclePicture(Pictures::Unshadowed unshadowed, Pictures::LitAs litAs = {})
         : unshadowed_(std::move(unshadowed)), litAs_(std::move(litAs)) {}
 
-    /// Draws what is needed for these answers, as far as they are others than those before.
+    /// Draws the colours for these answers, as far as they differ from the previous ones.
     void follow(const std::vector<Answer>& answers);
 
     const Color& at(std::size_t pixel) const { return colors_[pixel]; }
@@ -24,7 +24,7 @@ class OraclePicture {
     Pictures::Unshadowed unshadowed_;
     Pictures::LitAs litAs_;
     std::vector<Color> colors_;
-    std::vector<LightSet> lit_; ///< by which lights the colours were drawn
+    std::vector<LightSet> lit_; ///< the lights that each colour was drawn with
 };
 
 } // namespace edgeshade::lab

@@ -15,11 +15,11 @@ struct Pictures {
 
     std::vector<std::uint8_t> mask;  ///< the program's lit mask of light 0
     std::vector<std::uint8_t> image; ///< the program's picture
-    /// The program's picture without shadows, with those lights alone whose bits are set: what the
-    /// oracle's picture takes each pixel from, whatever the surfaces are shaded with.
+    /// The program's picture without shadows, lit only by the given lights. The oracle's picture
+    /// takes each pixel from such pictures, whatever the shading.
     Unshadowed unshadowed;
-    /// The same of all pixels at once, each with the lights of its answer: where there are so many
-    /// lights that hardly two pixels have the same. Null: not asked for.
+    /// The same for all pixels at once, each with the lights of its answer, for so many lights that
+    /// hardly two pixels have the same. Null: not used.
     LitAs litAs;
 };
 

@@ -10,7 +10,7 @@ namespace {
 PixelSurface surfaceAt(const Oracle& oracle, double x, double y) {
     const std::vector<Oracle::Hit> hits = oracle.surfacesAt(x, y);
     if (hits.empty()) return {};
-    // Of coinciding surfaces the first one, as it is drawn.
+    // Takes the first of coinciding surfaces, as drawing does.
     const auto nearest =
         std::min_element(hits.begin(), hits.end(), [](const auto& a, const auto& b) {
             return std::pair(a.depth, a.triangle) < std::pair(b.depth, b.triangle);
@@ -32,7 +32,7 @@ double footprintArea(const Question& question, const EyeTriangle& triangle, cons
     const double length = glm::length(normal) * along;
     if (length == 0.0) return 0.0;
     const double cosine = std::max(std::abs(glm::dot(normal, ray.direction)) / length, leastCosine);
-    // A perspective's window is a unit of depth away, slanted to the ray by 1 / along.
+    // In perspective the image plane is at depth 1, slanted to the ray by 1 / along.
     const double acrossRay = question.frustum.orthographic ? pixel : pixel * depth * depth / along;
     return acrossRay / cosine;
 }

@@ -7,23 +7,23 @@
 
 namespace edgeshade::lab {
 
-/// What the ray through a pixel's centre meets first.
+/// The first surface on the ray through a pixel's centre.
 struct PixelSurface {
-    std::uint32_t triangle = 0; ///< of Oracle::triangles()
-    double area = 0.0;          ///< of it, see footprintArea(); 0: the ray meets nothing
+    std::uint32_t triangle = 0; ///< index in Oracle::triangles()
+    double area = 0.0; ///< of the pixel on it, see footprintArea(); 0: the ray meets nothing
 };
 
-/// The cosine from which surfaces seen edge-on count as no more slanted: what a pixel shows of them
-/// is at most a hundred times what it would show head-on.
+/// Lower bound of the cosine of a surface's slant, for surfaces seen edge-on: a pixel's area on
+/// them is at most a hundred times its area head-on.
 inline constexpr double leastCosine = 0.01;
 
-/// How much of the triangle's plane a pixel shows, in scene units squared, where its ray meets the
-/// triangle at that depth: the pixel's solid angle, or an orthographic picture's pixel, laid onto
-/// the plane.
+/// The area of the triangle's plane that a pixel shows, in scene units squared, if its ray meets
+/// the triangle at that depth. It is the pixel's solid angle, or an orthographic picture's pixel,
+/// projected onto the plane.
 double footprintArea(const Question& question, const EyeTriangle& triangle, const PixelRay& ray,
                      double depth);
 
-/// Of all pixels, rows top to bottom, on all cores. `progress` as traceAll() has it.
+/// The surfaces of all pixels, rows top to bottom, on all cores. `progress` as in traceAll().
 std::vector<PixelSurface> pixelSurfaces(const Oracle& oracle,
                                         const std::function<void(double)>& progress);
 

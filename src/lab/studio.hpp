@@ -13,7 +13,7 @@
 
 namespace edgeshade::lab {
 
-/// Scenes on the GPU, in one context, by their records.
+/// Scenes on the GPU in one context, by their records.
 class Studio {
   public:
     Studio(int width, int height, gl::Limits limits) : context_({width, height, 0, limits}) {}
@@ -35,14 +35,14 @@ class Studio {
         return context_.readPixels(view.width, view.height);
     }
 
-    /// How the last picture's shadows were made, light by light.
+    /// How the shadows of the last picture were made, by light.
     const std::vector<LightMethod>& methods() const { return methods_; }
 
     const gl::Capabilities& capabilities() const { return context_.capabilities(); }
     SidesLayout bestLayout() const { return edgeshade::bestLayout(context_.capabilities()); }
     int subpixelBits() const { return context_.capabilities().subpixelBits; }
 
-    /// Uploaded the first time.
+    /// The uploaded scene; uploads it on first use.
     GpuScene& sceneFor(const LoadedScene& loaded, std::optional<VolumeRecords> records) {
         const auto key = std::pair(&loaded, records);
         auto found = scenes_.find(key);

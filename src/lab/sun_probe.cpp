@@ -7,13 +7,13 @@
 namespace edgeshade::lab {
 namespace {
 
-/// How near to a plane a point lies on it, as a share of the coordinates around: floats round a
-/// file's by 2^-24, and typed decimals aren't floats.
+/// Distance from a plane at which a point counts as on it, as a share of the coordinates nearby: a
+/// file's floats are rounded by 2^-24, and typed decimals aren't floats.
 constexpr double onPlane = 4e-7;
-/// How far a normal may be turned from the surface's that it stands on.
+/// Least cosine between a probe's normal and that of the surface it is on.
 constexpr double sameFacing = 0.99;
 
-/// Whether the origin lies on the triangle; `reach`: the size of coordinates around it.
+/// Whether the origin lies on the triangle; `reach`: the size of coordinates nearby.
 bool isTouched(const EyeTriangle& triangle, double reach) {
     const glm::dvec3 normal = normalOf(triangle);
     const double area = glm::length(normal);
@@ -33,7 +33,7 @@ bool isTouched(const EyeTriangle& triangle, double reach) {
 std::vector<bool> seenFrom(const LoadedScene& loaded, const AlphaLookup& alpha,
                            const glm::dvec3& point, const std::optional<glm::dvec3>& normal,
                            std::span<const glm::dvec3> directions) {
-    // From a camera at the probe, triangles are relative to it, and it is 0.
+    // With the camera at the probe, triangles are relative to it.
     Question question;
     question.scene = &loaded.scene;
     question.castMasked = loaded.settings.castMasked;

@@ -9,10 +9,11 @@
 
 namespace edgeshade::lab {
 
-/// Which of the directions, in the world, a point of it sees: no caster lies on the way, and its
-/// normal, which is not 0, faces there; without one it faces everywhere. The surface that it lies
-/// on doesn't block it, nor do triangles in that plane; with a normal, a surface that it touches
-/// but doesn't face along does. Throws Error as Oracle does.
+/// For each direction, in the world, whether the point sees it: no caster is in the way, and its
+/// normal, which is not 0, faces the direction. Without a normal every direction counts as faced.
+/// The surface under the point doesn't block it, nor do triangles in the same plane. With a normal,
+/// a surface that the point touches but with another facing does block. Throws Error as Oracle
+/// does.
 std::vector<bool> seenFrom(const LoadedScene& loaded, const AlphaLookup& alpha,
                            const glm::dvec3& point, const std::optional<glm::dvec3>& normal,
                            std::span<const glm::dvec3> directions);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int clampToEdge = 33071, mirroredRepeat = 33648, linear = 9729;
 
-/// The texel that stands for a place in a row of `size`, wherever the place is.
+/// The texel for any position in a row of `size` texels, by the wrap mode.
 int wrapped(long place, int size, int mode) {
     if (mode == clampToEdge) return static_cast<int>(std::clamp(place, 0L, size - 1L));
     const long period = mode == mirroredRepeat ? 2L * size : size;
@@ -18,14 +18,14 @@ int wrapped(long place, int size, int mode) {
     return static_cast<int>(rest < size ? rest : period - 1 - rest);
 }
 
-/// A texture's alpha in units of texels, whose centres are at +0.5.
+/// A texture's alpha, at positions in texels, whose centres are at +0.5.
 class AlphaTexture {
   public:
     AlphaTexture(const Image& image, const Sampler& sampler) : image_(image), sampler_(sampler) {}
 
     glm::dvec2 size() const { return {image_.width, image_.height}; }
 
-    /// In 0..1. Between texels as the magnification filter says.
+    /// Alpha in 0..1, interpolated by the magnification filter.
     float at(const glm::dvec2& place) const {
         if (sampler_.magFilter != linear)
             return texel(std::lround(std::floor(place.x)), std::lround(std::floor(place.y)));
@@ -36,7 +36,7 @@ class AlphaTexture {
                         glm::mix(texel(x, y + 1), texel(x + 1, y + 1), share.x), share.y);
     }
 
-    /// The least and the most within `reach` of a place.
+    /// The lowest and the highest alpha within `reach` of a position.
     glm::vec2 range(const glm::dvec2& place, double reach) const {
         const glm::dvec2 half = glm::min(glm::dvec2(reach), 0.5 * size());
         const glm::dvec2 low = glm::floor(place - half), high = glm::floor(place + half);
@@ -49,17 +49,18 @@ class AlphaTexture {
         return range;
     }
 
-    /// How far from a place a device may look for what a pixel of this size shows, in texels.
+    /// How far from a position, in texels, a device may sample for a pixel of this size.
     double reach(const glm::dvec2& right, const glm::dvec2& down) const {
-        // As much smaller as GLES 2.0.25, section 3.7.7, lets it look.
+        // The largest scale factor that GLES 2.0.25, section 3.7.7, allows.
         const double smaller = std::max(std::abs(right.x), std::abs(down.x)) +
                                std::max(std::abs(right.y), std::abs(down.y));
-        double texels = 1.0; // of the copy that is looked up; two of them either way are mixed
+        double texels = 1.0; // of the mipmap level sampled; linear filtering mixes two along each
+                             // axis
         if (sampler_.takesMipmaps() && smaller > 1.0)
             texels = std::exp2(std::min(std::ceil(std::log2(smaller)), 30.0));
         const bool resized = !std::has_single_bit(static_cast<unsigned>(image_.width)) ||
                              !std::has_single_bit(static_cast<unsigned>(image_.height));
-        return 1.5 * texels + (resized ? 1.0 : 0.0); // see toPowersOfTwo()
+        return 1.5 * texels + (resized ? 1.0 : 0.0); // resized, see toPowersOfTwo()
     }
 
   private:
@@ -74,7 +75,7 @@ class AlphaTexture {
     const Sampler& sampler_;
 };
 
-/// What a triangle's surface is drawn with.
+/// The material and texture coordinates of a triangle's surface.
 class AlphaSurface {
   public:
     AlphaSurface(const Scene& scene, const EyeTriangle& triangle)
@@ -85,7 +86,7 @@ class AlphaSurface {
     float factor(const glm::dvec2& place) const {
         return material_.baseColorFactor.a * blended(batch_.geometry->colors, place).a;
     }
-    /// Within what whole numbers of texels can say.
+    /// Clamped to a range in which integers can count texels.
     glm::dvec2 texcoord(const glm::dvec2& place) const {
         constexpr double farthest = 1e6;
         const glm::dvec2 uv(blended(batch_.geometry->texcoords, place));

@@ -5,8 +5,8 @@
 
 namespace edgeshade::lab {
 
-/// Alpha of MASK surfaces by their textures, as their samplers wrap and magnify them, for the
-/// oracle. The scene must outlive it. Throws InputError.
+/// Alpha of MASK surfaces from their textures, with their samplers' wrapping and magnification, for
+/// the oracle. The scene must outlive it. Throws InputError.
 AlphaLookup textureAlpha(const LoadedScene& loaded);
 
 } // namespace edgeshade::lab

@@ -19,7 +19,7 @@ std::array<glm::dvec2, 8> movedPoints(const glm::dvec2& center, double grid) {
     return points;
 }
 
-/// How much a hit's depth changes at most as its triangle's plane is met a step of the grid aside.
+/// The largest change of a hit's depth when its triangle's plane is met one grid step aside.
 double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec2& at,
                    double grid) {
     const EyeTriangle& triangle = oracle.triangles()[hit.triangle];
@@ -30,19 +30,20 @@ double depthChange(const Oracle& oracle, const Oracle::Hit& hit, const glm::dvec
         const PixelRay ray = pixelRay(oracle.question(), point.x, point.y);
         const double depth =
             (offset - glm::dot(normal, ray.origin)) / glm::dot(normal, ray.direction);
-        // Behind the eye, or nowhere: the plane is seen edge-on.
+        // Behind the eye or at infinity: the plane is seen edge-on.
         if (!(depth > 0.0)) return std::numeric_limits<double>::infinity();
         change = std::max(change, std::abs(depth - hit.depth));
     }
     return change;
 }
 
-/// Whether a triangle could face the light otherwise if its corners lay on the grid.
+/// Whether the triangle's facing could change if its corners moved to the grid.
 bool couldTurn(const Oracle& oracle, const EyeTriangle& triangle, const glm::dvec4& light,
                double grid) {
     const Question& question = oracle.question();
     const double pixel = question.frustum.size().y / question.height;
-    const auto reach = [&](const glm::dvec3& corner) { // its own freedom, in scene units
+    const auto reach = [&](const glm::dvec3& corner) { // how far the corner may move, in scene
+                                                       // units
         return grid * pixel * (question.frustum.orthographic ? 1.0 : glm::length(corner));
     };
     const glm::dvec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
@@ -75,9 +76,9 @@ double lightSide(const Oracle& oracle, const EyeTriangle& triangle, const glm::d
            glm::dot(normalOf(triangle), glm::dvec3(light) - triangle.a * light.w);
 }
 
-/// Whether two visible surfaces a step of the grid apart are not joined there, so that one ends
-/// before the other, or one faces a light and the other does not, so that a shadow volume begins
-/// between them.
+/// Whether a silhouette passes between two visible surfaces one grid step apart. They aren't joined
+/// there, so that one ends before the other, or only one of them faces a light, so that a shadow
+/// volume begins between them.
 bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm::dvec2& center,
                        const Oracle::Hit& there, const glm::dvec2& moved, double grid) {
     const EyeTriangle& first = oracle.triangles()[here.triangle];
@@ -94,8 +95,8 @@ bool silhouetteBetween(const Oracle& oracle, const Oracle::Hit& here, const glm:
     return false;
 }
 
-/// Whether the answer changes as the visible surface comes nearer or goes farther by as much as its
-/// own depth changes over a step of the grid.
+/// Whether the answer changes when the visible surface moves in depth by as much as its own depth
+/// changes over a grid step.
 bool hangsOnDepth(const Oracle& oracle, const Oracle::Hit& visible, const glm::dvec2& center,
                   const Answer& answer, double grid) {
     const double change = depthChange(oracle, visible, center, grid);
@@ -107,8 +108,8 @@ bool hangsOnDepth(const Oracle& oracle, const Oracle::Hit& visible, const glm::d
     return false;
 }
 
-/// Whether a surface shows another answer that is hidden by no more than the changes of depth, its
-/// own and the visible one's, over a step of the grid.
+/// Whether a hidden surface has another answer, and is hidden by no more than the changes of both
+/// surfaces' depths over a grid step.
 bool hangsOnHidden(const Oracle& oracle, const Oracle::Hit& visible, const glm::dvec2& center,
                    const glm::dvec2& at, const Answer& answer, double grid) {
     const double reach = visible.depth + depthChange(oracle, visible, center, grid);
@@ -119,8 +120,7 @@ bool hangsOnHidden(const Oracle& oracle, const Oracle::Hit& visible, const glm::
     return false;
 }
 
-/// Whether the texture filter may decide if a surface before the visible one, or that one itself,
-/// is there at all.
+/// Whether the texture filter may decide if the visible surface, or one in front of it, exists.
 bool hangsOnFilter(const Oracle& oracle, const std::optional<Oracle::Hit>& visible,
                    const glm::dvec2& center) {
     const double depth = visible ? visible->depth : std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@
 namespace edgeshade::lab {
 namespace {
 
-constexpr int tolerance = 2; // of 255, in the image (contract)
+constexpr int tolerance = 2; // of 255, in the image; fixed by `compare`
 
 bool differs(const OraclePicture::Color& expected, std::span<const std::uint8_t> image,
              std::size_t i) {
@@ -42,7 +42,7 @@ std::vector<Verdict> judgedAgain(const Oracle& oracle, const std::vector<std::si
     return verdicts;
 }
 
-/// One view: pictures and answers side by side.
+/// A view's pictures and answers.
 class View {
   public:
     View(const Oracle& oracle, const std::vector<Answer>& answers, const Pictures& pictures)
@@ -51,7 +51,7 @@ class View {
         follow();
     }
 
-    /// To be called when answers have changed.
+    /// Call this after answers have changed.
     void follow() { expected_.follow(answers_); }
 
     bool wrongInMask(std::size_t i) const {
@@ -105,8 +105,7 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
         return wrong;
     };
 
-    // Judge every disagreement that rounding may have caused again; what is settled now is nobody's
-    // error.
+    // Judges every disagreement that rounding may have caused again; settled ones are no errors.
     const std::vector<std::size_t> suspects = wrongPixels();
     const std::vector<Verdict> verdicts = judgedAgain(oracle, suspects);
     for (std::size_t s = 0; s < suspects.size(); ++s)
@@ -114,7 +113,7 @@ Comparison compareWithOracle(const Oracle& oracle, std::vector<Answer>& answers,
     view.follow();
 
     struct Tie {
-        bool coarsest = false, device = false; ///< on that grid
+        bool coarsest = false, device = false; ///< whether it is a tie on that grid
     };
     std::vector<Tie> ties(suspects.size());
     onAllCores(suspects.size(), [&](std::size_t s) {

@@ -13,8 +13,8 @@ struct CloseUp {
     Light light;
 };
 
-/// A hundredth, a thousandth and a ten-thousandth of the scene's size from a surface in turn, by a
-/// lamp between eye and surface and by a sun in turn.
+/// A view from a hundredth, a thousandth or a ten-thousandth of the scene's size from a surface, in
+/// turn, with a lamp between eye and surface or a sun, in turn.
 CloseUp closeUpOf(const Scene& scene, std::size_t number, Draw& draw) {
     constexpr std::array<double, 3> shares = {1e-2, 1e-3, 1e-4};
     constexpr std::array<const char*, 3> names = {"1e-2", "1e-3", "1e-4"};

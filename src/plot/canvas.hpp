@@ -23,7 +23,7 @@ struct TextStyle {
     Color color = 0;
     Anchor anchor = Anchor::start;
     bool bold = false;
-    bool upwards = false; ///< turned by a quarter, to be read from the right
+    bool upwards = false; ///< rotated by a quarter turn, to be read from the right
 };
 
 /// A white sheet to draw a plot on.
@@ -31,11 +31,11 @@ class Canvas {
   public:
     virtual ~Canvas() = default;
     virtual void line(std::span<const Point> points, Color color, double width, bool dashed) = 0;
-    /// `hover`: what is said where the pointer rests on it, by canvases that can; may be empty.
+    /// `hover`: text shown when the pointer rests on it, on canvases that can; may be empty.
     virtual void mark(Point center, Shape shape, double radius, Color fill, Color rim,
                       const std::string& hover) = 0;
     virtual void rectangle(const Rectangle& rectangle, Color fill) = 0;
-    /// Fills the rectangle with a picture of RGBA pixels, rows top to bottom; each keeps its edges.
+    /// Fills the rectangle with a picture of RGBA pixels, rows top to bottom, without smoothing.
     virtual void image(const Rectangle& rectangle, std::span<const std::uint8_t> rgba, int width,
                        int height) = 0;
     virtual void text(Point baseline, const std::string& text, const TextStyle& style) = 0;
@@ -43,11 +43,11 @@ class Canvas {
     virtual Bytes file() = 0;
 };
 
-/// An SVG, its text as text.
+/// An SVG canvas with text as text.
 std::unique_ptr<Canvas> svgCanvas(int width, int height);
 
-/// A PNG with twice as many pixels along each side. Throws Error(unavailable) where the program was
-/// built without cairo.
+/// A PNG canvas with twice as many pixels along each side. Throws Error(unavailable) if the program
+/// was built without cairo.
 std::unique_ptr<Canvas> pngCanvas(int width, int height);
 
 } // namespace edgeshade::plot

@@ -7,7 +7,7 @@
 namespace edgeshade::plot {
 namespace {
 
-/// OKLab to linear sRGB, by its author's matrices.
+/// Converts OKLab to linear sRGB, by its author's matrices.
 glm::dvec3 linearFromOklab(const glm::dvec3& lab) {
     const glm::dvec3 roots(lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z,
                            lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z,
@@ -29,7 +29,7 @@ std::uint32_t byteOf(double linear) {
 Color evenColor(double share) {
     const double t = std::clamp(share, 0.0, 1.0);
     const double lightness = 0.24 + 0.70 * t;
-    // A touch of red half way, for whoever sees it.
+    // A little red half way, for those who can see it.
     const double greenToRed = -0.03 * t + 0.22 * t * (1.0 - t);
     const double blueToYellow = -0.11 + 0.26 * t;
     const glm::dvec3 rgb = linearFromOklab({lightness, greenToRed, blueToYellow});

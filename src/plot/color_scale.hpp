@@ -4,9 +4,9 @@
 
 namespace edgeshade::plot {
 
-/// A colour for a share from 0, dark blue, by way of grey red, to 1, light yellow. Even in OKLab
-/// (Ottosson 2020): lightness and blue to yellow grow alike with the share, so that it reads the
-/// same to whoever can't tell red from green, and in grey. Shares beyond are taken for 0 and 1.
+/// The colour of a share from 0, dark blue, via grey red, to 1, light yellow. It is even in OKLab
+/// (Ottosson 2020): lightness and blue to yellow grow with the share alike. It therefore reads the
+/// same without red-green vision, and in grey. Shares are clamped to 0..1.
 Color evenColor(double share);
 
 } // namespace edgeshade::plot

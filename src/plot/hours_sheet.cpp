@@ -10,7 +10,7 @@
 namespace edgeshade::plot {
 namespace {
 
-// Pixels of the canvas, of which a PNG has two a side.
+// Canvas pixels; a PNG has two along each side of one.
 constexpr double margin = 16.0, lineHeight = 17.0, titleHeight = 26.0;
 constexpr double gap = 18.0, barWidth = 18.0, legendWidth = 96.0;
 constexpr double leastWidth = 330.0, leastBar = 150.0;
@@ -22,7 +22,7 @@ std::string labelOf(double hours) {
     return text.str();
 }
 
-/// The outline of a rectangle.
+/// Draws the outline of a rectangle.
 void outline(Canvas& canvas, const Rectangle& r, Color color) {
     const std::array<Point, 5> corners = {{{r.left, r.top},
                                            {r.right, r.top},
@@ -46,7 +46,7 @@ void drawScale(Canvas& canvas, const HoursSheet& sheet, const Rectangle& bar) {
     outline(canvas, bar, frame);
     const bool marked = sheet.threshold && *sheet.threshold <= sheet.most;
     for (const double tick : scaleTicks(sheet.most)) {
-        constexpr double textHeight = 14.0; // the threshold's own label takes the place
+        constexpr double textHeight = 14.0; // the threshold's own label may take this place
         if (marked && std::abs(at(tick) - at(*sheet.threshold)) < textHeight) continue;
         const std::array<Point, 2> mark = {{{bar.right, at(tick)}, {bar.right + 5.0, at(tick)}}};
         canvas.line(mark, ink, 1.0, false);

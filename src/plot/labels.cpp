@@ -40,7 +40,8 @@ void LabelPlaces::keepOff(std::span<const Point> line) {
 }
 
 double LabelPlaces::covered(const Rectangle& candidate) const {
-    constexpr double unreadable = 20.0; // what names over names and outside weigh, over marks 1
+    constexpr double unreadable = 20.0; // weight of overlapping names or leaving the area;
+                                        // overlapping marks weighs 1
     double area = unreadable * (areaOf(candidate) - overlap(candidate, inside_));
     for (const Rectangle& other : taken_)
         area += overlap(candidate, other);
@@ -58,7 +59,7 @@ Rectangle LabelPlaces::place(const Point& point, double width, double height) {
             const double angle = 2.0 * std::numbers::pi * i / directions;
             const double x = point.x + distance * std::cos(angle);
             const double y = point.y - distance * std::sin(angle);
-            // The name's nearest edge is at the distance.
+            // The name's nearest edge is at this distance.
             const double left = x - width * 0.5 * (1.0 - std::cos(angle));
             const double top = y - height * 0.5 * (1.0 + std::sin(angle));
             const Rectangle candidate{left, top, left + width, top + height};

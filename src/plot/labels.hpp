@@ -6,24 +6,24 @@
 
 namespace edgeshade::plot {
 
-/// Finds places for names beside points, where they cover as little as they can of each other, of
-/// the points and of what is outside.
+/// Places names beside points so that they cover as little as possible of each other, the points
+/// and the area outside.
 class LabelPlaces {
   public:
-    /// `points`: all of them, each `radius` large.
+    /// `points`: all points; `radius`: their size.
     LabelPlaces(const Rectangle& inside, std::vector<Point> points, double radius);
 
     /// Keeps names off a line through these points.
     void keepOff(std::span<const Point> line);
 
-    /// The rectangle for a name of that size at the point; later names keep away from it.
+    /// The rectangle of a name of that size at the point; later names avoid it.
     Rectangle place(const Point& point, double width, double height);
 
   private:
     double covered(const Rectangle& candidate) const;
 
     Rectangle inside_;
-    std::vector<Rectangle> taken_; ///< by marks and lines
+    std::vector<Rectangle> taken_; ///< rectangles of marks and lines
     std::vector<Rectangle> names_;
 };
 

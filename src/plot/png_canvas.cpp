@@ -73,7 +73,7 @@ class PngCanvas : public Canvas {
                 const std::uint8_t* from =
                     &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                static_cast<std::size_t>(x))];
-                const std::uint32_t alpha = from[3]; // by which cairo wants colours multiplied
+                const std::uint32_t alpha = from[3]; // cairo's colours are multiplied by alpha
                 std::uint32_t pixel = alpha << 24;
                 for (int c = 0; c < 3; ++c)
                     pixel |= (from[c] * alpha + 127) / 255 << (16 - 8 * c);

@@ -7,7 +7,8 @@
 namespace edgeshade::plot {
 namespace {
 
-/// Corners at even angles, the first at `turn` of the whole from straight up, at radii in turn.
+/// Corners at even angles, the first at `turn` of a full turn from straight up, with alternating
+/// radii.
 template <std::size_t count>
 std::vector<Point> around(Point center, int corners, double turn,
                           const std::array<double, count>& radii) {
@@ -21,7 +22,7 @@ std::vector<Point> around(Point center, int corners, double turn,
     return points;
 }
 
-/// An upright cross, turned by an eighth.
+/// A cross, turned by an eighth.
 std::vector<Point> crossAround(Point center, double reach, double half) {
     const double c = std::numbers::sqrt2 / 2.0;
     constexpr std::array<std::array<int, 2>, 12> corners = {{{-1, -3},

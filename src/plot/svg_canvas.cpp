@@ -25,7 +25,7 @@ std::string escaped(const std::string& text) {
     return safe;
 }
 
-/// A tenth of a pixel is enough.
+/// Rounds to a tenth of a pixel, which is precise enough.
 std::string number(double value) {
     std::ostringstream text;
     text << std::round(10.0 * value) / 10.0;
@@ -38,7 +38,7 @@ std::string hex(Color color) {
     return text.str();
 }
 
-/// A rectangle's attributes.
+/// A rectangle's SVG attributes.
 std::string placed(const Rectangle& rectangle) {
     return " x=\"" + number(rectangle.left) + "\" y=\"" + number(rectangle.top) + "\" width=\"" +
            number(rectangle.right - rectangle.left) + "\" height=\"" +

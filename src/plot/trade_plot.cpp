@@ -16,13 +16,13 @@ constexpr Rectangle frame{86.0, 94.0, tradePlotWidth - 190.0, tradePlotHeight - 
 constexpr Color ink = 0x222222, grey = 0x666666, gridColor = 0xE4E4E4;
 constexpr double nameSize = 12.0, radius = 5.0;
 
-/// How a family is marked.
+/// The mark of a family.
 struct Style {
     Color color;
     Shape shape;
 };
 
-/// Each two that are alike in one differ in the other.
+/// Families with the same colour differ in shape, and the other way round.
 Style styleOf(std::size_t family) {
     constexpr std::array<Color, 17> colors = {
         0x2471A3, 0x7D3C98, 0x148F77, 0x5DADE2, 0x1E8449, 0xC0392B, 0xE67E22, 0xB7950B, 0xCB4394,
@@ -31,7 +31,7 @@ Style styleOf(std::size_t family) {
             static_cast<Shape>(family % static_cast<std::size_t>(shapeCount))};
 }
 
-/// What is said of a point where the pointer rests.
+/// The text shown when the pointer rests on a point.
 std::string hoverOf(const TradePoint& point) {
     std::ostringstream text;
     text << point.name << std::setprecision(3) << "\n"
@@ -41,7 +41,7 @@ std::string hoverOf(const TradePoint& point) {
     return text.str();
 }
 
-/// The axes: x milliseconds, y percent, and where 0 percent is.
+/// The axes: x in milliseconds, y in percent, and the place of 0 percent.
 struct Axes {
     LogAxis x, y;
     double zero; ///< y in pixels
@@ -58,8 +58,8 @@ Axes axesFor(const std::vector<TradePoint>& points) {
         hasZero = hasZero || point.wrongPercent == 0.0;
         if (point.wrongPercent > 0.0) fewest = std::min(fewest, point.wrongPercent);
     }
-    if (!std::isfinite(fastest)) fastest = slowest = 1.0; // less than the clock tells
-    if (!std::isfinite(fewest)) fewest = most = 1.0;      // nothing is wrong anywhere
+    if (!std::isfinite(fastest)) fastest = slowest = 1.0; // all are below the clock's resolution
+    if (!std::isfinite(fewest)) fewest = most = 1.0;      // no setting has wrong pixels
     const double below = std::pow(10.0, std::floor(std::log10(fewest)));
     const double above = std::max(1.6 * most, 10.0 * below);
     const double bottom = hasZero ? frame.bottom - 40.0 : frame.bottom;
@@ -93,7 +93,7 @@ void drawGrid(Canvas& canvas, const Axes& axes, const std::string& timeLabel) {
                 {13.0, ink, Anchor::middle, false, true});
 }
 
-/// The families that there are, in a column beside the frame.
+/// Draws the families in the plot, in a column beside the frame.
 void drawLegend(Canvas& canvas, const TradePlot& plot) {
     const double x = frame.right + 22.0;
     double y = frame.top + 6.0;
@@ -122,7 +122,7 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     drawLegend(canvas, plot);
     drawGrid(canvas, axes, plot.timeLabel);
 
-    // The front first, so that its names get the best places.
+    // Points of the front come first, so that their names get the best places.
     std::vector<TradePoint> points = plot.points;
     std::stable_sort(points.begin(), points.end(), [](const TradePoint& a, const TradePoint& b) {
         return std::pair(!a.front, a.milliseconds) < std::pair(!b.front, b.milliseconds);
@@ -138,7 +138,8 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
     LabelPlaces labels(frame, places, radius);
     labels.keepOff(front);
     for (std::size_t i = 0; i < front.size(); ++i) {
-        const double width = 0.68 * nameSize * static_cast<double>(points[i].name.size()); // bold
+        // for bold text
+        const double width = 0.68 * nameSize * static_cast<double>(points[i].name.size());
         const Rectangle name = labels.place(places[i], width, 1.1 * nameSize);
         const Point nearest{std::clamp(places[i].x, name.left, name.right),
                             std::clamp(places[i].y, name.top, name.bottom)};
@@ -147,7 +148,7 @@ void drawTradePlot(Canvas& canvas, const TradePlot& plot) {
         canvas.text({0.5 * (name.left + name.right), name.bottom - 2.5}, points[i].name,
                     {nameSize, styleOf(points[i].family).color, Anchor::middle, true});
     }
-    for (std::size_t i = points.size(); i-- > 0;) { // the front on top
+    for (std::size_t i = points.size(); i-- > 0;) { // draws the front last, on top
         const Style style = styleOf(points[i].family);
         canvas.mark(places[i], style.shape, radius, points[i].front ? style.color : 0xFFFFFF,
                     style.color, hoverOf(points[i]));

@@ -9,17 +9,18 @@ namespace edgeshade {
 struct Material;
 class Textures;
 
-/// Where an alpha-tested surface finds its alpha: `factor` times its vertices' times what a
-/// texture has in one channel. Below `cutoff` it is cut out.
+/// How an alpha-tested surface gets its alpha: `factor` times the vertex alpha times one channel of
+/// a texture. Below `cutoff` it is cut out.
 struct AlphaLookup {
     gl::Name texture = 0;
-    glm::vec4 channel{0.0f, 0.0f, 0.0f, 1.0f}; ///< 1 in that channel, else 0
+    glm::vec4 channel{0.0f, 0.0f, 0.0f, 1.0f}; ///< 1 in the alpha channel, 0 in the others
     glm::mat3 texcoordTransform{1.0f};         ///< uv' = texcoordTransform * (u, v, 1)
     float factor = 1.0f;
     float cutoff = 0.5f;
 };
 
-/// That of a file's material; its vertices' texture coordinates are transformed.
+/// The lookup for a material of a file, whose vertices' texture coordinates are already
+/// transformed.
 AlphaLookup alphaLookupOf(const Material& material, const Textures& textures);
 
 } // namespace edgeshade

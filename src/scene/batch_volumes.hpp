@@ -9,14 +9,15 @@
 
 namespace edgeshade {
 
-/// Records of a layout other than plane pairs, with what makes them again where a batch deforms.
+/// Records in a layout other than plane pairs, and the source that makes them again when a batch
+/// deforms.
 struct FurtherRecords {
     VolumeRecords made;
     std::shared_ptr<RecordBuffers> buffers;
 };
 
-/// One batch's shadow data on the GPU, in one layout or several. Batches that share their geometry
-/// share these.
+/// One batch's shadow data on the GPU, in one or more layouts. Batches with the same geometry share
+/// them.
 struct BatchVolumes {
     std::shared_ptr<PlanePairBuffers> planePairs; ///< null: not uploaded
     std::vector<FurtherRecords> further{};        ///< at most one of each layout

@@ -6,10 +6,10 @@
 
 namespace edgeshade {
 
-/// "#rrggbb", sRGB, as a linear colour; nothing where it is no such text.
+/// Parses "#rrggbb" in sRGB to a linear colour; null for other text.
 std::optional<glm::vec3> linearFromText(const std::string& text);
 
-/// The other way round.
+/// The text of a linear colour, as linearFromText() reads it.
 std::string textFromLinear(const glm::vec3& color);
 
 } // namespace edgeshade

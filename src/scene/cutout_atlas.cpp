@@ -16,7 +16,7 @@ CutoutWrap wrapOf(int mode) {
                                     : CutoutWrap::repeat;
 }
 
-/// Puts pictures in rows, the highest first.
+/// Places pictures in rows, tallest first.
 class Shelves {
   public:
     explicit Shelves(int width) : width_(width) {}
@@ -54,7 +54,7 @@ struct AlphaImage {
                static_cast<std::size_t>(x);
     }
 
-    /// At half the size, four texels each averaged.
+    /// Halves the size, averaging four texels each.
     void halve() {
         const AlphaImage whole = *this;
         size = glm::max(size / 2, glm::ivec2(1));
@@ -79,7 +79,7 @@ void copyAlpha(const AlphaImage& image, const glm::ivec2& place, CutoutAtlas& at
             atlas.alpha.begin() + static_cast<std::ptrdiff_t>(place.y + y) * atlas.width + place.x);
 }
 
-using AlphaImages = std::map<int, AlphaImage>; ///< by the file's images
+using AlphaImages = std::map<int, AlphaImage>; ///< by the file's image index
 
 AlphaImages alphaImagesOf(const LoadedScene& loaded) {
     AlphaImages images;
@@ -90,7 +90,7 @@ AlphaImages alphaImagesOf(const LoadedScene& loaded) {
     return images;
 }
 
-/// Where each lies in a picture, and how large that is.
+/// Positions in the atlas, and its size.
 struct Layout {
     std::map<int, glm::ivec2> places;
     glm::ivec2 size{1};

@@ -8,15 +8,15 @@
 
 namespace edgeshade {
 
-/// The alpha of all textures that a scene's MASK materials are cut out by, in one picture.
+/// The alpha of all textures that cut out a scene's MASK materials, in one picture.
 struct CutoutAtlas {
     int width = 1, height = 1;
     std::vector<std::uint8_t> alpha; ///< rows from the top
-    CutoutTextures textures;         ///< one a material of the scene
+    CutoutTextures textures;         ///< one per material of the scene
 };
 
-/// At most `largest` texels along an edge: of textures that don't fit together, all are taken at
-/// half their size, and so on. Throws InputError.
+/// At most `largest` texels along an edge: if the textures don't fit, all are halved, as often as
+/// needed. Throws InputError.
 CutoutAtlas cutoutAtlasOf(const LoadedScene& loaded, int largest);
 
 } // namespace edgeshade

@@ -7,12 +7,12 @@
 namespace edgeshade {
 namespace {
 
-/// Texels that a map begins with for each triangle, and along a tile's edge at least: where lists
-/// are long they are divided, so that few triangles need few.
+/// Texels that a map starts with for each triangle, and the fewest along a tile's edge. Texels with
+/// long lists are subdivided, so that few triangles need few texels.
 constexpr double texelsEach = 16.0;
 constexpr int leastSize = 16;
 
-/// Triangles that cast within a light's range.
+/// Casting triangles within a light's range.
 std::size_t castersWithin(const Light& light, const PlacedCasters& placed) {
     const WeldedMesh& mesh = placed.casters->mesh;
     if (!placed.cast) return 0;
@@ -27,11 +27,11 @@ std::size_t castersWithin(const Light& light, const PlacedCasters& placed) {
         }));
 }
 
-/// Texels along a tile's edge that suit a light's casters: a power of two, `most` at most.
+/// Texels along a tile's edge that suit a light's casters: a power of two, at most `most`.
 int sizeFor(const Light& light, const std::vector<PlacedCasters>& casters, int most) {
     const auto tiles = tilesFor(light, casters);
     if (!tiles || light.extent) return most;
-    double texels = 0.0; // of a tile
+    double texels = 0.0; // per tile
     for (const PlacedCasters& placed : casters)
         texels += texelsEach * static_cast<double>(castersWithin(light, placed)) /
                   static_cast<double>(tiles->tiles.size());
@@ -64,7 +64,7 @@ bool FittingMap::step() {
         map_ = builder_->join();
         tooLong_ = builder_->tooLong();
         builder_.reset();
-        settings_.size /= 2; // should it have been too large
+        settings_.size /= 2; // in case it was too large
         joined_ = map_ || tooLong_ > 0 || settings_.size < smallest_;
     }
     return true;

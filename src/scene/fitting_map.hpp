@@ -6,27 +6,27 @@
 
 namespace edgeshade {
 
-/// Triangles in one list, up to which a map is used. GLs may end a loop after so many turns, and
-/// light would leak: Mesa's llvmpipe was seen to at 5,699 and not at 4,754, softpipe not at all.
+/// Longest list with which a map is used. GLs may end a loop after a number of iterations, and
+/// light would leak: Mesa's llvmpipe did at 5,699 iterations and not at 4,754, softpipe never.
 inline constexpr std::size_t longestAsked = 3072;
 
-/// A light's primitive map. It begins with as many texels as suit its casters, and no more than
-/// its settings say; where it takes more memory than it may, half as many along an edge are tried,
-/// down to an eighth. Where a list is longer than longestAsked it is given up at once: larger
-/// texels have longer ones.
+/// A light's primitive map, at a size that fits. It starts with as many texels as suit its casters,
+/// within its settings. If it takes too much memory, half as many along an edge are tried, down to
+/// an eighth. If a list is longer than longestAsked it gives up at once: larger texels have longer
+/// lists.
 class FittingMap {
   public:
     FittingMap(const Light& light, std::vector<PlacedCasters> casters,
                const PrimitiveMapSettings& settings);
 
-    /// Builds a part. Returns whether there is more to do.
+    /// Builds one part. Returns whether parts remain.
     bool step();
-    /// Builds all parts of the size that is tried, on as many threads as there are cores.
+    /// Builds all parts at the size being tried, on as many threads as there are cores.
     void buildAllParts();
 
-    /// Once there is no more to do.
+    /// Valid once all parts are built.
     bool tooFar() const { return tooFar_; }
-    /// Triangles in a list for which it was given up, or 0.
+    /// Length of the list that was too long, or 0.
     std::size_t tooLong() const { return tooLong_; }
     std::optional<PrimitiveMap>& map() { return map_; }
 
@@ -34,7 +34,7 @@ class FittingMap {
     Light light_;
     std::vector<PlacedCasters> casters_;
     PrimitiveMapSettings settings_;
-    int smallest_ = 0; ///< size that is tried
+    int smallest_ = 0; ///< smallest size to try
     std::unique_ptr<PrimitiveMapBuilder> builder_;
     std::size_t nextPart_ = 0;
     bool joined_ = false, tooFar_ = false;
@@ -42,14 +42,14 @@ class FittingMap {
     std::optional<PrimitiveMap> map_;
 };
 
-/// What came of a map that was asked for.
+/// Outcome of building a map.
 struct MapOutcome {
     bool built = false, tooFar = false;
     std::size_t tooLong = 0;   ///< FittingMap::tooLong()
-    std::size_t mostBytes = 0; ///< what it might take
+    std::size_t mostBytes = 0; ///< the map's memory limit
 };
 
-/// Why it can't be used, a clause; empty: it can.
+/// Why the map can't be used, a clause; empty if it can.
 std::string refusalOf(const MapOutcome& outcome);
 
 } // namespace edgeshade

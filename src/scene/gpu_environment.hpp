@@ -12,8 +12,8 @@ class GpuEnvironment {
     /// Throws Error(unavailable) if the GL can't.
     explicit GpuEnvironment(const Environment& environment);
 
-    /// Sets what shaders_es2/environment.glsl declares; the program must be in use. Binds the atlas
-    /// to this texture unit, and leaves it active.
+    /// Sets the uniforms of shaders_es2/environment.glsl; the program must be in use. Binds the
+    /// atlas to this texture unit, and leaves that active.
     void bind(const gl::Program& program, int unit) const;
 
     std::size_t bytes() const; ///< on the GPU

@@ -4,7 +4,7 @@
 namespace edgeshade {
 namespace {
 
-/// What of a batch casts, welded; found anew only where casters may be alpha-tested.
+/// A batch's welded casters; needed only if casters may be alpha-tested.
 struct HoleSource {
     Casters casters;
     CasterMesh mesh;
@@ -36,7 +36,7 @@ void addPlanePairs(GpuScene& gpu, const LoadedScene& loaded, SidesLayout layout)
     }
 }
 
-/// See GpuBatch::geometry.
+/// Sets GpuBatch::geometry.
 void keepGeometry([[maybe_unused]] GpuBatch& of, [[maybe_unused]] const Batch& batch) {
     if constexpr (keepsGeometry) of.geometry = batch.geometry;
 }

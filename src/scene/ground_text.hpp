@@ -7,13 +7,13 @@
 
 namespace edgeshade {
 
-/// The grounds that users ask for: none, or one of some colour, or one that catches shadow.
+/// The ground a user chose: none, a coloured one, or a catcher of shadow.
 using GroundChoice = std::optional<Ground>;
 
-/// What "off", "catcher" or "#rrggbb" means; nothing for other texts.
+/// Parses "off", "catcher" or "#rrggbb"; null for other text.
 std::optional<GroundChoice> groundFromText(const std::string& text);
 
-/// The other way round.
+/// The text of a ground, as groundFromText() reads it.
 std::string textOf(const GroundChoice& ground);
 
 } // namespace edgeshade

@@ -3,7 +3,7 @@
 namespace edgeshade {
 namespace {
 
-/// The casters whose triangles are in the group.
+/// The casters of one group.
 Casters castersInGroup(const Casters& casters, std::span<const std::uint32_t> groupOf,
                        std::uint32_t group) {
     Casters kept;

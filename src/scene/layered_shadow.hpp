@@ -6,15 +6,15 @@
 
 namespace edgeshade {
 
-/// Topology of a batch's casters that are in one group.
+/// Topology of a batch's casters in one group.
 struct GroupTopology {
     Casters casters;
     CasterMesh mesh;
     EdgeList edges;
 };
 
-/// What is left of a batch's topology when all triangles but one group's are taken away: its shadow
-/// data are closed by themselves. `groupOf`: the group of each of its casters.
+/// The topology of a batch's triangles in one group, as if it had no others: its shadow data are
+/// closed by themselves. `groupOf`: the group of each of the batch's casters.
 GroupTopology groupTopology(const Batch& batch, const std::vector<Material>& materials,
                             bool castMasked, std::span<const std::uint32_t> groupOf,
                             std::uint32_t group);

@@ -79,7 +79,7 @@ LoadedScene loadScene(const std::filesystem::path& path,
 void addGround(LoadedScene& loaded, const Ground& ground) {
     if (!addGround(loaded.scene, ground)) return;
     loaded.ground = ground;
-    // It casts nothing.
+    // The ground casts nothing.
     loaded.planePairs.push_back(std::make_shared<const PlanePairShadow>());
     if (!loaded.shadows.empty()) loaded.shadows.push_back(std::make_shared<const BatchShadow>());
 }
@@ -97,7 +97,7 @@ namespace {
 glm::vec4 alphaCornerAt(const Batch& batch, const Casters& casters, const CasterMesh& mesh,
                         std::size_t triangle, std::size_t corner) {
     const std::uint32_t vertex = casters.indices[3 * mesh.welded.source[triangle] + corner];
-    // Rounded as the surfaces' colours are.
+    // Rounded like the surfaces' colours.
     const float alpha = std::round(batch.geometry->colors[vertex].a * 255.0f) / 255.0f;
     return {batch.geometry->texcoords[vertex], alpha, 0.0f};
 }

@@ -15,62 +15,62 @@ namespace edgeshade {
 
 struct GltfDocument;
 
-/// Scene::culls where nobody says.
+/// The default of Scene::culls.
 inline constexpr bool cullsByDefault = true;
 
 /// A scene on the CPU, ready for the GPU.
 struct LoadedScene {
-    std::shared_ptr<const GltfDocument> document; ///< null: the scene comes from no file
+    std::shared_ptr<const GltfDocument> document; ///< null: the scene isn't from a file
     Scene scene;
-    SceneImages images; ///< of the materials' images those whose pixels are at hand
-    std::vector<std::shared_ptr<const PlanePairShadow>> planePairs; ///< one a batch
-    Shadows shadows; ///< with opposite vertices, where the file has them; or empty
+    SceneImages images; ///< images of materials whose pixels are loaded
+    std::vector<std::shared_ptr<const PlanePairShadow>> planePairs; ///< one per batch
+    Shadows shadows; ///< opposite-vertex data, if the file has them; otherwise empty
     CasterSettings settings;
-    Looks looks = {};                  ///< as they were asked for
-    std::optional<double> time = {};   ///< of its animation, seconds; nothing: at rest
-    std::string animation = {};        ///< which, as it was asked for; empty: the first
-    bool cutoutsCast = false;          ///< MASK surfaces cast what alpha leaves of them, by lookups
-    std::optional<Ground> ground = {}; ///< that was laid beneath the scene
-    bool showsGround = true;           ///< it is seen now, if there is one
+    Looks looks = {};                  ///< as requested
+    std::optional<double> time = {};   ///< time of its animation in seconds; null: at rest
+    std::string animation = {};        ///< the animation requested; empty: the first
+    bool cutoutsCast = false;          ///< MASK surfaces cast where their alpha leaves them, in
+                                       ///< primitive maps
+    std::optional<Ground> ground = {}; ///< laid beneath the scene
+    bool showsGround = true;           ///< the ground, if any, is visible now
 };
 
-/// What loading does, in this order.
+/// Stages of loading, in order.
 enum class LoadStage { read, flatten, images, shadows };
 
 /// "read", "flatten", "images", "shadows".
 const char* nameOf(LoadStage stage);
 
-/// Reads a file, packed or not. `wanted`: what the user asked for, if anything; shadow data packed
-/// with other settings are left aside and made anew, with a warning. What passes `limits` is
-/// refused. `onStage` is called at the start of each stage. `looks`: see flattenScene(); what a
-/// variant shades may differ, so that nothing packed is used with it. Throws InputError.
+/// Reads a file, packed or not. `wanted`: the user's settings, if any; shadow data packed with
+/// other settings are ignored and rebuilt, with a warning. A file beyond `limits` is refused.
+/// `onStage` is called at the start of each stage. `looks`: see flattenScene(); with a variant
+/// nothing packed is used, as its materials may cast differently. Throws InputError.
 LoadedScene loadScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
                       const std::function<void(LoadStage)>& onStage = {}, const Looks& looks = {});
 
-/// Its first two stages; decoding the images is the caller's.
+/// Runs the first two stages of loadScene(); the caller decodes the images.
 LoadedScene readScene(const std::filesystem::path& path,
                       const std::optional<CasterSettings>& wanted, const ReadingLimits& limits = {},
                       const std::function<void(LoadStage)>& onStage = {}, const Looks& looks = {});
 
-/// Its last stage. Throws InputError.
+/// Runs the last stage of loadScene(). Throws InputError.
 void addShadows(LoadedScene& loaded);
 
-/// Lays a ground beneath a scene that has its shadow data and no ground yet; see addGround() of a
+/// Adds a ground to a scene that has its shadow data and no ground yet; see addGround() for a
 /// Scene.
 void addGround(LoadedScene& loaded, const Ground& ground);
 
-/// The pixels of an image that a material is drawn with: those at hand, or decoded anew. Throws
-/// InputError.
+/// The pixels of a material's image: those loaded, or else decoded. Throws InputError.
 std::shared_ptr<const Image> pixelsOf(const LoadedScene& loaded, int image);
 
-/// What tells the cutouts of a batch's opposite-vertex caps: three vec4s a cap, one a corner of the
-/// sorted triangle, (u, v, alpha of the vertex colour, 0).
+/// Data of the cutouts of a batch's opposite-vertex caps: three vec4s per cap, one for each corner
+/// of the sorted triangle, (u, v, alpha of the vertex colour, 0).
 std::vector<glm::vec4> alphaCorners(const Batch& batch, const Casters& casters,
                                     const CasterMesh& mesh);
 
-/// The same of plane-pair caps, in their order and of their corners as they are wound; empty where
-/// nothing is alpha-tested.
+/// The same data for plane-pair caps, in their order, and for corners in winding order; empty if no
+/// caster is alpha-tested.
 std::vector<glm::vec4> alphaCorners(const Batch& batch, const Casters& casters,
                                     const CasterMesh& mesh, const PlanePairShadow& shadow);
 

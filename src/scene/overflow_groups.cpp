@@ -11,7 +11,7 @@
 namespace edgeshade {
 namespace {
 
-/// Where a batch's casters are among all, in the order of batches.
+/// A batch's range among all casters, in the order of batches.
 struct CasterRange {
     std::size_t first = 0;
     std::size_t count = 0;
@@ -32,11 +32,11 @@ std::vector<CasterRange> casterRangesOf(const Scene& scene, bool castMasked) {
     return ranges;
 }
 
-/// Builds and uploads the groups of one light's casters. What is whole in one group, of a mesh that
-/// stands at several places, has the records of all of these.
+/// Builds and uploads the groups of one light's casters. If all places of a mesh are each wholly in
+/// one group, they share records.
 class GroupUpload {
   public:
-    /// `groupOf`: of each caster of the scene; all three must outlive this.
+    /// `groupOf`: the group of each of the scene's casters. All three references must outlive this.
     GroupUpload(const Scene& scene, const CasterSettings& settings,
                 std::span<const std::uint32_t> groupOf, VolumeRecords records)
         : scene_(scene), settings_(settings), groupOf_(groupOf), records_(records),
@@ -65,7 +65,7 @@ class GroupUpload {
             largest = std::max(largest, topology.back()->edges.largestOppositeCount());
         }
         std::vector<BatchVolumes> uploads;
-        std::map<Topology, BatchVolumes> again; // of those that several batches have
+        std::map<Topology, BatchVolumes> again; // for topologies that several batches share
         for (std::size_t i = 0; i < first_.size(); ++i) {
             const bool repeats = topology[i].use_count() > 2;
             const auto found = repeats ? again.find(topology[i]) : again.end();
@@ -121,12 +121,12 @@ class GroupUpload {
     VolumeRecords records_;
     std::vector<std::size_t> first_; ///< firstOfGeometry()
     std::vector<CasterRange> ranges_;
-    std::vector<std::size_t> places_; ///< of a geometry, by the first batch
-    std::vector<Topology> whole_;     ///< likewise
+    std::vector<std::size_t> places_; ///< number of a geometry's places, by its first batch
+    std::vector<Topology> whole_;     ///< by a geometry's first batch
     const Topology nothing_ = std::make_shared<const GroupTopology>();
 };
 
-/// Tells lights' groups apart: those of a light's points are the same.
+/// Identifies a light's groups: all points of one light have the same.
 glm::dvec4 placeOf(const FrameLight& light) {
     if (light.among) return light.among->region.center;
     return light.points.empty() ? light.light.position : regionOf(light.light).center;
@@ -157,7 +157,7 @@ const void* recordsIn(const BatchVolumes& volumes) {
 template <class Kept, class BytesOf>
 std::size_t sumOver(const std::vector<Kept>& kept, BytesOf bytesOf) {
     std::size_t total = 0;
-    std::set<const void*> counted; // what several batches have
+    std::set<const void*> counted; // buffers that several batches share
     for (const Kept& light : kept)
         for (const auto& [layout, groups] : light.groups)
             for (const auto& group : groups)
@@ -166,7 +166,7 @@ std::size_t sumOver(const std::vector<Kept>& kept, BytesOf bytesOf) {
     return total;
 }
 
-/// Works on what is const and what isn't.
+/// For const and mutable containers.
 template <class Kept>
 auto groupsOf(Kept& kept, const FrameLight& light, VolumeLayout layout)
     -> decltype(&kept.front().groups.begin()->second) {

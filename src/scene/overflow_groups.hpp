@@ -9,20 +9,20 @@
 
 namespace edgeshade {
 
-/// Shadow data in groups, each of which a stencil can count: by group, then by batch.
+/// Shadow data in groups that a stencil can each count: by group, then by batch.
 using GroupedShadow = std::vector<std::vector<BatchVolumes>>;
 
-/// A scene's casters in groups on the GPU, for the lights around which more shadow volumes may
-/// overlap than a stencil counts (LayerBound), and for those whose casters are cut
-/// (FrameLight::cut), kept while the lights rest.
+/// A scene's casters in groups on the GPU, kept while the lights rest. They serve lights around
+/// which more shadow volumes may overlap than a stencil counts (LayerBound), and lights whose
+/// casters are cut (FrameLight::cut).
 class OverflowGroups {
   public:
-    /// Builds and uploads the groups that the lights' layers ask for and that are not there yet,
-    /// and forgets those that they don't. If batches have moved since, clear() comes first.
+    /// Builds and uploads missing groups for the lights' layers, and deletes those that no light
+    /// needs. Call clear() first if batches have moved.
     void upload(const LoadedScene& loaded, const std::vector<FrameLight>& lights,
                 VolumeRecords records);
 
-    /// The light's groups of one layout; null where it needs none, or nobody has uploaded them.
+    /// The light's groups in one layout; null if it needs none, or they aren't uploaded.
     GroupedShadow* of(const FrameLight& light, VolumeLayout layout);
     const GroupedShadow* of(const FrameLight& light, VolumeLayout layout) const;
 
@@ -32,8 +32,8 @@ class OverflowGroups {
 
   private:
     struct Kept {
-        glm::dvec4 light; ///< its place, or the middle of its points
-        double range;     ///< beyond which casters are in no certain group
+        glm::dvec4 light; ///< its position, or the middle of its points
+        double range;     ///< casters beyond it may be in any group
         std::optional<glm::dvec4> cut;
         std::map<VolumeLayout, GroupedShadow> groups;
 

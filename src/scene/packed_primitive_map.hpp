@@ -6,16 +6,17 @@
 
 namespace edgeshade {
 
-/// A primitive map in one table, as primitive_map_table.glsl reads it: header and entries two a
-/// texel, each of the three from a whole texel on. Of a light without an extent, without cutouts.
+/// A primitive map in one table, in the format of primitive_map_table.glsl. Header and entries are
+/// stored two to a texel; header, entries and records each start at a whole texel. For lights
+/// without an extent, without cutouts.
 struct PackedPrimitiveMap {
     PrimitiveMapKind kind = PrimitiveMapKind::directional;
     glm::dmat4 mapFromWorld{1.0};
     int size = 0; ///< texels along a tile's edge
     std::size_t longestList = 0;
-    std::array<std::size_t, 2> begins{}; ///< texels at which entries and records begin
-    std::size_t count = 0;               ///< of texels
-    std::vector<glm::vec4> texels;       ///< or none: somebody else has them
+    std::array<std::size_t, 2> begins{}; ///< first texels of entries and records
+    std::size_t count = 0;               ///< number of texels
+    std::vector<glm::vec4> texels;       ///< empty if they are stored elsewhere
 };
 
 PackedPrimitiveMap packedPrimitiveMap(const PrimitiveMap& map);

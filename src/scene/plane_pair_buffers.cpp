@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-/// Every record `count` times, each copy with its corner's number in front.
+/// Copies every record `count` times, each copy with its corner's number in front.
 template <class Record>
 void appendCopies(std::vector<float>& floats, const Record& record, int firstCorner, int count) {
     constexpr std::size_t size = sizeof(Record) / sizeof(float);

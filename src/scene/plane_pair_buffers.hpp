@@ -12,49 +12,49 @@
 
 namespace edgeshade {
 
-/// Floats of records on the GPU: those of the structs in plane_pair_data.hpp, when copied for every
-/// vertex with the corner's number in front.
+/// Floats per record on the GPU, as in the structs of plane_pair_data.hpp. Copies for every vertex
+/// have the corner's number in front.
 inline constexpr std::size_t pairFloats = sizeof(PairRecord) / sizeof(float);
 inline constexpr std::size_t singleFloats = sizeof(SingleRecord) / sizeof(float);
 inline constexpr std::size_t capFloats = sizeof(CapRecord) / sizeof(float);
 
-/// One cluster's caps, or some of them. Copied for every vertex, all front caps come first, then
-/// all back caps; `alphaCorners` in the same order.
+/// Some or all caps of one cluster. If copied for every vertex, all front caps come first, then all
+/// back caps; `alphaCorners` have the same order.
 struct CapBuffers {
     std::uint32_t count = 0;
     gl::Buffer records;
-    gl::Buffer alphaCorners; ///< three vec4s a cap, see alphaCorners(); or empty
+    gl::Buffer alphaCorners; ///< three vec4s per cap, see alphaCorners(); or empty
 };
 
-/// Uploads records as they are, or a copy for every vertex; nothing where there are none.
+/// Uploads records as they are, or a copy for every vertex; without records, an empty buffer.
 gl::Buffer uploadPairs(std::span<const PairRecord> records, SidesLayout layout);
 CapBuffers uploadCaps(std::span<const CapRecord> records, std::span<const glm::vec4> alphaCorners,
                       SidesLayout layout);
 
 /// One batch's plane-pair shadow data on the GPU. Pairs, and caps cluster by cluster, are uploaded
-/// where a plan draws them: most never are.
+/// when a plan draws them, and most never are.
 class PlanePairBuffers {
   public:
-    /// `alphaCorners`: three vec4s a cap, in its order of corners; empty where none is
+    /// `alphaCorners`: three vec4s per cap, in its order of corners; empty if no caster is
     /// alpha-tested.
     PlanePairBuffers(std::shared_ptr<const PlanePairShadow> shadow,
                      std::vector<glm::vec4> alphaCorners, SidesLayout layout);
 
     const std::shared_ptr<const PlanePairShadow>& shadow() const { return shadow_; }
-    /// The same records in another pose, see posedPlanePairs().
+    /// Replaces the records by the same ones in another pose, see posedPlanePairs().
     void take(std::shared_ptr<const PlanePairShadow> posed);
-    /// Uploads all pairs, or a cluster's caps, if they are not there yet.
+    /// Uploads all pairs, or a cluster's caps, if they are missing.
     void uploadAllPairs();
     void uploadCapsOf(std::size_t cluster);
 
-    // Of what was uploaded:
+    // Only after their upload:
     const gl::Buffer& pairs() const { return pairs_.value(); }
     const gl::Buffer& singles() const { return singles_; }
     const CapBuffers& capsOf(std::size_t cluster) const { return caps_[cluster].value(); }
     SidesLayout layout() const { return layout_; }
     /// Whether records are copied for every vertex.
     bool copied() const { return layout_ == SidesLayout::notInstanced; }
-    // Of what was uploaded so far.
+    // Sizes of everything uploaded so far.
     std::size_t sideBytes() const { return (pairs_ ? pairs_->size() : 0) + singles_.size(); }
     std::size_t capBytes() const;
     std::size_t bytes() const { return sideBytes() + capBytes(); }

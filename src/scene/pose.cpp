@@ -24,7 +24,7 @@ std::vector<Placed> placeScene(LoadedScene& loaded, const Pose& pose) {
         if (!placed[b].reshaped) continue;
         loaded.planePairs[b] = std::make_shared<const PlanePairShadow>(
             posedPlanePairs(*loaded.planePairs[b], loaded.scene.batches[b]));
-        loaded.shadows.clear(); // they are of another shape
+        loaded.shadows.clear(); // these are for the previous shape
     }
     return placed;
 }

@@ -14,57 +14,56 @@
 
 namespace edgeshade {
 
-/// Edges of casters, whatever the light.
+/// Edges of casters, which don't depend on the light.
 using KeptEdges =
     std::map<std::shared_ptr<const PlanePairShadow>, std::shared_ptr<const CasterEdges>>;
 
-/// What a primitive map is made from, beside the scene.
+/// Parameters of a primitive map, besides the scene.
 struct PrimitiveMapTask {
     Light light;
-    /// What casts is looked up, too; false: only what is see-through, which casts nothing.
+    /// Casters are receivers too; false: only see-through surfaces are, which cast nothing.
     bool castersReceive = true;
-    PrimitiveMapSettings settings; ///< `mostBytes`: of all that is built; `cutouts`: empty where
-                                   ///< MASK surfaces cast nothing
+    PrimitiveMapSettings settings; ///< `mostBytes`: for everything that is built; `cutouts`: empty
+                                   ///< if MASK surfaces cast nothing
 };
 
-/// What came of it.
+/// Result of a task.
 struct BuiltPrimitiveMap {
     Light light;
-    std::size_t mostBytes = 0; ///< what it might take
-    /// Nothing if it would take more memory or time than it may, or the light is too far off.
+    std::size_t mostBytes = 0; ///< its memory limit
+    /// Null if it would take more memory or time than allowed, or the light is too far away.
     std::optional<PrimitiveMap> map;
     bool tooFar = false;
     std::size_t tooLong = 0;                            ///< FittingMap::tooLong()
-    std::vector<std::vector<SidedTriangles>> triangles; ///< by batch, by chunk, or none
-    double milliseconds = 0.0;                          ///< that were worked
+    std::vector<std::vector<SidedTriangles>> triangles; ///< by batch, by chunk; or empty
+    double milliseconds = 0.0;                          ///< time spent
 };
 
-/// What a light's primitive map takes of the CPU: the map, and which side of the surfaces'
-/// triangles the light is on. Where there are threads it is worked at beside everything else, else
-/// part by part.
+/// The CPU work for a light's primitive map: the map, and the side of the light for every surface
+/// triangle. A thread does it in the background, or, without threads, the caller does it in parts.
 class PrimitiveMapJob {
   public:
-    /// The scene's batches and materials must stay as they are, but for where animated ones are,
-    /// until the job is gone. Those cast by volumes.
+    /// Until the job is destroyed, the scene's batches and materials must not change, except for
+    /// the transforms of animated batches. Animated batches cast by volumes.
     PrimitiveMapJob(const LoadedScene& loaded, const PrimitiveMapTask& task, KeptEdges edges);
     ~PrimitiveMapJob() { cancel(); }
     PrimitiveMapJob(const PrimitiveMapJob&) = delete;
     PrimitiveMapJob& operator=(const PrimitiveMapJob&) = delete;
 
-    /// Has a thread work at it; nothing where there are none.
+    /// Starts a thread for it; does nothing without threads.
     void start();
-    /// Goes on for about so long where there are no threads; returns whether all is done.
+    /// Without threads, works for about `milliseconds`. Returns whether all is done.
     bool advance(double milliseconds);
-    /// Does all of it, on as many threads as there are cores.
+    /// Does all of the work, on as many threads as there are cores.
     void finish();
 
     const Light& light() const { return light_; }
-    /// Once all is done.
+    /// Valid once all is done.
     const BuiltPrimitiveMap& built() const { return built_; }
     const KeptEdges& edges() const { return edges_; }
 
   private:
-    /// Returns whether there is more to do.
+    /// Returns whether work remains.
     bool step();
     void cancel();
 
@@ -85,7 +84,7 @@ class PrimitiveMapJob {
     BuiltPrimitiveMap built_;
     std::atomic<bool> done_ = false;
 #ifndef __EMSCRIPTEN__
-    std::jthread thread_; ///< the last member: it ends before the others
+    std::jthread thread_; ///< last member, so that it ends before the others
 #endif
 };
 

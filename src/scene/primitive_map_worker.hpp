@@ -4,18 +4,18 @@
 
 namespace edgeshade {
 
-/// Builds a scene's primitive maps where there are no threads, but others who can work beside the
-/// drawing: a page's web worker. One map at a time.
+/// Builds a scene's primitive maps beside the drawing where there are no threads, as a page's web
+/// worker does. One map at a time.
 class PrimitiveMapWorker {
   public:
     virtual ~PrimitiveMapWorker() = default;
 
-    /// False: it can't, or can't any more; who asks has to build.
+    /// False if it can't, or can't any more; the caller then has to build.
     virtual bool works() const = 0;
-    /// Begins; what was asked before is given up.
+    /// Starts a task, and abandons the previous one.
     virtual void ask(const PrimitiveMapTask& task) = 0;
     virtual void giveUp() = 0;
-    /// What was asked for, once it is there.
+    /// The result, once it is ready.
     virtual std::optional<BuiltPrimitiveMap> take() = 0;
 };
 

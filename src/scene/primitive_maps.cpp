@@ -122,7 +122,7 @@ bool PrimitiveMaps::needsJob(const LoadedScene& loaded, const Light& light,
     return false;
 }
 
-/// Batches that whoever built it didn't know, the ground, have no sided triangles.
+/// Batches that the builder didn't know (the ground) get no sided triangles.
 void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
                          const MapDemand& demand, const PrimitiveMapSettings& settings,
                          const gl::Capabilities& capabilities) {
@@ -143,7 +143,7 @@ void PrimitiveMaps::take(const BuiltPrimitiveMap& built, std::size_t batches,
     }
     keep(built.light, std::move(state), room);
     keepWhatFits(demand, settings.mostBytes);
-    if (!of(built.light)) // others came to matter more while it was built
+    if (!of(built.light)) // other lights became more important meanwhile
         keep(built.light, {nullptr, demand.policy.roomObstacle(0), built.milliseconds},
              static_cast<double>(built.mostBytes));
 }
@@ -153,7 +153,7 @@ PrimitiveMapTask PrimitiveMaps::taskOf(const LoadedScene& loaded, const Light& l
                                        const gl::Capabilities& capabilities) {
     settings.othersReceive = othersReceive(loaded);
     if (light.extent) {
-        // What lies between a texel and all of the light shrinks little with the texel.
+        // The region between a texel and an extended light shrinks little with the texel.
         settings.size = std::max(4, settings.size / 2);
         settings.mostSplits = 0;
         settings.receivers = receiversOf(loaded);

@@ -7,45 +7,45 @@
 
 namespace edgeshade {
 
-/// What became of a light's primitive map.
+/// State of a light's primitive map.
 struct PrimitiveMapState {
     std::shared_ptr<const GpuPrimitiveMap> map; ///< null: shadows are counted by volumes
     std::string why;                            ///< a clause
     double buildMs = 0.0;                       ///< on the CPU
 };
 
-/// Whose primitive maps there are to be.
+/// Which lights are to have primitive maps.
 struct MapDemand {
-    std::vector<Light> lights{}; ///< those whose maps matter more first
-    /// So many of them, the first, get one; others keep theirs as long as there is room.
+    std::vector<Light> lights{}; ///< those whose maps matter more come first
+    /// The first so many get one; others keep theirs as long as there is room.
     std::size_t wanted = 0;
-    ShadowPolicy policy; ///< says which of them should have one
-    /// What casts is looked up, too; false: only what is see-through.
+    ShadowPolicy policy; ///< decides which of them should have one
+    /// Casters are receivers too; false: only see-through surfaces are.
     bool castersReceive = true;
 };
 
-/// Primitive maps of a scene's lights, kept while lights rest: static casters are in them, others
-/// are counted. Of a light with an extent it is one for all of it, which animated casters rule out.
-/// All of them together take PrimitiveMapSettings::mostBytes at most: a map may take half of what
-/// those of lights that matter more leave. A coarser one is made where that is too little, or none.
-/// clear() comes before the scene goes, or static batches move.
+/// Primitive maps of a scene's lights, kept while lights rest. Static casters are in them, other
+/// casters are counted by volumes. A light with an extent has one map for all of it, which animated
+/// casters rule out. Together they take at most PrimitiveMapSettings::mostBytes. A map may take
+/// half of what the maps of more important lights leave. If that is too little, a coarser map is
+/// made, or none. Call clear() before the scene is destroyed or static batches move.
 class PrimitiveMaps {
   public:
-    /// Has maps built there from now on where they are built in the background.
+    /// From now on `worker` builds the maps of advance().
     void buildWith(std::shared_ptr<PrimitiveMapWorker> worker) { worker_ = std::move(worker); }
 
-    /// Has the maps that are wanted and fit, and none of other lights, when it returns. Throws
+    /// Builds the wanted maps that fit before it returns, and deletes those of other lights. Throws
     /// Error(unavailable) if the GL can't.
     void make(const LoadedScene& loaded, const MapDemand& demand,
               const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities);
 
-    /// The same in the background, light after light: returns whether one has been finished. Where
-    /// there are neither threads nor a worker it works for so long.
+    /// Does the same in the background, light after light. Returns whether a map was finished.
+    /// Without threads or a worker it works for `milliseconds`.
     bool advance(const LoadedScene& loaded, const MapDemand& demand,
                  const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities,
                  double milliseconds);
 
-    /// Null: nobody has made one yet.
+    /// Null if no map was tried yet.
     const PrimitiveMapState* of(const Light& light) const;
     /// Null: there is none.
     const GpuPrimitiveMap* mapOf(const Light& light) const {
@@ -60,43 +60,45 @@ class PrimitiveMaps {
     struct Kept {
         Light light;
         PrimitiveMapState state;
-        /// Bytes that a map might take which wasn't to be had; infinite: more would not help.
+        /// Bytes that were allowed and not enough; infinite: more would not help.
         double room;
         bool seen;
     };
 
     std::vector<Kept>::const_iterator firstAt(const glm::dvec4& place) const;
-    /// In `kept_`; its size: there is none.
+    /// Index in `kept_`; its size if there is none.
     std::size_t placeOf(const Light& light) const;
     void keep(const Light& light, PrimitiveMapState state, double room);
     void keepOnly(const MapDemand& demand);
-    /// Gives up maps of what matters less, as long as they take too much.
+    /// Deletes maps of less important lights until the rest fits.
     void keepWhatFits(const MapDemand& demand, std::size_t mostBytes);
-    /// Settles what needs no map; returns whether the light needs one, of `room` bytes at most.
+    /// Settles lights that need no map; returns whether this one needs one, of at most `room`
+    /// bytes.
     bool needsJob(const LoadedScene& loaded, const Light& light, const ShadowPolicy& policy,
                   std::size_t room);
-    /// The first light's that needs a job; nothing: none does.
+    /// The task of the first light that needs a job; null if none does.
     std::optional<PrimitiveMapTask> nextTask(const LoadedScene& loaded, const MapDemand& demand,
                                              const PrimitiveMapSettings& settings,
                                              const gl::Capabilities& capabilities);
-    /// With what the scene adds to the settings: what MASK surfaces are cut out by, if they cast.
+    /// A task with the settings that depend on the scene, as the textures that cut out casting MASK
+    /// surfaces.
     PrimitiveMapTask taskOf(const LoadedScene& loaded, const Light& light,
                             PrimitiveMapSettings settings, const gl::Capabilities& capabilities);
     void take(const BuiltPrimitiveMap& built, std::size_t batches, const MapDemand& demand,
               const PrimitiveMapSettings& settings, const gl::Capabilities& capabilities);
     void giveUp();
 
-    std::vector<Kept> kept_; ///< by place
+    std::vector<Kept> kept_; ///< sorted by the light's position
     bool castersReceive_ = true;
     KeptEdges edges_;
-    CutoutTextures textures_;                     ///< once they were asked for
+    CutoutTextures textures_;                     ///< set once a map needed them
     std::shared_ptr<const AlphaTexture> cutouts_; ///< the atlas on the GPU
-    std::unique_ptr<PrimitiveMapJob> job_;        ///< in the background
-    std::shared_ptr<PrimitiveMapWorker> worker_;  ///< null: there is none
-    std::optional<Light> asked_;                  ///< whose map it builds
+    std::unique_ptr<PrimitiveMapJob> job_;        ///< runs in the background
+    std::shared_ptr<PrimitiveMapWorker> worker_;  ///< null: none
+    std::optional<Light> asked_;                  ///< the light whose map the worker builds
 };
 
-/// Places of a light that one pass counts by its map.
+/// Points of a light that one pass counts with its map.
 inline constexpr std::size_t placesAtOnce = 16;
 
 } // namespace edgeshade

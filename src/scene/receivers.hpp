@@ -4,7 +4,7 @@
 
 namespace edgeshade {
 
-/// A box around all that lights shine on, where it is now, in the world.
+/// A box in the world around all surfaces that receive light, where they are now.
 Box receiversOf(const LoadedScene& loaded);
 
 } // namespace edgeshade

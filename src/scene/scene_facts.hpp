@@ -7,16 +7,16 @@
 
 namespace edgeshade {
 
-/// What a ShadowPolicy asks of a GL.
+/// A ShadowPolicy's facts about a GL.
 DeviceFacts deviceFactsOf(const gl::Capabilities& capabilities);
 
-/// What a ShadowPolicy asks of a scene. Takes time linear in batches and their clusters.
+/// A ShadowPolicy's facts about a scene. Takes time linear in batches and their clusters.
 SceneFacts sceneFactsOf(const LoadedScene& loaded);
 
-/// What a ShadowPolicy asks of a light at rest that is seen; `loaded` has to outlive it.
+/// A ShadowPolicy's facts about a visible light at rest; `loaded` has to outlive them.
 LightFacts lightFactsOf(const Light& light, const LoadedScene& loaded);
 
-/// Edges of casters that no animation moves.
+/// Number of edges of casters that no animation moves.
 std::size_t restingEdges(const LoadedScene& loaded);
 
 } // namespace edgeshade

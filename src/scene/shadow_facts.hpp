@@ -6,16 +6,17 @@
 
 namespace edgeshade {
 
-/// What a ShadowPolicy asks of a scene on the GPU, as far as choose() needs it.
+/// A ShadowPolicy's facts about a scene on the GPU, as far as choose() needs them.
 SceneFacts sceneFactsOf(const GpuScene& scene);
 
-/// What a ShadowPolicy asks of a frame's light, but for `reachesSeeThrough`.
+/// A ShadowPolicy's facts about a frame's light, without `reachesSeeThrough`.
 LightFacts lightFactsOf(const FrameLight& light);
 
-/// What became of a light's primitive map, whichever passes ask it.
+/// State of a light's primitive map, for passes of any kind.
 LookupFacts lookupFactsOf(const GpuScene& scene, const Light& light);
 
-/// The same for one pass: the map of all of an extended light answers only for many places at once.
+/// The state for one pass: the map of a whole extended light serves only passes over many points at
+/// once.
 LookupFacts lookupFactsOf(const GpuScene& scene, const FrameLight& light);
 
 } // namespace edgeshade

@@ -14,8 +14,7 @@ namespace {
 
 constexpr int grazedSide = 2; ///< SidedVertex::lightSide
 
-/// SidedVertex::lightSide of each triangle; those out of the range say what the one before them
-/// does.
+/// SidedVertex::lightSide of each triangle; triangles out of range repeat the value before them.
 std::vector<int> sidesOf(const Batch& batch, const SurfacePart& part, const LightShape& light,
                          bool extended, double range) {
     const auto corner = [&](std::size_t i) {
@@ -23,7 +22,7 @@ std::vector<int> sidesOf(const Batch& batch, const SurfacePart& part, const Ligh
     };
     std::vector<int> sides;
     sides.reserve(part.indices.size() / 3);
-    std::size_t unasked = 0; // before the first that is within the range
+    std::size_t unasked = 0; // triangles before the first within range
     for (std::size_t i = 0; i < part.indices.size(); i += 3) {
         const std::array<glm::dvec3, 3> corners = {corner(i), corner(i + 1), corner(i + 2)};
         if (areBeyond(corners, glm::dvec3(light.center), range)) {
@@ -40,8 +39,8 @@ std::vector<int> sidesOf(const Batch& batch, const SurfacePart& part, const Ligh
     return sides;
 }
 
-/// Numbers a part's vertices anew, apart for each side; four times as many as a part has fit 16
-/// bits.
+/// Renumbers a part's vertices, separately for each side. Four times the vertices of a part still
+/// fit 16 bits.
 class SidedVertices {
   public:
     SidedVertices(const Batch& batch, const SurfacePart& part) : batch_(batch), part_(part) {
@@ -61,14 +60,14 @@ class SidedVertices {
     }
 
     std::vector<SidedVertex> take() { return std::move(vertices_); }
-    const std::vector<std::uint32_t>& sources() const { return sources_; } ///< of the batch
+    const std::vector<std::uint32_t>& sources() const { return sources_; } ///< indices in the batch
 
   private:
     static constexpr std::uint16_t none = std::numeric_limits<std::uint16_t>::max();
 
     const Batch& batch_;
     const SurfacePart& part_;
-    std::array<std::vector<std::uint16_t>, 4> numbers_; ///< turned away, neither, facing, grazed
+    std::array<std::vector<std::uint16_t>, 4> numbers_; ///< facing away, neither, facing, grazed
     std::vector<SidedVertex> vertices_;
     std::vector<std::uint32_t> sources_;
 };

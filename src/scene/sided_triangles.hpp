@@ -7,22 +7,23 @@
 
 namespace edgeshade {
 
-/// A vertex whose triangles all have a light on the same side; 40 bytes.
+/// A vertex whose triangles are all on the same side of a light; 40 bytes.
 struct SidedVertex {
     SurfaceVertex vertex;
     /// 1: the light sees them counter-clockwise; -1: clockwise, or not at all; 2: it grazes them;
-    /// 0: some of a light with an extent sees them so, or neither
+    /// 0: for a light with an extent only part of it sees them so, or neither side is certain
     float lightSide;
 };
 
-/// The triangles of a SurfacePart in their order, and which side a light is on. Order matters: of
-/// surfaces in one place the first is seen.
+/// The triangles of a SurfacePart in their order, by their side of a light. Order matters: of
+/// coinciding surfaces the first is visible.
 struct SidedTriangles {
-    /// Of all of them, which are drawn as they are without a light; 0: of either, and the others
-    /// are there.
+    /// The common side of all triangles, which are then drawn from the plain vertices; 0: sides
+    /// differ, and the vectors below are filled.
     float lightSide = 0.0f;
-    std::vector<SidedVertex> vertices;  ///< those of triangles on several sides stand for each
-    std::vector<SurfaceDetail> details; ///< of the vertices, as far as the material has any
+    std::vector<SidedVertex> vertices;  ///< a vertex of triangles on several sides is repeated for
+                                        ///< each
+    std::vector<SurfaceDetail> details; ///< of the vertices, if the material has any
     std::vector<std::uint16_t> indices;
 
     std::size_t bytes() const {
@@ -31,8 +32,8 @@ struct SidedTriangles {
     }
 };
 
-/// Of every part of a batch, for a light in the batch's space. `extended`: it has an extent.
-/// `range`: triangles farther from it, as rangeInObject() has it, say either side.
+/// The triangles of every part of a batch, for a light in the batch's space. `extended`: it has an
+/// extent. `range`: as of rangeInObject(); triangles beyond it may get any side.
 std::vector<SidedTriangles> sidedTriangles(const Batch& batch,
                                            const std::vector<Material>& materials,
                                            const LightShape& light, bool extended = false,

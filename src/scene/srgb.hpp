@@ -4,12 +4,12 @@
 
 namespace edgeshade {
 
-/// A linear colour in the display's values (IEC 61966-2-1); alpha stays.
+/// Encodes a linear colour as sRGB (IEC 61966-2-1); alpha stays.
 inline glm::vec4 srgbFromLinear(const glm::vec4& linear) {
     return {glm::convertLinearToSRGB(glm::clamp(glm::vec3(linear), 0.0f, 1.0f)), linear.a};
 }
 
-/// A colour in the display's values, 0..1, made linear.
+/// Decodes an sRGB colour, 0..1, to linear.
 inline glm::vec3 linearFromSrgb(const glm::vec3& srgb) {
     return glm::convertSRGBToLinear(srgb);
 }

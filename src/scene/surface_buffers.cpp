@@ -16,7 +16,7 @@ bool isWhite(const SurfaceVertex& vertex) {
                        [](std::uint8_t value) { return value == 255; });
 }
 
-/// What the batch has of it; zeros for the rest.
+/// The batch's details of a vertex, with zeros for missing ones.
 SurfaceDetail detailOf(const Batch& batch, std::uint32_t index) {
     SurfaceDetail detail{};
     if (!batch.geometry->tangents.empty()) detail.tangent = batch.geometry->tangents[index];
@@ -26,7 +26,7 @@ SurfaceDetail detailOf(const Batch& batch, std::uint32_t index) {
     return detail;
 }
 
-/// Whether all of these vertices have a tangent that the material asks for.
+/// Whether the material uses tangents and all of these vertices have one.
 bool haveTangents(const Batch& batch, const Material& material,
                   const std::vector<std::uint32_t>& vertices) {
     return material.hasNormalTexture() && !batch.geometry->tangents.empty() &&
@@ -34,7 +34,7 @@ bool haveTangents(const Batch& batch, const Material& material,
                        [&](std::uint32_t v) { return batch.geometry->tangents[v].w != 0.0f; });
 }
 
-/// Whether some triangle's vertices have other normals than it has itself.
+/// Whether some triangle's vertex normals differ from its own.
 bool isSmooth(const Batch& batch, const SurfacePart& part) {
     constexpr float parallel = 0.9999f; // the cosine of less than a degree
     for (std::size_t i = 0; i + 2 < part.indices.size(); i += 3) {
@@ -50,7 +50,7 @@ bool isSmooth(const Batch& batch, const SurfacePart& part) {
     return false;
 }
 
-/// What of a chunk a shape may change.
+/// Uploads the parts of a chunk that a shape may change.
 void uploadVertices(const Batch& batch, const Material& material, const SurfacePart& part,
                     SurfaceChunk& chunk) {
     std::vector<SurfaceVertex> vertices;
@@ -74,7 +74,7 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
     SurfaceChunk chunk;
     chunk.material = part.material;
     uploadVertices(batch, material, part, chunk);
-    chunk.smooth = batch.deforms() || isSmooth(batch, part); // in some shape
+    chunk.smooth = batch.deforms() || isSmooth(batch, part); // any shape may be smooth
     chunk.indices = gl::Buffer(gl::Buffer::Kind::indices, std::as_bytes(std::span(part.indices)));
     chunk.indexCount = static_cast<int>(part.indices.size());
     return chunk;
@@ -84,7 +84,7 @@ SurfaceChunk upload(const Batch& batch, const Material& material, const SurfaceP
 
 SurfaceVertex surfaceVertexOf(const Batch& batch, std::uint32_t index) {
     const glm::vec4& linear = batch.geometry->colors[index];
-    const bool white = linear == glm::vec4(1.0f); // most are, and powers take time
+    const bool white = linear == glm::vec4(1.0f); // most are white, and powers take time
     const glm::vec4 color = white ? linear : srgbFromLinear(linear);
     return {batch.geometry->positions[index],
             batch.geometry->normals[index],

@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t mostIndices = 3 * 4096; // so no more vertices either, which 16 bits hold
+constexpr std::size_t mostIndices = 3 * 4096; // the vertices, no more than that, fit 16 bits
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
 /// Collects triangles until a part is full.
@@ -35,11 +35,11 @@ class PartBuilder {
         part_ = {};
     }
 
-    std::size_t material = 0; ///< of the triangles added now
+    std::size_t material = 0; ///< of the triangles being added
 
   private:
     std::vector<SurfacePart>& parts_;
-    std::vector<std::uint32_t> local_; ///< batch vertex to part vertex
+    std::vector<std::uint32_t> local_; ///< vertex in the part, by vertex of the batch
     SurfacePart part_;
 };
 

@@ -11,17 +11,17 @@ namespace edgeshade {
 /// The textures of a scene's materials, on the GPU.
 class Textures {
   public:
-    /// Uploads what the materials use. Throws InputError, Error(unavailable).
+    /// Uploads the textures that the materials use. Throws InputError, Error(unavailable).
     Textures(const LoadedScene& loaded, const gl::Capabilities& capabilities);
 
-    /// A white one where there is none.
+    /// Its GL name, or that of a white texture if it is missing.
     gl::Name of(const MaterialTexture& texture) const;
 
-    /// Whether there is one.
+    /// Whether the texture exists.
     bool has(const MaterialTexture& texture) const;
 
   private:
-    using Key = std::pair<int, Sampler>; ///< image, how it is looked up
+    using Key = std::pair<int, Sampler>; ///< image and sampler
     gl::Texture white_;
     std::map<Key, gl::Texture> textures_;
 };

@@ -7,7 +7,7 @@ namespace {
 
 using std::chrono::seconds;
 
-/// How far above the horizon the sun is, as a function of time.
+/// The sun's height above the horizon as a function of time.
 struct Height {
     const Place& place;
     const Horizon& horizon;
@@ -18,7 +18,7 @@ struct Height {
     }
 };
 
-/// The first second from which on the sun is on the side where it is at `to`, not that of `from`.
+/// The first second from which the sun is on its side of the horizon at `to`, not that at `from`.
 Instant changeBetween(const Height& height, Instant from, Instant to) {
     const bool after = height(to) > 0.0;
     while (to - from > seconds(1)) {
@@ -28,7 +28,8 @@ Instant changeBetween(const Height& height, Instant from, Instant to) {
     return to;
 }
 
-/// When it is highest (`sign` 1) or lowest (-1) between the two, where it has one such turn.
+/// The time of the highest (`sign` 1) or lowest (-1) point between the two, if there is a single
+/// one.
 Instant turnBetween(const Height& height, Instant from, Instant to, double sign) {
     while (to - from > seconds(2)) {
         const Instant middle = from + (to - from) / 2;
@@ -58,7 +59,7 @@ std::vector<Crossing> crossings(const Place& place, Instant from, Instant to,
             found.push_back({changeBetween(height, start, end), rising});
     };
 
-    // Between two samples on one side of the horizon the sun may turn on the other one.
+    // Between two samples on one side of the horizon the sun may briefly be on the other.
     const seconds step = std::chrono::minutes(10);
     for (Instant start = from; start < to; start += step) {
         const Instant end = std::min(start + step, to);

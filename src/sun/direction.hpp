@@ -7,7 +7,7 @@
 namespace edgeshade::sun {
 
 /// The unit vector towards the sun in a scene whose +Y is up. `north`: degrees clockwise, seen from
-/// above, from the scene's -Z to its north; 0: -Z is north and +X east. glTF's front, +Z, then
+/// above, from the scene's -Z to its north. 0: -Z is north and +X east; glTF's front, +Z, then
 /// faces south.
 glm::dvec3 towardsSun(const SunPosition& position, double north);
 

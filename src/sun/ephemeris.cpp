@@ -13,7 +13,8 @@ constexpr double metresOfAu = 149597870700.0;
 constexpr double lightDaysOfAu = 499.0047838 / secondsADay;
 constexpr double earthOfMoonMass = 81.30057;
 
-/// A Julian date in two parts, as ERFA takes it: together they keep the seconds.
+/// A Julian date in two parts, as ERFA takes it, which together are precise to the second and
+/// better.
 struct JulianDate {
     double day, fraction;
 };
@@ -22,8 +23,9 @@ JulianDate julianDate(double unixSeconds) {
     return {unixEpoch, unixSeconds / secondsADay};
 }
 
-/// Seconds from UTC to terrestrial time. Before 1960 there was no UTC, after 2100 nobody knows: the
-/// nearest that is known does, since the sun moves by 0.04 arc seconds in a second.
+/// Seconds from UTC to terrestrial time. Before 1960 there was no UTC, and after 2100 it is
+/// unknown: the nearest known value is close enough, since the sun moves by 0.04 arc seconds in a
+/// second.
 double terrestrialSeconds(Instant time) {
     const std::chrono::year_month_day date(std::chrono::floor<std::chrono::days>(time));
     double leapSeconds = 0.0;
@@ -36,8 +38,8 @@ glm::dvec3 vectorOf(const double (&v)[3]) {
     return {v[0], v[1], v[2]};
 }
 
-/// From the middle of Earth to the apparent sun, in au, equator and equinox of J2000. Light shows
-/// both bodies where they were when it left the sun.
+/// Vector from Earth's centre to the apparent sun, in au, equator and equinox of J2000. Both bodies
+/// are taken at the time when the light left the sun.
 glm::dvec3 apparentSun(const JulianDate& tt) {
     double barycentre[2][3], moon[2][3];
     eraPlan94(tt.day, tt.fraction, 3, barycentre);
@@ -47,14 +49,14 @@ glm::dvec3 apparentSun(const JulianDate& tt) {
     return -(earth - vectorOf(barycentre[1]) * lightDays);
 }
 
-/// The place from the middle of Earth, in au.
+/// Vector from Earth's centre to the place, in au.
 glm::dvec3 geocentric(double longitude, double latitude) {
     double metres[3];
     eraGd2gc(1, longitude, latitude, 0.0, metres); // 1: WGS 84
     return vectorOf(metres) / metresOfAu;
 }
 
-/// Turned with Earth: from the true equator and equinox of date to Greenwich's meridian.
+/// Rotates with Earth: from the true equator and equinox of date to Greenwich's meridian.
 glm::dvec3 terrestrial(const glm::dvec3& v, const JulianDate& ut, const JulianDate& tt) {
     double ofDate[3][3];
     eraPnm00b(tt.day, tt.fraction, ofDate);
@@ -75,7 +77,7 @@ SunPosition sunPosition(const Place& place, Instant time, const Atmosphere& air)
     const double latitude = glm::radians(place.latitude);
     const glm::dvec3 sun = terrestrial(apparentSun(tt), ut, tt) - geocentric(longitude, latitude);
 
-    // East, north and up at the place, as vectors from the middle of Earth.
+    // East, north and up at the place, in axes fixed to Earth.
     const double cosLon = std::cos(longitude), sinLon = std::sin(longitude);
     const double cosLat = std::cos(latitude), sinLat = std::sin(latitude);
     const double east = glm::dot(glm::dvec3(-sinLon, cosLon, 0.0), sun);
@@ -85,7 +87,7 @@ SunPosition sunPosition(const Place& place, Instant time, const Atmosphere& air)
     SunPosition position;
     position.azimuth = glm::degrees(std::atan2(east, north));
     if (position.azimuth < 0.0) position.azimuth += 360.0;
-    if (position.azimuth >= 360.0) position.azimuth = 0.0; // a hair below 0 was rounded
+    if (position.azimuth >= 360.0) position.azimuth = 0.0; // rounded from just below 0
     position.airlessAltitude = glm::degrees(std::atan2(up, std::hypot(east, north)));
     position.altitude = position.airlessAltitude + refraction(position.airlessAltitude, air);
     return position;

@@ -10,12 +10,12 @@ namespace {
 
 using namespace std::chrono;
 
-constexpr int largestOffset = 14 * 60; ///< minutes: that of the Line Islands
+constexpr int largestOffset = 14 * 60; ///< minutes, the offset of the Line Islands
 
-/// Reads one field after the other, and says of the first that is wrong what is.
+/// Reads one field after another, and reports the first error.
 class FieldReader {
   public:
-    /// `thing`: what the text should be, of which form.
+    /// `thing`: what the text should be; `form`: its form.
     FieldReader(std::string_view text, const char* thing, const char* form)
         : text_(text), rest_(text), thing_(thing), form_(form) {}
 
@@ -25,7 +25,7 @@ class FieldReader {
 
     [[noreturn]] void failForm() const { fail(std::string("it is not of the form ") + form_); }
 
-    /// So many digits, as a number from 0 to `most`.
+    /// Reads `digits` digits as a number from 0 to `most`.
     int number(int digits, int most, const char* name) {
         int value = 0;
         for (int i = 0; i < digits; ++i) {
@@ -37,7 +37,7 @@ class FieldReader {
         return value;
     }
 
-    /// Whether the letter comes next, which is then behind.
+    /// Whether the letter comes next; then skips it.
     bool take(char letter) {
         if (rest_.empty() || rest_.front() != letter) return false;
         rest_.remove_prefix(1);

@@ -13,7 +13,7 @@ double refraction(double altitude, const Atmosphere& air) {
     const double arcMinutes = 1.02 / std::tan((at + 10.3 / (at + 5.11)) * degree);
     const double density = air.pressure / 1010.0 * 283.0 / (273.0 + air.temperature);
     const double faded = std::clamp((altitude - none) / (lowest - none), 0.0, 1.0);
-    return std::max(arcMinutes, 0.0) / 60.0 * density * faded; // a hair below 0 in the zenith
+    return std::max(arcMinutes, 0.0) / 60.0 * density * faded; // slightly below 0 in the zenith
 }
 
 } // namespace edgeshade::sun

@@ -7,7 +7,7 @@
 namespace edgeshade {
 namespace {
 
-/// Where the opposite vertex stands in the order of its edge.
+/// Position of the opposite vertex relative to its edge's vertices.
 float orderOf(const Edge& edge, std::uint32_t opposite) {
     if (opposite < edge.a) return static_cast<float>(ORDER_OPPOSITE_FIRST);
     if (opposite < edge.b) return static_cast<float>(ORDER_OPPOSITE_BETWEEN);

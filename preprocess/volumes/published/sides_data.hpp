@@ -7,9 +7,9 @@
 
 namespace edgeshade {
 
-/// The opposite-vertex sides-data, instanced form (thesis, 6.2.6): a record an edge of
-/// 2 + maxMultiplicity vec4s, A and B with w = 0, then opposite vertices with w = ORDER_* of
-/// shaders_es2/record_layout.glsl. 16 * (2 + maxMultiplicity) bytes a record.
+/// The opposite-vertex sides-data, instanced form (thesis, 6.2.6): per edge one record of 2 +
+/// maxMultiplicity vec4s. A and B come first with w = 0, then the opposite vertices with w =
+/// ORDER_* of shaders_es2/record_layout.glsl. 16 * (2 + maxMultiplicity) bytes a record.
 struct SidesData {
     int maxMultiplicity = 1; ///< 1..LARGEST_RECORD_MULTIPLICITY
     std::vector<glm::vec4> records;
@@ -18,19 +18,19 @@ struct SidesData {
     std::size_t recordCount() const { return records.size() / vectorsPerRecord(); }
 };
 
-/// The largest number of opposite vertices that records for such edges need: at least 1.
+/// The number of opposite vertices that records need for such edges, at least 1.
 int recordMultiplicityFor(std::uint32_t largestOppositeCount);
 
-/// How many records the edges take: an edge with more than `maxMultiplicity` opposite vertices is
-/// split, and its multiplicity is the sum over its records.
+/// The number of records for the edges. An edge with more than `maxMultiplicity` opposite vertices
+/// is split, and its multiplicity is the sum over its records.
 std::size_t recordCountFor(const EdgeList& edges, int maxMultiplicity);
 
-/// Emits the records, in the order of the edges.
+/// Makes the records, in the order of the edges.
 SidesData buildSides(std::span<const glm::vec3> positions, const EdgeList& edges,
                      int maxMultiplicity);
 
-/// The not instanced form of records [first, first + count): maxMultiplicity * 6 vertices a
-/// record, each with a copy of it, A.w = v in 0..5 and B.w = s in 0..maxMultiplicity-1.
+/// The copied form of records [first, first + count): maxMultiplicity * 6 vertices per record. Each
+/// has a copy of the record with A.w = v in 0..5 and B.w = s in 0..maxMultiplicity-1.
 /// maxMultiplicity * 6 * 16 * (2 + maxMultiplicity) bytes a record.
 std::vector<glm::vec4> expandSides(const SidesData& sides, std::size_t first, std::size_t count);
 

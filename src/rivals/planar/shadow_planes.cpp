@@ -9,7 +9,7 @@
 namespace edgeshade {
 namespace {
 
-/// A plane's triangles of one batch by chunk, each chunk with its indices.
+/// A plane's triangles in one batch: indices by chunk.
 std::map<std::size_t, std::vector<std::uint16_t>>
 indicesByChunk(const Batch& batch, const std::vector<SurfacePart>& parts,
                std::span<const PlaneTriangle> triangles) {

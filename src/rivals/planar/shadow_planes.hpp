@@ -7,7 +7,7 @@ namespace edgeshade {
 
 struct LoadedScene;
 
-/// Triangles of one of a batch's chunks that lie in a plane.
+/// Triangles in a plane, from one chunk of a batch.
 struct PlaneReceivers {
     std::size_t batch = 0;
     std::size_t chunk = 0; ///< SurfaceChunk::place
@@ -15,10 +15,10 @@ struct PlaneReceivers {
     int indexCount = 0;
 };
 
-/// A plane that shadows are projected onto.
+/// A plane onto which shadows are projected.
 struct ShadowPlane {
     glm::dvec4 plane{0.0};  ///< see SurfacePlane
-    double tolerance = 0.0; ///< likewise
+    double tolerance = 0.0; ///< see SurfacePlane
     Box bounds;             ///< of its triangles, in the world
     std::vector<PlaneReceivers> receivers;
 };
@@ -27,11 +27,11 @@ struct ShadowPlane {
 class ShadowPlanes {
   public:
     ShadowPlanes() = default;
-    /// Finds and uploads that many.
+    /// Finds and uploads the `count` largest planes.
     ShadowPlanes(const LoadedScene& loaded, std::size_t count);
 
     const std::vector<ShadowPlane>& all() const { return planes_; }
-    double share() const { return share_; }     ///< of the area of all surfaces
+    double share() const { return share_; }     ///< share of all surfaces' area
     double buildMs() const { return buildMs_; } ///< on the CPU
     std::size_t bytes() const;
 

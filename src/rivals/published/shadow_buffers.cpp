@@ -7,9 +7,9 @@
 namespace edgeshade {
 namespace {
 
-constexpr std::size_t largestBuffer = std::size_t{32} << 20; // bytes, of copied records
+constexpr std::size_t largestBuffer = std::size_t{32} << 20; // bytes, for copied records
 
-/// Records a chunk may hold when every one is copied for each of its vertices.
+/// Records that fit a chunk if each is copied for each of its vertices.
 std::size_t recordsPerChunk(std::size_t vectorsPerRecord, std::size_t verticesPerRecord) {
     return std::max<std::size_t>(1, largestBuffer /
                                         (vectorsPerRecord * verticesPerRecord * sizeof(glm::vec4)));
@@ -31,7 +31,7 @@ void uploadSides(const SidesData& sides, SidesLayout layout, std::vector<RecordC
     }
 }
 
-/// `vertices`: that a record runs.
+/// `vertices`: vertex shader runs per record.
 void uploadCaps(const CapsData& caps, SidesLayout layout, int vertices,
                 std::vector<RecordChunk>& chunks) {
     if (caps.records.empty()) return;

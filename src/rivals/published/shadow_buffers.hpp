@@ -19,15 +19,15 @@ struct RecordChunk {
 /// One batch's shadow data on the GPU.
 struct ShadowBuffers : RecordBuffers {
     int maxMultiplicity = 1;
-    std::vector<RecordChunk> sides; ///< one when instanced; else as many as keep buffers small
-    std::vector<RecordChunk> caps;  ///< likewise
+    std::vector<RecordChunk> sides; ///< one if instanced; otherwise as many as keep buffers small
+    std::vector<RecordChunk> caps;  ///< divided like the sides
     std::vector<MaterialCasters> groups;
-    gl::Buffer alphaCorners; ///< three vec4s a cap, copied six times when not instanced; or empty
+    gl::Buffer alphaCorners; ///< three vec4s per cap, copied six times if not instanced; or empty
 
     std::size_t sideBytes() const override;
-    std::size_t capBytes() const override; ///< with what tells their cutouts
+    std::size_t capBytes() const override; ///< including alphaCorners
 
-    /// What is there to be drawn.
+    /// The records that can be drawn.
     OppositeVertexRecords records() const;
 };
 
@@ -35,7 +35,7 @@ struct ShadowBuffers : RecordBuffers {
 ShadowBuffers uploadShadow(const BatchShadow& shadow, const std::vector<glm::vec4>& alphaCorners,
                            SidesLayout layout);
 
-/// Uploads triangles that have a volume each, without sides.
+/// Uploads triangles that each have their own volume, without sides.
 ShadowBuffers uploadTriangles(const CasterMesh& mesh, const std::vector<glm::vec4>& alphaCorners,
                               SidesLayout layout);
 

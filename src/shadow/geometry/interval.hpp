@@ -5,7 +5,7 @@
 
 namespace edgeshade {
 
-/// What values span; empty, low above high, before the first.
+/// The range of values added; before the first it is empty, with low above high.
 struct Interval {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();

@@ -4,7 +4,7 @@
 
 namespace edgeshade {
 
-/// Pixels as GL counts them, from the lower left.
+/// A rectangle of pixels, in GL's coordinates from the lower left.
 struct PixelRectangle {
     int x = 0, y = 0;
     int width = 0, height = 0;
@@ -13,7 +13,7 @@ struct PixelRectangle {
     bool empty() const { return width <= 0 || height <= 0; }
 };
 
-/// What is in both; empty where nothing is.
+/// The intersection of both; may be empty.
 inline PixelRectangle intersection(const PixelRectangle& a, const PixelRectangle& b) {
     const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
     return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),

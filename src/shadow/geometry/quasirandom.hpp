@@ -7,10 +7,10 @@
 
 namespace edgeshade {
 
-/// The n-th point of a sequence that fills [0, 1)^2 or [0, 1)^3 evenly however many are taken:
-/// Roberts' R2 and R3 (The Unreasonable Effectiveness of Quasirandom Sequences, 2018), from (1/2,
-/// 1/2, 0) on. Multiples of the powers of 1 / phi, where phi^(dimensions + 1) = phi + 1, in 64 bits
-/// of fraction, the same on every machine.
+/// The n-th point of a sequence that fills [0, 1)^2 or [0, 1)^3 evenly at every length: Roberts' R2
+/// and R3 (The Unreasonable Effectiveness of Quasirandom Sequences, 2018), starting at (1/2, 1/2,
+/// 0). It uses multiples of the powers of 1 / phi, where phi^(dimensions + 1) = phi + 1, as 64-bit
+/// fractions, the same on every machine.
 template <std::size_t Dimensions>
 std::array<double, Dimensions> evenly(std::uint64_t n) {
     static_assert(Dimensions == 2 || Dimensions == 3);

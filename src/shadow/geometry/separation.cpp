@@ -11,10 +11,11 @@
 namespace edgeshade {
 namespace {
 
-/// What a directional light's direction may be turned by rounding it to floats, with room to spare.
+/// Bound of the angle by which rounding to floats may turn a directional light's direction, with a
+/// margin.
 constexpr double leastTurn = 1e-6;
 
-/// What a volume covers of an axis, and how large its coordinates are there.
+/// A volume's interval along an axis, and the size of its coordinates there.
 struct Shade {
     Interval interval;
     double size = 0.0;
@@ -40,7 +41,7 @@ Shade shadeOf(const NearClipVolume& volume, const glm::dvec3& axis) {
     return shade;
 }
 
-/// Whether what covers `other` of the axis, with coordinates up to `size`, is apart there.
+/// Whether the volume and `other`, with coordinates up to `size`, are apart along the axis.
 bool separates(const NearClipVolume& volume, const glm::dvec3& axis, const Interval& other,
                double size) {
     const Shade shade = shadeOf(volume, axis);
@@ -48,8 +49,9 @@ bool separates(const NearClipVolume& volume, const glm::dvec3& axis, const Inter
     return gap > placingError * std::max(size, shade.size);
 }
 
-/// Calls `separate` for axes of unit length until it says yes. Separating axes of convex sets are
-/// normals of their faces and products of their edges; `edges` and `normals` are the other set's.
+/// Calls `separate` for axes of unit length until it returns true. The candidates for convex sets
+/// are normals of their faces and cross products of their edges; `edges` and `normals` are the
+/// other set's.
 template <class Separate>
 bool anyAxis(const NearClipVolume& volume, std::span<const glm::dvec3> normals,
              std::span<const glm::dvec3> edges, Separate separate) {

@@ -7,13 +7,13 @@
 
 namespace edgeshade {
 
-/// The same direction with length 1; `v` must not be 0. Scaled first, so that no double under- or
+/// The direction of `v` with length 1; `v` must not be 0. Scaled first, so that no double under- or
 /// overflows.
 inline glm::dvec3 unitOf(const glm::dvec3& v) {
     return glm::normalize(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
 }
 
-/// Right, up and `forward`, of length 1 as it is.
+/// Right, up and `forward`, which must have length 1.
 inline std::array<glm::dvec3, 3> axesAlong(const glm::dvec3& forward) {
     const glm::dvec3 other = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, other));

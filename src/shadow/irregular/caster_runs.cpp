@@ -9,7 +9,7 @@ CasterRuns::CasterRuns(std::span<const glm::vec3> positions,
     const std::size_t count = indices.size() / 3;
     runs_.reserve((count + length - 1) / length);
     triangles_.reserve(count);
-    // Where a vertex is in the run that had it last.
+    // Position of each vertex in the last run that contained it.
     std::vector<std::uint32_t> runOf(positions.size(), 0);
     std::vector<std::uint8_t> placeOf(positions.size(), 0);
     for (std::size_t first = 0; first < count; first += length) {

@@ -10,12 +10,13 @@
 
 namespace edgeshade {
 
-/// Casting triangles by runs of neighbours, each with its own vertices and the box around them.
+/// Casting triangles in runs of neighbours; each run has its own vertices and a box around them.
 class CasterRuns {
   public:
-    static constexpr std::size_t length = 32; ///< triangles of a run, or fewer
+    static constexpr std::size_t length = 32; ///< most triangles in a run
 
-    using Triangle = std::array<std::uint8_t, 3>; ///< corners among its run's vertices
+    using Triangle = std::array<std::uint8_t, 3>; ///< indices of its corners among its run's
+                                                  ///< vertices
 
     struct Run {
         Box bounds;
@@ -24,7 +25,7 @@ class CasterRuns {
     };
 
     CasterRuns() = default;
-    /// `indices`: three a triangle.
+    /// `indices`: three per triangle.
     CasterRuns(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
     const std::vector<Run>& runs() const { return runs_; }

@@ -9,13 +9,15 @@
 namespace edgeshade {
 namespace {
 
-/// What doubles may put a height over a plane off by, as a share of its terms.
+/// Bound of the rounding error, in double precision, of a height over a plane, relative to its
+/// terms.
 constexpr double heightRounding = 0x1p-48;
 
-/// What rounding may do to an own coordinate of a FaceFrame, where it is 1.
+/// Bound of the rounding error of a coordinate of 1 in a FaceFrame.
 constexpr float faceRounding = 0x1p-20f;
 
-/// Boxes of groups that triangles are asked about one after the other.
+/// Most boxes of a run's groups to test each of its triangles against. With more, a triangle
+/// gathers its own groups.
 constexpr std::size_t mostBoxes = 12;
 
 std::size_t faceAlong(const glm::dvec3& place) {
@@ -24,33 +26,35 @@ std::size_t faceAlong(const glm::dvec3& place) {
     return static_cast<std::size_t>(2 * axis + (place[axis] < 0.0 ? 1 : 0));
 }
 
-/// What a vector around a point light is across a face and along its axis.
+/// A vector around a point light in a face's coordinates: two across the face, one along its axis.
 glm::dvec3 turnedTo(std::size_t face, const glm::dvec3& vector) {
     const auto axis = static_cast<glm::length_t>(face / 2);
     return {vector[(axis + 1) % 3], vector[(axis + 2) % 3],
             face % 2 != 0 ? -vector[axis] : vector[axis]};
 }
 
-/// The ray and the height of a place on a face of a point light: planes are planes there too.
+/// The ray and the height of a point on a point light's face; planes stay planes in these
+/// coordinates.
 glm::dvec3 raysOn(std::size_t face, const glm::dvec3& place) {
     const glm::dvec3 turned = turnedTo(face, place);
     const double height = 1.0 / turned.z;
     return {turned.x * height, turned.y * height, height};
 }
 
-/// The same of a directional light.
+/// The ray and the height for a directional light.
 glm::dvec3 raysOn(const glm::dvec3& place) {
     return {place.x, place.y, -place.z};
 }
 
-/// Which side of the line through a and b, as the light sees it, p is on. Of b and a the same with
-/// the other sign, bit for bit: triangles that share an edge agree on it.
+/// The side of the line through a and b that p is on, as seen by the light. Swapping a and b only
+/// changes the sign, bit for bit, so that triangles that share an edge agree on it.
 double edgeSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& p, bool directional) {
     const glm::dvec3 from = a - p, to = b - p;
     return directional ? from.x * to.y - from.y * to.x : glm::dot(glm::cross(from, to), p);
 }
 
-/// normal . rays + offset >= 0 in the frame's own coordinates, with room for rounding.
+/// The half space normal . rays + offset >= 0 in the frame's own coordinates, with a margin for
+/// rounding.
 HalfSpace inFrame(const FaceFrame& frame, const glm::dvec3& normal, double offset) {
     const glm::dvec3 own = normal * frame.half;
     const double d = offset + glm::dot(normal, frame.middle);
@@ -78,7 +82,7 @@ CasterBox boxAround(const std::array<glm::vec3, 3>& places) {
 constexpr CasterBox everything{-CasterBox::infinity, CasterBox::infinity, -CasterBox::infinity,
                                CasterBox::infinity, CasterBox::infinity};
 
-/// Where points are on a face.
+/// Bounds of points on a face.
 struct Extent {
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
@@ -92,31 +96,33 @@ struct Extent {
         high = glm::max(high, other.high);
     }
     FaceFrame frame() const {
-        constexpr double least = 1e-300; // its inverse is a number
+        constexpr double least = 1e-300; // its inverse is finite
         return {0.5 * (low + high), glm::max(0.5 * (high - low), glm::dvec3(least))};
     }
 };
 
 } // namespace
 
-/// What tells whether a triangle is between a point and the light.
+/// Data to test whether a triangle is between a point and the light.
 struct IrregularZBuffer::Corners {
     std::array<glm::dvec3, 3> places;
     SpacePlane plane;
-    double behind;   ///< times a height over the plane: above 0 where the light isn't
-    double rounding; ///< of heights, and beside it what `perPlace` is times a place's coordinates
+    double behind;   ///< factor of a height over the plane: the product is above 0 on the side away
+                     ///< from the light
+    double rounding; ///< of heights; together with `perPlace` times the size of the point's
+                     ///< coordinates
     double perPlace;
 };
 
-/// A triangle that is seen.
+/// A visible triangle.
 struct IrregularZBuffer::OwnTriangle {
     std::uint32_t number = 0;
     std::array<glm::dvec3, 3> corners{};
     SpacePlane plane{};
-    bool dark = false; ///< the light grazes it, or it casts and is turned away from the light
+    bool dark = false; ///< the light grazes it, or it casts and faces away from the light
 };
 
-/// What a thread works with.
+/// A thread's working memory.
 struct IrregularZBuffer::Scratch {
     std::array<PointTree::Groups, 6> groups; ///< by face, for a run
     PointTree::Groups own;                   ///< for one triangle
@@ -160,7 +166,8 @@ IrregularZBuffer::OwnTriangle IrregularZBuffer::ownTriangle(std::uint32_t number
 }
 
 void IrregularZBuffer::findPlaces(const PixelRectangle& within, Threads threads) {
-    constexpr std::size_t leastRows = 32, kept = 64; // triangles: neighbours show the same
+    constexpr std::size_t leastRows = 32, kept = 64; // triangles: neighbouring pixels show the same
+                                                     // ones
     const auto parts = partsOf(static_cast<std::size_t>(within.height), leastRows, threads);
     forEachPart(parts, [&](std::size_t, const ItemRange& rows) {
         std::array<OwnTriangle, kept> known{};
@@ -182,7 +189,7 @@ void IrregularZBuffer::findPlaces(const PixelRectangle& within, Threads threads)
 
 template <class Use>
 void IrregularZBuffer::forEachPoint(const PixelRectangle& of, int step, Use use) const {
-    constexpr int block = 4; // pixels: neighbours stay neighbours
+    constexpr int block = 4; // pixels: keeps neighbours together
     const int right = of.x + of.width, top = of.y + of.height;
     for (int y0 = of.y; y0 < top; y0 += block)
         for (int x0 = of.x; x0 < right; x0 += block)
@@ -221,7 +228,7 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
         return frames;
     };
     std::vector<std::vector<std::vector<FacePoint>>> points; // by face and part
-    // False: some are too far outside for floats' rounding.
+    // Returns false if some points are too far outside for floats.
     const auto put = [&](const std::vector<FaceFrame>& frames) {
         points.assign(faces_.size(), std::vector<std::vector<FacePoint>>(parts.size()));
         std::atomic<bool> within2 = true;
@@ -238,7 +245,7 @@ void IrregularZBuffer::addPoints(const PixelRectangle& within, Threads threads) 
         });
         return within2.load();
     };
-    // A few points tell where most are.
+    // A sample of points shows where most of them are.
     std::vector<FaceFrame> frames = framesOf(4);
     if (!put(frames)) {
         frames = framesOf(1);
@@ -258,7 +265,7 @@ void IrregularZBuffer::cast(std::span<const PlacedRuns> casters, Threads threads
         placed.push_back({of.casters, space_.fromBatch(of.worldFromBatch),
                           placeInObject(light_, of.worldFromBatch)});
     }
-    constexpr std::size_t leastRuns = 8; // of large triangles, with many points each
+    constexpr std::size_t leastRuns = 8; // enough large triangles with many points each
     forEachPart(partsOf(count, leastRuns, threads), [&](std::size_t, const ItemRange& range) {
         Scratch scratch;
         std::size_t b = 0;
@@ -383,10 +390,10 @@ IrregularZBuffer::Corners IrregularZBuffer::cornersOf(const Triangle& triangle) 
 CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners) const {
     const FaceFrame& frame = faces_[face].frame();
     CasterPlanes planes;
-    // Nothing is behind a plane that the light is in.
+    // No point is behind a plane that the light is in.
     if (corners.behind == 0.0) return {HalfSpace{0.0f, 0.0f, 0.0f, -1.0f}};
     const bool directional = space_.directional();
-    // Every other face mirrors.
+    // Every second face mirrors.
     const double turned = !directional && face % 2 != 0 ? -corners.behind : corners.behind;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec3 &a = corners.places[i], &b = corners.places[(i + 1) % 3];
@@ -395,7 +402,7 @@ CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners
             planes[i] =
                 inFrame(frame, turned * normal, -turned * (normal.x * a.x + normal.y * a.y));
         } else {
-            // a x b, which rounding leaves little of where the light is far away.
+            // a x b, where rounding leaves little accuracy if the light is far away.
             const glm::dvec3 normal = turned * glm::cross(turnedTo(face, a), turnedTo(face, b - a));
             planes[i] = inFrame(frame, {normal.x, normal.y, 0.0}, normal.z);
         }
@@ -415,7 +422,8 @@ CasterPlanes IrregularZBuffer::planesOn(std::size_t face, const Corners& corners
 bool IrregularZBuffer::isShadowed(const Corners& corners, Pixel pixel) const {
     const glm::dvec3& place = places_[indexOf(pixel)];
     const double behind = corners.behind * corners.plane.heightOf(place);
-    // What is in the plane of a point's own triangle, and that itself, is not before it.
+    // Triangles in the plane of a point's own triangle, and that one itself, are not in front of
+    // it.
     if (!(behind > corners.rounding + corners.perPlace * glm::length(place))) return false;
     const auto& [a, b, c] = corners.places;
     const bool directional = space_.directional();

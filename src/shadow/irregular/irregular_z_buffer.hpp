@@ -10,32 +10,33 @@
 
 namespace edgeshade {
 
-/// Casting triangles, somewhere in the world.
+/// Casting triangles with their transform to the world.
 struct PlacedRuns {
     const CasterRuns* casters = nullptr;
     glm::dmat4 worldFromBatch{1.0};
 };
 
-/// Which visible points of a picture a light doesn't reach, found point by point: an irregular
-/// z-buffer (Johnson et al. 2005, Aila and Laine 2004), which the processor draws casters into. A
-/// point is where its pixel's line of sight meets the triangle that is seen there, in doubles, and
-/// is in shadow if that is turned away from the light, or another is between it and the light
-/// (docs/method.md, C46).
+/// The visible points of a picture that a light doesn't reach, found point by point: an irregular
+/// z-buffer (Johnson et al. 2005, Aila and Laine 2004), into which the processor draws casters. A
+/// point is where its pixel's line of sight meets the triangle visible there, in double precision.
+/// It is in shadow if that triangle faces away from the light, or another one is between it and the
+/// light (docs/method.md, C46).
 class IrregularZBuffer {
   public:
-    /// Points within `reach` are asked. `seen` must outlive it.
+    /// Tests the points within `reach`. `seen` must outlive it.
     IrregularZBuffer(const SeenTriangles& seen, const FrameView& view, const Light& light,
                      const PixelRectangle& reach, Threads threads = {});
 
     void cast(std::span<const PlacedRuns> casters, Threads threads = {});
 
-    /// By pixel of the rectangle, rows from below: 255 where something is in shadow, else 0.
+    /// For each pixel of the rectangle, rows from below: 255 if its point is in shadow, otherwise
+    /// 0.
     const std::vector<std::uint8_t>& shadowed() const { return shadowed_; }
 
   private:
     struct Vertex {
         glm::dvec3 place{0.0}; ///< in the light's space
-        glm::vec3 own{0.0f};   ///< in the frame of its face
+        glm::vec3 own{0.0f};   ///< in its face's frame
         std::size_t face = 0;
     };
     struct Triangle {
@@ -52,7 +53,7 @@ class IrregularZBuffer {
     void findPlaces(const PixelRectangle& within, Threads threads);
     void addPoints(const PixelRectangle& within, Threads threads);
     void castRun(const PlacedInLight& casters, const CasterRuns::Run& run, Scratch& scratch);
-    /// Whether some groups of points may be behind the run, which are in `scratch` then.
+    /// Whether any groups of points may be behind the run; they are then in `scratch`.
     bool gatherFor(const Box& bounds, const glm::dmat4& lightFromBatch, Scratch& scratch) const;
     Vertex vertexAt(const glm::dvec3& place) const;
     void cast(const Triangle& triangle, std::size_t face, Scratch& scratch);
@@ -60,8 +61,8 @@ class IrregularZBuffer {
     Corners cornersOf(const Triangle& triangle) const;
     CasterPlanes planesOn(std::size_t face, const Corners& corners) const;
     bool isShadowed(const Corners& corners, Pixel pixel) const;
-    /// Calls use(pixel, face, rays) for every step-th point that is asked of each four rows and
-    /// columns.
+    /// Calls use(pixel, face, rays) for points to test, in blocks of four by four pixels, at every
+    /// step-th row and column of a block.
     template <class Use>
     void forEachPoint(const PixelRectangle& of, int step, Use use) const;
 
@@ -74,7 +75,7 @@ class IrregularZBuffer {
     Light light_;
     LightSpace space_;
     SightLines lines_;
-    std::vector<glm::dvec3> places_; ///< by pixel, in the light's space, where one is asked
+    std::vector<glm::dvec3> places_; ///< by pixel, in the light's space, for points to test
     std::vector<PointTree> faces_;
     std::vector<std::uint8_t> shadowed_;
 };

@@ -8,14 +8,14 @@
 
 namespace edgeshade {
 
-/// Four floats that are worked on at once, where the processor can.
+/// Four floats for SIMD operations, where the processor has them.
 using Lanes = float __attribute__((vector_size(16)));
-/// What comparing them gives: all bits of a lane where it is true, else none.
+/// Result of comparisons: all bits of a lane set if true, otherwise none.
 using LaneMask = int __attribute__((vector_size(16)));
 
 inline constexpr std::size_t laneCount = 4;
 
-/// A bit for each lane that is true, the first lowest.
+/// One bit for each true lane, the first one lowest.
 inline unsigned bitsOf(LaneMask mask) {
 #ifdef __SSE2__
     return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));

@@ -7,7 +7,7 @@
 namespace edgeshade {
 namespace {
 
-/// Where rays of a face end, with room for rounding.
+/// The border of a face's rays, with a margin for rounding.
 constexpr float faceEnd = 1.0f + 1e-5f;
 
 } // namespace

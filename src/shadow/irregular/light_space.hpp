@@ -12,12 +12,12 @@ struct LightBox {
     glm::vec3 high{-std::numeric_limits<float>::infinity()};
 
     bool empty() const { return low.x > high.x; }
-    /// Wider by so much on all sides.
+    /// The box enlarged by `by` on all sides.
     LightBox grown(float by) const { return {low - by, high + by}; }
 };
 
-/// The rays of a light that meet something, in one of a LightSpace's faces, and the depths at which
-/// they do; empty: none does.
+/// Range of rays on a LightSpace's face that meet something, and of the depths at which they do;
+/// empty if none does.
 struct FaceExtent {
     glm::vec2 low{std::numeric_limits<float>::infinity()};
     glm::vec2 high{-std::numeric_limits<float>::infinity()};
@@ -27,23 +27,24 @@ struct FaceExtent {
     bool empty() const { return low.x > high.x; }
 };
 
-/// Places as a light sees them. Of a directional light x and y are across it and z grows away from
-/// it, and its one face has all rays (x, y) and depths z. Around a point light the axes are the
-/// world's, and its six faces are a cube's: each has the rays (x / w, y / w) within -1 and 1, where
-/// w, the depth, is what a place is along the face's own axis, and x and y along the next two.
+/// Positions in a light's coordinates. For a directional light x and y are across it and z grows
+/// away from it; its single face has all rays (x, y) and depths z. Around a point light the axes
+/// are the world's, and the six faces are a cube's. Each has the rays (x / w, y / w) within -1 and
+/// 1, where w, the depth, is the coordinate along the face's own axis, and x and y those along the
+/// next two.
 class LightSpace {
   public:
-    /// `near`: a place in the world around which a directional light's coordinates are small.
+    /// `near`: a position in the world around which a directional light's coordinates are small.
     LightSpace(const Light& light, const glm::dvec3& near);
 
     bool directional() const { return directional_; }
     std::size_t faceCount() const { return directional_ ? 1 : 6; }
-    /// Of the world's directions, and of a place in it.
+    /// Transforms of directions of the world, and of a position in it.
     const glm::dmat3& turn() const { return turn_; }
     glm::dvec3 of(const glm::dvec3& place) const { return turn_ * (place - origin_); }
-    /// Of a batch's positions: what is far from the world's origin loses nothing by it.
+    /// Transform of a batch's positions, precise even far from the world's origin.
     glm::dmat4 fromBatch(const glm::dmat4& worldFromBatch) const;
-    /// Of what lies in the box. Nothing of it is left out.
+    /// Conservative bounds of the part of the box on a face.
     FaceExtent extentIn(std::size_t face, const LightBox& box) const;
 
   private:

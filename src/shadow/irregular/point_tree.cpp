@@ -8,16 +8,16 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-constexpr std::uint32_t cellBits = 8; ///< of a face, along each side
+constexpr std::uint32_t cellBits = 8; ///< bits per side of a face's cell index
 
-/// Every other bit of a byte's is 0.
+/// Spreads a byte's bits, with a 0 before each.
 std::uint32_t spread(std::uint32_t bits) {
     bits = (bits | bits << 4) & 0x0F0Fu;
     bits = (bits | bits << 2) & 0x3333u;
     return (bits | bits << 1) & 0x5555u;
 }
 
-/// The cell that a point is in, along a curve that fills the face (Morton order).
+/// The cell of a point, in Morton order over the face.
 std::uint32_t cellOf(const FacePoint& point) {
     const auto step = [](float at) {
         constexpr float most = (1u << cellBits) - 1;
@@ -29,8 +29,8 @@ std::uint32_t cellOf(const FacePoint& point) {
 
 using Cells = std::vector<std::uint32_t>;
 
-/// By part and cell: where the part's first point of the cell goes so that they come cell by cell,
-/// in each part by part.
+/// By part and cell: the position of the part's first point in the cell. Points are sorted by cell,
+/// and within a cell by part.
 std::vector<Cells> firstPlaces(std::span<const std::vector<FacePoint>> parts, Threads threads) {
     std::vector<Cells> places(parts.size());
     inParallel(parts.size(), threads, [&](std::size_t part) {
@@ -185,7 +185,7 @@ void PointTree::build(const FaceFrame& frame, std::span<const std::vector<FacePo
         for (const FacePoint& point : parts[part])
             put(next[part][cellOf(point)]++, point);
     });
-    // The last leaf is filled up with one of its points, found already.
+    // Pads the last leaf with copies of one of its points, marked as found.
     const Leaf& last = leaves_.back();
     const FacePoint one{{last.u[0][0], last.v[0][0], last.height[0][0]}, last.pixels[0]};
     for (std::size_t place = count; place < leaves * leafSize; ++place) {
@@ -224,7 +224,7 @@ void PointTree::gather(const CasterBox& around, const CasterPlanes* planes, Grou
     if (levels_.empty()) return;
     if (levels_.size() > 1) {
         gatherIn(levels_.size() - 1, 0, around, planes, found);
-    } else { // one group, which no box is around
+    } else { // a single group, without boxes around it
         found.groups.push_back(0);
         found.boxes.emplace_back().set(0, lowOfAll(levels_[0].boxes[0]),
                                        highOfAll(levels_[0].boxes[0]));

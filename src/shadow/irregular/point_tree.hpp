@@ -15,17 +15,17 @@
 
 namespace edgeshade {
 
-/// Which part of a light's face a PointTree's own coordinates, mostly -1 to 1, stand for: rays (u,
-/// v) and heights towards the light.
+/// The part of a light's face that a PointTree's own coordinates, mostly -1 to 1, represent: rays
+/// (u, v) and heights towards the light.
 struct FaceFrame {
     glm::dvec3 middle{0.0};
-    glm::dvec3 half{1.0}; ///< from there to where a coordinate is 1
+    glm::dvec3 half{1.0}; ///< from there to a coordinate of 1
     glm::dvec3 scale = 1.0 / half;
 
     glm::dvec3 of(const glm::dvec3& place) const { return (place - middle) * scale; }
 };
 
-/// A pixel of a picture, from its lower left.
+/// A pixel of a picture, counted from its lower left.
 struct Pixel {
     std::uint16_t column = 0, row = 0;
 
@@ -41,8 +41,8 @@ struct FacePoint {
     Pixel pixel;
 };
 
-/// What is around a caster, in a FaceFrame: rays, and the greatest height. Points that it may keep
-/// light from are within, and no higher.
+/// Bounds of a caster in a FaceFrame: its rays, and its greatest height. Points that it may shade
+/// are within these rays, and no higher.
 struct CasterBox {
     static constexpr float infinity = std::numeric_limits<float>::infinity();
     float u0 = infinity, u1 = -infinity, v0 = infinity, v1 = -infinity, highest = -infinity;
@@ -56,13 +56,12 @@ struct CasterBox {
     }
 };
 
-/// Where a u + b v + c height + d >= 0.
+/// The points with a u + b v + c height + d >= 0.
 struct HalfSpace {
     float a = 0.0f, b = 0.0f, c = 0.0f, d = 0.0f;
 };
 
-/// A triangle's edges as the light sees them, the triangle on the positive side, and what is behind
-/// its plane.
+/// A triangle's edges as seen by the light, positive inside, and the half space behind its plane.
 using CasterPlanes = std::array<HalfSpace, 4>;
 
 /// Eight boxes in a FaceFrame.
@@ -74,28 +73,27 @@ struct PointBoxes {
     void set(std::size_t i, const glm::vec3& low, const glm::vec3& high);
     glm::vec3 lowOf(std::size_t i) const;
     glm::vec3 highOf(std::size_t i) const;
-    /// A bit for each that may hold points which a caster within the box keeps light from.
+    /// One bit for each box that may hold points shaded by a caster within `box`.
     unsigned meeting(const CasterBox& box) const;
-    /// Those that have something on the positive side of each plane.
+    /// One bit for each box that reaches the positive side of every plane.
     unsigned meeting(const CasterPlanes& planes) const;
 };
 
-/// The visible points of a face, sorted so that neighbours in a light's eyes are neighbours, in
-/// leaves of 16, and boxes around 8 of these, around 8 of such and so on. Points that are found in
-/// shadow aren't asked for again. Several threads may find some at a time.
+/// The visible points of a face, sorted so that neighbours as seen by the light are adjacent, in
+/// leaves of 16. There are boxes around 8 leaves, around 8 of these, and so on. Points found to be
+/// in shadow aren't tested again. Several threads may search at once.
 class PointTree {
   public:
     static constexpr std::size_t leafSize = 16;
 
-    /// In place of what was there. `parts`: the points, as several threads found them; at least
-    /// one part.
+    /// Replaces the tree. `parts`: the points, as found by several threads; at least one part.
     void build(const FaceFrame& frame, std::span<const std::vector<FacePoint>> parts,
                Threads threads = {});
 
     const FaceFrame& frame() const { return frame_; }
     bool empty() const { return levels_.empty(); }
 
-    /// Some groups of leaves, with the boxes around them.
+    /// Groups of leaves, with the boxes around them.
     struct Groups {
         std::vector<PointBoxes> boxes;
         std::vector<std::uint32_t> groups; ///< by box
@@ -105,12 +103,13 @@ class PointTree {
             groups.clear();
         }
     };
-    /// All that hold points which a caster within the box may keep light from; of one caster, if
-    /// its planes are told.
+    /// Gathers all groups with points that casters within the box may shade. `planes`: those of a
+    /// single caster, or null.
     void gather(const CasterBox& around, const CasterPlanes* planes, Groups& found) const;
 
-    /// Calls planes() once for a caster whose box, within that of gather(), holds points,
-    /// isShadowed(pixel) for those that may be behind it, and mark(pixel) once for each that is.
+    /// Finds the points behind a caster whose box is within that of gather(). Calls planes() once
+    /// if the box holds points, isShadowed(pixel) for points that may be behind it, and mark(pixel)
+    /// once for each that is.
     template <class Planes, class IsShadowed, class Mark>
     void find(const Groups& among, const CasterBox& box, Planes planes, IsShadowed isShadowed,
               Mark mark) {
@@ -150,7 +149,7 @@ class PointTree {
     };
     struct Level {
         std::vector<PointBoxes> boxes;
-        /// By eight boxes, a bit for each that holds points which weren't found.
+        /// For each group of eight boxes, one bit for each box with points not yet found.
         std::vector<std::atomic<std::uint8_t>> alive;
     };
     static constexpr unsigned all = (1u << leafSize) - 1;
@@ -177,8 +176,8 @@ class PointTree {
 
     FaceFrame frame_;
     std::vector<Leaf> leaves_;
-    std::vector<std::atomic<std::uint16_t>> found_; ///< by leaf, a bit for each point
-    std::vector<Level> levels_;                     ///< leaves' boxes first
+    std::vector<std::atomic<std::uint16_t>> found_; ///< by leaf, one bit for each point
+    std::vector<Level> levels_;                     ///< leaves' boxes come first
 };
 
 } // namespace edgeshade

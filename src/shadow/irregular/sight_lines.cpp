@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-/// The point of the triangle that is nearest to one of its plane, or nearly so.
+/// The triangle's point that is nearest, or nearly so, to a point of its plane.
 glm::dvec3 within(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal,
                   const glm::dvec3& point) {
     std::array<double, 3> shares;

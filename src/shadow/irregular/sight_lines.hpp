@@ -21,18 +21,18 @@ class SightLines {
   public:
     SightLines(const FrameView& view, const LightSpace& space);
 
-    /// Where a pixel's line of sight meets a triangle of the plane: within it, though the
-    /// rasteriser, which puts vertices on a grid, may have drawn a pixel whose line passes beside
-    /// it.
+    /// The intersection of a pixel's line of sight with a triangle of the plane. The result is
+    /// within the triangle, even though the rasteriser, whose vertices are on a grid, may have
+    /// drawn a pixel whose line misses it.
     glm::dvec3 placeOn(const std::array<glm::dvec3, 3>& corners, const SpacePlane& plane, int x,
                        int y) const;
-    /// The sign of heights over a plane where the eye is; 0: it is seen from its edge.
+    /// The sign of heights over a plane on the eye's side; 0: the plane is edge-on.
     int eyeSideOf(const SpacePlane& plane) const;
 
   private:
     bool perspective_;
     glm::dvec3 eye_, forward_;
-    /// Across the line of sight: the first pixel's, and to the next column and row.
+    /// Points across the line of sight: the first pixel's, and steps to the next column and row.
     glm::dvec3 first_, column_, row_;
 };
 

@@ -7,13 +7,13 @@
 namespace edgeshade {
 namespace {
 
-constexpr int deepest = 12;  // halvings of a face's side at most
-constexpr int stepDepth = 2; // of a finer grid
+constexpr int deepest = 12;  // most halvings of a face's side
+constexpr int stepDepth = 2; // halvings per finer grid
 constexpr double rounding = 1e-12;
 
 /// A convex cone of three rays, as seen from the light; for a directional light, points (x, y, 1)
-/// of the plane across its direction. `sides` are the planes between neighbouring rays, insides
-/// positive.
+/// of the plane across its direction. `sides` are the planes between neighbouring rays, positive
+/// inside.
 struct TriangleCone {
     std::array<glm::dvec3, 3> rays;
     std::array<glm::dvec3, 3> sides;
@@ -38,7 +38,7 @@ struct Cell {
         return {face * glm::dvec3(u0, v0, 1.0), face * glm::dvec3(u1, v0, 1.0),
                 face * glm::dvec3(u1, v1, 1.0), face * glm::dvec3(u0, v1, 1.0)};
     }
-    /// Planes through the cell's sides and the light, insides positive.
+    /// Planes through the cell's sides and the light, positive inside.
     std::array<glm::dvec3, 4> sides() const {
         return {face * glm::dvec3(1.0, 0.0, -u0), face * glm::dvec3(-1.0, 0.0, u1),
                 face * glm::dvec3(0.0, 1.0, -v0), face * glm::dvec3(0.0, -1.0, v1)};
@@ -49,7 +49,7 @@ double magnitude(const glm::dvec3& v) {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-/// Whether all vectors lie outside the plane, rounding allowed for.
+/// Whether all vectors are outside the plane by more than rounding.
 template <std::size_t N>
 bool allOutside(const glm::dvec3& plane, const std::array<glm::dvec3, N>& vectors) {
     for (const glm::dvec3& vector : vectors)
@@ -58,7 +58,7 @@ bool allOutside(const glm::dvec3& plane, const std::array<glm::dvec3, N>& vector
     return true;
 }
 
-/// Whether the cones may have a direction in common: no side of either separates them.
+/// Whether the cones may share a direction: no side of either separates them.
 bool mayTouch(const TriangleCone& triangle, const std::array<glm::dvec3, 4>& corners,
               const std::array<glm::dvec3, 4>& sides) {
     for (const glm::dvec3& side : sides)
@@ -68,8 +68,8 @@ bool mayTouch(const TriangleCone& triangle, const std::array<glm::dvec3, 4>& cor
     return true;
 }
 
-/// Whether a convex polygon certainly holds all of a part of its face: dividing the part can't part
-/// it from the others that do.
+/// Whether a convex polygon certainly contains a whole part of its face. Dividing the part can't
+/// then separate it from other such polygons.
 bool covers(std::span<const glm::dvec2> polygon, const Outline& part) {
     const std::array corners{glm::dvec2(part.u0, part.v0), glm::dvec2(part.u1, part.v0),
                              glm::dvec2(part.u1, part.v1), glm::dvec2(part.u0, part.v1)};
@@ -111,7 +111,7 @@ void CloserLook::refine(const glm::dmat3& face, const CrowdedCell& cell, int dep
         refine(face, one, depth + finer);
 }
 
-/// Whether more than `limit` members hold all of it.
+/// Whether more than `limit` members contain the whole cell.
 bool CloserLook::isCovered(const CrowdedCell& cell) const {
     std::size_t covering = 0;
     for (const CellMember& member : cell.members)

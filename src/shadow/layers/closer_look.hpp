@@ -6,19 +6,20 @@
 
 namespace edgeshade {
 
-/// Looks at crowded cells one by one: parts them in finer grids while that may part their members,
-/// and asks in the end which triangles touch them.
+/// Examines crowded cells one by one: divides them into finer grids while that may separate their
+/// members, and finally tests which triangles touch them.
 class CloserLook {
   public:
     CloserLook(const FlatCasters& casters, std::size_t limit) : casters_(casters), limit_(limit) {}
 
-    /// At a cell of a face (a matrix as LightView::faces has them) after so many halvings of its
-    /// side. `mostWork`: pairs of a triangle and a cell from which on it gives up parting.
+    /// Examines a cell of a face (a matrix of LightView::faces) after `depth` halvings of its side.
+    /// `mostWork`: pairs of a triangle and a cell from which on it stops dividing.
     void at(const glm::dmat3& face, const CrowdedCell& cell, int depth, std::size_t mostWork);
 
-    /// The most that touch a cell.
+    /// The most triangles that touch a cell.
     std::size_t most() const { return most_; }
-    /// Those of each cell that more than `limit` touch; many neighbours have the same.
+    /// The triangles of each cell touched by more than `limit`; a set, as many neighbours have the
+    /// same.
     const std::set<TriangleIndices>& crowded() const { return crowded_; }
 
   private:

@@ -10,7 +10,7 @@
 
 namespace edgeshade {
 
-/// Casting triangles, in the order of batches and their casters.
+/// Indices of casting triangles, in the order of batches and their casters.
 using TriangleIndices = std::vector<std::uint32_t>;
 
 /// A triangle that may touch a cell of a light's face.
@@ -18,9 +18,9 @@ struct CellMember {
     static constexpr std::uint32_t isWhole = ~std::uint32_t{0};
 
     std::uint32_t triangle;
-    std::uint32_t part; ///< as which of FlatCasters::parts(), or isWhole
+    std::uint32_t part; ///< index in FlatCasters::parts(), or isWhole
 
-    /// Calls use(polygon) with where it is on the face.
+    /// Calls use(polygon) with its polygon on the face.
     template <class Use>
     void withPolygon(const FlatCasters& casters, Use use) const {
         if (part != isWhole) return use(casters.parts()[part].polygon.all());
@@ -29,20 +29,20 @@ struct CellMember {
     }
 };
 
-/// A cell that more triangles may touch than are wanted.
+/// A cell that too many triangles may touch.
 struct CrowdedCell {
     Outline part;
     std::vector<CellMember> members{};
 };
 
-/// Those of a grid.
+/// The crowded cells of a grid.
 class CrowdedCells {
   public:
     CrowdedCells() = default;
-    /// Of a grid that is summed: the cells where it counts more than `limit`, without members yet.
-    /// `most` becomes what the others count at most, where it was less.
+    /// Takes from a summed grid the cells that count more than `limit`, without members yet. Raises
+    /// `most` to the largest count of the others, if that is more.
     CrowdedCells(const TouchGrid& grid, std::size_t limit, std::size_t& most);
-    /// All of what the grid covers is one.
+    /// A single cell that covers the whole grid.
     static CrowdedCells ofAll(const Outline& part);
 
     void add(const CellMember& member, std::span<const glm::dvec2> polygon, const TouchGrid& grid);
@@ -52,7 +52,8 @@ class CrowdedCells {
 
   private:
     std::vector<CrowdedCell> cells_;
-    std::vector<std::int32_t> at_; ///< by the grid's rows and columns; -1: it isn't
+    std::vector<std::int32_t> at_; ///< index in cells_, by the grid's rows and columns; -1: not
+                                   ///< crowded
 };
 
 } // namespace edgeshade

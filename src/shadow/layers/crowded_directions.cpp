@@ -10,14 +10,15 @@
 namespace edgeshade {
 namespace {
 
-// Pairs of a triangle and a crowded cell; about a second for 20 million.
+// Limit of pairs of a triangle and a crowded cell; 20 million take about a second.
 constexpr std::size_t leastWork = 20'000'000;
 constexpr std::size_t workPerTriangle = 40;
 
-/// Each has grids of its own: more threads would add longer than they count.
+/// Each thread has its own grids: with more threads, adding the grids would take longer than
+/// counting.
 constexpr std::size_t mostThreads = 4;
 
-/// The part of a light's face that triangles reach, and how many do.
+/// The part of a light's face that triangles reach, and their number.
 struct ReachedPart {
     Outline part;
     std::size_t triangles = 0;
@@ -30,7 +31,7 @@ struct ReachedPart {
         part.add(other.part);
         triangles += other.triangles;
     }
-    /// With some room around, but no more than the whole face; empty() where nothing is.
+    /// The part with a small margin, within the whole face; empty() if no triangle reaches it.
     Outline within(const Outline& whole) const {
         const double room = 1e-9 * (1.0 + std::abs(part.u0) + std::abs(part.u1) +
                                     std::abs(part.v0) + std::abs(part.v1));
@@ -39,7 +40,7 @@ struct ReachedPart {
     }
 };
 
-/// What a light's faces hold, counted in grids.
+/// Counts the triangles on a light's faces in grids.
 class FaceCounts {
   public:
     FaceCounts(const FlatCasters& casters, const LightView& from, std::size_t limit)
@@ -60,29 +61,30 @@ class FaceCounts {
     struct Face {
         ReachedPart reached{};
         Outline part{};
-        int depth = 0;        ///< halvings of its sides by the grid; 0: nothing is there
-        bool rough = true;    ///< outlines are counted
-        bool counted = false; ///< for good
+        int depth = 0;        ///< halvings of its sides by the grid; 0: no triangles
+        bool rough = true;    ///< counts the triangles' outlines
+        bool counted = false; ///< counted, and final
         std::optional<TouchGrid> grid{};
         CrowdedCells crowded{};
     };
     const std::vector<Face>& faces() const { return faces_; }
-    /// In cells that aren't crowded.
+    /// The most triangles in cells that aren't crowded.
     std::size_t most() const { return most_; }
 
   private:
     static constexpr int coarsest = 3, finest = 10;        ///< depths of grids
-    static constexpr int mostAtFirst = 8;                  ///< likewise
-    static constexpr std::size_t mostPerTriangle = 2;      ///< crowded cells that are looked at
-    static constexpr std::size_t mostGathered = 4'000'000; ///< members of them, 8 bytes each
+    static constexpr int mostAtFirst = 8;                  ///< deepest first grid
+    static constexpr std::size_t mostPerTriangle = 2;      ///< crowded cells examined
+    static constexpr std::size_t mostGathered = 4'000'000; ///< members of crowded cells, 8 bytes
+                                                           ///< each
 
     std::vector<ItemRange> parts() const {
         return partsOf(casters_.count(), itemsOfThread,
                        {std::min(Threads::available(), mostThreads)});
     }
 
-    /// Calls visit(face, member, polygon) for those triangles; with the first of them, for all that
-    /// are on no face wholly too.
+    /// Calls visit(face, member, polygon) for those triangles. The range with the first triangle
+    /// also visits all parts of triangles that no face holds wholly.
     template <class Visit>
     void forEach(const ItemRange& triangles, Visit visit) const {
         for (std::size_t t = triangles.first; t < triangles.end; ++t) {
@@ -124,8 +126,8 @@ class FaceCounts {
         return depth;
     }
 
-    /// Counts on faces that aren't counted yet. Some may ask for a finer grid, as it takes less to
-    /// count all in one than to look at so many crowded cells one by one: true.
+    /// Counts on faces that aren't final. Returns whether some need a finer grid: counting
+    /// everything in one is faster than examining so many crowded cells one by one.
     bool count() {
         const std::vector<ItemRange> ranges = parts();
         std::vector<std::vector<std::optional<TouchGrid>>> grids(ranges.size());
@@ -157,7 +159,7 @@ class FaceCounts {
         return again;
     }
 
-    /// Whether that is the grid to go on with.
+    /// Whether to keep this grid.
     bool judge(Face& face) {
         const std::size_t members = membersOfCrowded(*face.grid);
         const bool finer =
@@ -170,7 +172,7 @@ class FaceCounts {
             face.crowded = CrowdedCells(*face.grid, limit_, most_);
             return true;
         }
-        // All of the face is looked at as one cell, which parts where it pays.
+        // Examines the whole face as one cell, which is divided where that pays.
         face.depth = 0;
         face.grid.emplace(face.part, 0);
         face.crowded = CrowdedCells::ofAll(face.part);
@@ -210,7 +212,7 @@ CrowdedDirections crowdedDirections(const Scene& scene, bool castMasked, const L
             places.push_back({&cell, face});
             members += cell.members.size();
         }
-    // Each may work as its share of the members asks, whichever thread looks at it.
+    // Each cell's work limit is in proportion to its members, independent of the thread.
     const std::size_t mostWork = std::max(leastWork, workPerTriangle * casters.count());
     const double workPerMember =
         static_cast<double>(mostWork) / static_cast<double>(std::max<std::size_t>(members, 1));

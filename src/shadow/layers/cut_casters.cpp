@@ -13,7 +13,7 @@ class BatchCut {
     BatchCut(const Batch& source, const glm::dvec4& plane)
         : batch_(source), geometry_(*source.geometry),
           plane_(glm::transpose(source.worldFromBatch) * plane) {
-        geometry_.normals.clear(); // of surfaces, which are not drawn from it
+        geometry_.normals.clear(); // used only for drawing surfaces
         geometry_.indices.clear();
         geometry_.groups.clear();
         geometry_.simplifiedCasters.reset();
@@ -37,7 +37,7 @@ class BatchCut {
         };
         if (inside[0] == inside[1] && inside[1] == inside[2])
             return emit(corners[0], corners[1], corners[2], inside[0]);
-        // The corner that is alone on its side, and the others in turn.
+        // The corner that is alone on its side, then the others in order.
         std::size_t alone = 0;
         while (inside[alone] == inside[(alone + 1) % 3] || inside[alone] == inside[(alone + 2) % 3])
             ++alone;
@@ -60,7 +60,8 @@ class BatchCut {
     }
     bool isInside(std::uint32_t vertex) const { return height(vertex) >= 0.0; }
 
-    /// A new vertex where the plane cuts an edge, computed from the lower of its positions.
+    /// A new vertex where the plane cuts an edge, computed from the lower of its two positions
+    /// first.
     std::uint32_t cutEdge(std::uint32_t a, std::uint32_t b) {
         if (orderedBefore(geometry_.positions[b], geometry_.positions[a])) std::swap(a, b);
         const double share = height(a) / (height(a) - height(b));

@@ -7,16 +7,17 @@
 
 namespace edgeshade {
 
-/// Casters alone, each wholly on one side of a plane, but for rounding.
+/// Casters only, each wholly on one side of a plane, except for rounding.
 struct CutCasters {
-    Scene scene;                     ///< batches as before, with casting triangles and their pieces
-    std::vector<std::uint32_t> from; ///< the caster that each triangle was, over all batches
-    std::vector<bool> inside;        ///< whether it is where dot(plane, (p, 1)) >= 0
+    Scene scene; ///< the same batches, with only casting triangles and their pieces
+    std::vector<std::uint32_t> from; ///< for each triangle, the index of its original caster, over
+                                     ///< all batches
+    std::vector<bool> inside;        ///< for each triangle, whether dot(plane, (p, 1)) >= 0 on it
 };
 
 /// Cuts the casting triangles of a scene by a plane in the world. Pieces keep their triangle's
-/// winding and order, and share the points at which edges are cut: what is closed stays closed, cut
-/// along the plane. Edges give the same float point from either of their triangles. `castMasked` as
+/// winding and order, and share the points at which edges are cut. Closed casters therefore stay
+/// closed along the cut. An edge gives the same float point from either triangle. `castMasked` as
 /// in CasterSettings.
 CutCasters cutCasters(const Scene& scene, bool castMasked, const glm::dvec4& plane);
 

@@ -8,7 +8,7 @@
 namespace edgeshade {
 namespace {
 
-/// Whether all of a triangle is farther away than the light reaches.
+/// Whether the whole triangle is beyond the light's range.
 bool isBeyondRange(const std::array<glm::dvec3, 3>& rays, double range) {
     Box box;
     for (const glm::dvec3& ray : rays)

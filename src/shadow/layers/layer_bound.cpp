@@ -10,7 +10,7 @@
 namespace edgeshade {
 namespace {
 
-/// What comes into one group together: a triangle, or all of a place of a mesh that is kept once.
+/// Units that each belong to one group: a triangle, or a whole place of a mesh stored once.
 struct Units {
     std::vector<std::uint32_t> of; ///< by triangle, ascending
     std::size_t count = 0;
@@ -22,7 +22,7 @@ struct Units {
     }
 };
 
-/// How many of a cell's members each unit has.
+/// The number of a cell's members in each unit.
 std::map<std::uint32_t, std::size_t> membersByUnit(const TriangleIndices& cell,
                                                    const Units& units) {
     std::map<std::uint32_t, std::size_t> members;
@@ -31,7 +31,7 @@ std::map<std::uint32_t, std::size_t> membersByUnit(const TriangleIndices& cell,
     return members;
 }
 
-/// Places whose triangles alone crowd a cell come triangle by triangle.
+/// A place whose triangles alone crowd a cell is divided into single triangles.
 Units unitsOf(const Scene& scene, bool castMasked, const std::vector<TriangleIndices>& crowded,
               std::size_t limit) {
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
@@ -60,8 +60,8 @@ Units unitsOf(const Scene& scene, bool castMasked, const std::vector<TriangleInd
     return units;
 }
 
-/// Groups such that no crowded cell has more than `limit` members of one; units outside crowded
-/// cells are in group 0. None where it takes more than mostGroups.
+/// Assigns groups so that no crowded cell has more than `limit` members of one; units outside
+/// crowded cells are in group 0. Gives up if it needs more than mostGroups.
 void assignGroups(const std::vector<TriangleIndices>& crowded, const Units& units,
                   std::size_t limit, LayerBound& bound) {
     struct Share {

@@ -10,29 +10,28 @@
 
 namespace edgeshade {
 
-/// Groups that casters are divided into at most: each costs a pass over the scene.
+/// Most groups of casters: each costs a pass over the scene.
 inline constexpr std::size_t mostGroups = 64;
 
-/// How many shadow volumes can lie around one point: the stencil counts exactly the casting
+/// Bound of the number of shadow volumes around one point. The stencil counts exactly the casting
 /// triangles between a point and the light, so this bounds the counter.
 struct LayerBound {
-    /// No straight line from the light, as long as its range, meets more casting triangles than
-    /// this.
+    /// No straight line from the light, up to its range, meets more casting triangles than this.
     std::size_t most = 0;
-    /// Where `most` is above the limit: for each casting triangle (in the order of batches and
-    /// their casters) the group it is counted in, so that no line meets more than `limit`
-    /// triangles of one group. All of a place of a mesh that is kept once is in one group, where
-    /// that can be. Empty otherwise.
+    /// If `most` is above the limit, the group of each casting triangle (in the order of batches
+    /// and their casters), such that no line meets more than `limit` triangles of one group. A
+    /// place of a mesh stored once is wholly in one group where possible. Otherwise empty.
     std::vector<std::uint32_t> groupOf;
     std::size_t groupCount = 1;
-    /// More than mostGroups would be needed, so there is one: as many triangles may lie behind each
-    /// other, or the bound was given up. What a multiple of 256 triangles shade would come out lit.
+    /// More than mostGroups would be needed, so there is a single group: too many triangles are
+    /// behind each other, or computing the bound was abandoned. A point shaded by a multiple of 256
+    /// triangles would come out lit.
     bool mayOverflow = false;
 };
 
-/// Bounds the layers around each light by crowdedDirections(). Free for scenes of at most `limit`
-/// triangles.
-/// Of several lights: no line from any of them meets more, and the groups are the same for all.
+/// Bounds the layers around each light by crowdedDirections(). Costs nothing for scenes of at most
+/// `limit` triangles. For several lights the bound holds for every line from any of them, and they
+/// share the groups.
 LayerBound boundLayers(const Scene& scene, bool castMasked, std::span<const Light> lights,
                        std::size_t limit);
 inline LayerBound boundLayers(const Scene& scene, bool castMasked, const Light& light,

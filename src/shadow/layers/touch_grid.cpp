@@ -3,8 +3,8 @@
 namespace edgeshade {
 namespace {
 
-constexpr double placing = 1e-9;   // of places on a face, as a share of their size
-constexpr double levelEdge = 1e-6; // cells: an edge that rises by less has no slope to rely on
+constexpr double placing = 1e-9;   // relative rounding of coordinates on a face
+constexpr double levelEdge = 1e-6; // cells: an edge that rises by less has no reliable slope
 
 } // namespace
 

@@ -13,28 +13,28 @@
 
 namespace edgeshade {
 
-/// A rectangle on a face in equal cells, and how many polygons may touch each: never too few, as a
-/// polygon has all of a row between its leftmost and its rightmost point there. add() all, then
-/// sum().
+/// A rectangle on a face in equal cells, and the number of polygons that may touch each cell.
+/// Counts are never too low: in each row a polygon covers everything between its leftmost and its
+/// rightmost point. Call add() for all polygons, then sum().
 class TouchGrid {
   public:
-    /// In 2^depth x 2^depth cells. The rectangle must have an area.
+    /// Divides the rectangle, which must have an area, in 2^depth x 2^depth cells.
     TouchGrid(const Outline& part, int depth);
 
-    /// Calls visit(row, first column, last column) of all that a convex polygon may touch.
+    /// Calls visit(row, first column, last column) for all cells that a convex polygon may touch.
     template <class Visit>
     void forEachSpan(std::span<const glm::dvec2> polygon, Visit visit) const;
 
     void add(std::span<const glm::dvec2> polygon) {
         forEachSpan(polygon, [&](int row, int left, int right) { addSpan(row, left, right); });
     }
-    /// All of an outline: quicker than what is in it.
+    /// Counts all cells of an outline, which is faster than for the polygon in it.
     void add(const Outline& outline) {
         if (const auto range = rangeOf(outline))
             for (int row = range->bottom; row <= range->top; ++row)
                 addSpan(row, range->left, range->right);
     }
-    /// What another grid of the same cells holds; neither must be summed.
+    /// Adds another grid of the same cells; neither may be summed yet.
     void add(const TouchGrid& other);
     void sum();
 
@@ -48,13 +48,13 @@ class TouchGrid {
     struct Range {
         int left, right, bottom, top; ///< columns and rows, last ones included
     };
-    /// Nothing where it misses the rectangle.
+    /// Null if it misses the rectangle.
     std::optional<Range> rangeOf(const Outline& outline) const;
 
-    /// An edge in cells, upwards.
+    /// An edge in cell coordinates, from bottom to top.
     struct Edge {
         glm::dvec2 from, to;
-        double slope; ///< cells sideways for each upwards; 0 where it is all but level
+        double slope; ///< horizontal cells per vertical cell; 0 if nearly level
     };
     static Edge edgeBetween(const glm::dvec2& a, const glm::dvec2& b);
     struct Span {
@@ -64,7 +64,7 @@ class TouchGrid {
             high = std::max(high, at);
         }
     };
-    /// Where edges may cross a row's border.
+    /// The span in which edges may cross a row's border.
     Span crossedBy(std::span<const Edge> edges, double border) const;
 
     std::size_t indexOf(int row, int column) const {
@@ -85,7 +85,7 @@ class TouchGrid {
 
     int side_;
     glm::dvec2 low_, perUnit_; ///< its first corner, and cells per unit
-    double rounding_;          ///< of places, in cells
+    double rounding_;          ///< of coordinates, in cells
     std::vector<std::int32_t> counts_;
 };
 

@@ -5,7 +5,7 @@
 namespace edgeshade {
 namespace {
 
-constexpr double roomToSpare = 0.999; // of a face's half side
+constexpr double roomToSpare = 0.999; // share of a face's half side
 
 } // namespace
 
@@ -44,7 +44,7 @@ FacePolygon polygonOn(const glm::dmat3& face, const std::array<glm::dvec3, 3>& r
     FacePolygon result;
     if (behind == 3) return result;
     if (near > 0) {
-        // A little wider than the face, so that rounding loses nothing.
+        // Slightly wider than the face, so that rounding loses nothing.
         for (const glm::dvec3& plane : {glm::dvec3(1.0, 0.0, 1.001), glm::dvec3(-1.0, 0.0, 1.001),
                                         glm::dvec3(0.0, 1.0, 1.001), glm::dvec3(0.0, -1.0, 1.001)})
             polygon = clipped(polygon, plane);

@@ -8,15 +8,14 @@
 
 namespace edgeshade {
 
-/// Directions from a light, by the faces of a cube around it: columns of a face are its u axis, v
-/// axis and outward axis, and a direction lies on it at (u, v) in [-1, 1].
+/// The faces of a cube around a light. A face's columns are its u axis, v axis and outward axis,
+/// and a direction lies on it at (u, v) in [-1, 1].
 std::array<glm::dmat3, 6> directionFaces();
 
-/// The face that holds a ray with some room to spare, as an index of directionFaces(); -1 if there
-/// is none.
+/// The index in directionFaces() of the face that holds a ray with a margin; -1 if there is none.
 int faceAround(const glm::dvec3& ray);
 
-/// A rectangle on a face that a triangle may lie in; low above high: nowhere.
+/// A rectangle on a face that may contain a triangle; empty if low is above high.
 struct Outline {
     double u0 = INFINITY, u1 = -INFINITY, v0 = INFINITY, v1 = -INFINITY;
 
@@ -29,20 +28,20 @@ struct Outline {
     bool misses(const Outline& other) const {
         return u1 < other.u0 || u0 > other.u1 || v1 < other.v0 || v0 > other.v1;
     }
-    /// Whether it has no area.
+    /// Whether its area is zero.
     bool empty() const { return !(u0 < u1 && v0 < v1); }
 };
 
-/// A convex polygon on a face, (u, v) of its corners in turn.
+/// A convex polygon on a face, by the (u, v) of its corners in cyclic order.
 struct FacePolygon {
     std::array<glm::dvec2, 8> corners{};
-    std::size_t count = 0; ///< 0: nowhere
+    std::size_t count = 0; ///< 0: empty
 
     void add(const glm::dvec2& corner) { corners[count++] = corner; }
     std::span<const glm::dvec2> all() const { return {corners.data(), count}; }
 };
 
-/// Of points on a face, as they are.
+/// The bounding rectangle of points on a face.
 inline Outline outlineOf(std::span<const glm::dvec2> points) {
     Outline outline;
     for (const glm::dvec2& point : points)
@@ -50,8 +49,9 @@ inline Outline outlineOf(std::span<const glm::dvec2> points) {
     return outline;
 }
 
-/// Where a triangle, as rays from the light to its corners, may lie on the face and a little
-/// beyond its borders: all of the face where it is at the light.
+/// The polygon on the face that may contain a triangle, given as rays from the light to its
+/// corners. It may extend slightly beyond the face's borders, and is the whole face if the triangle
+/// is at the light.
 FacePolygon polygonOn(const glm::dmat3& face, const std::array<glm::dvec3, 3>& rays);
 
 } // namespace edgeshade

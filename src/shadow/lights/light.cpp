@@ -21,7 +21,7 @@ Light defaultLight() {
 glm::dvec4 placeInObject(const Light& light, const glm::dmat4& worldFromObject) {
     glm::dvec4 inObject = glm::inverse(worldFromObject) * light.position;
     if (light.position.w == 0.0) {
-        // No square of it leaves the range of floats.
+        // Keeps squares of it within the range of floats.
         inObject /= std::max({std::abs(inObject.x), std::abs(inObject.y), std::abs(inObject.z)});
         inObject.w = 0.0;
     }
@@ -33,9 +33,9 @@ glm::vec4 lightInObject(const Light& light, const glm::dmat4& worldFromObject) {
 }
 
 double rangeInObject(double range, const glm::dmat4& worldFromObject) {
-    // A length in the object's space is at most so many times that in the world: the root of the
-    // largest eigenvalue of A^T A, which no sum of a row's absolute values is below. For rotations
-    // and scales along the axes it is just that.
+    // The largest stretch of a length from the world to the object's space: the root of the largest
+    // eigenvalue of A^T A, bounded from above by the largest sum of absolute values in a row. The
+    // bound is exact for rotations and for scales along the axes.
     const glm::dmat3 a = glm::inverse(glm::dmat3(worldFromObject));
     const glm::dmat3 squared = glm::transpose(a) * a;
     double largest = 0.0;

@@ -6,14 +6,14 @@
 namespace edgeshade {
 namespace {
 
-/// Steps of the light that a ball reaches ahead. Larger balls propose more records, smaller ones
-/// must be proposed anew more often; tests/bench/proposals.py measures what larger ones list.
+/// Steps of the light that a ball covers ahead. Larger balls list more records, smaller ones must
+/// be replaced more often; tests/bench/proposals.py measures the lists of larger ones.
 constexpr float stepsAhead = 6.0f;
 
 /// Frames after which a light counts as at rest.
 constexpr int framesToRest = 2;
 
-/// Of the radius: what rounding may add to a distance.
+/// Share of the radius that is safe from rounding of a distance.
 constexpr double safeShare = 1.0 - 1e-6;
 
 double distanceOf(const glm::vec4& a, const glm::vec4& b) {
@@ -29,7 +29,7 @@ bool LightBall::holds(const glm::vec4& light) const {
 
 bool LightTrack::follow(const glm::vec4& light) {
     const float step = started_ ? static_cast<float>(distanceOf(light, last_)) : 0.0f;
-    // A light that jumps, or sets off, is no light in motion yet.
+    // A light that jumps, or has just started, is not yet in motion.
     const float pace = std::isfinite(step) ? std::min(step, lastStep_) : 0.0f;
     framesAtRest_ = step == 0.0f ? framesAtRest_ + 1 : 0;
     lastStep_ = step;

@@ -6,23 +6,23 @@
 namespace edgeshade {
 namespace {
 
-constexpr int sides = 8;                // of a pyramid around a cone
-constexpr double widestPyramid = 1.4;   // radians, 80 degrees: a wider one holds far too much
-constexpr double widening = 1.0 + 1e-5; // of an angle, against rounding
+constexpr int sides = 8;              // of the pyramid around a cone
+constexpr double widestPyramid = 1.4; // radians, 80 degrees: a wider pyramid contains far too much
+constexpr double widening = 1.0 + 1e-5; // factor of an angle, against rounding
 
 double widened(const Cone& cone) {
     return std::min(cone.outer * widening, 0.5 * std::numbers::pi);
 }
 
-/// Two directions across the axis and across each other, of length 1.
+/// Two directions of length 1, perpendicular to the axis and to each other.
 std::array<glm::dvec3, 2> acrossOf(const glm::dvec3& axis) {
     const glm::dvec3 other = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
     return {right, glm::cross(right, axis)};
 }
 
-/// The direction across the axis to the middle of a side of the pyramid, or, half a step on, to a
-/// corner.
+/// The direction across the axis to the middle of a side of the pyramid, or, for half-integers, to
+/// a corner.
 glm::dvec3 towardsSide(const std::array<glm::dvec3, 2>& across, double side) {
     const double angle = 2.0 * std::numbers::pi * side / sides;
     return std::cos(angle) * across[0] + std::sin(angle) * across[1];
@@ -55,7 +55,7 @@ Ball ballAround(const Light& spot, double reach) {
     const double cosine = std::cos(widened(*spot.cone));
     const double radius = reach * widening;
     const glm::dvec3 light(spot.position);
-    // Around the tip and the rim; or, where the cone is wide, around the rim alone.
+    // Around the tip and the rim; for a wide cone, around the rim alone.
     if (2.0 * cosine * cosine > 1.0) {
         const double half = 0.5 * radius / cosine;
         return {light + half * spot.cone->axis, half};

@@ -8,14 +8,14 @@
 
 namespace edgeshade {
 
-/// Of spots: where their light goes, in shapes that hold all of it and little more.
+/// Shapes around the light of spots, which hold all of it and little more.
 
-/// From the world to the cone: the light at 0, its axis along z. A point is lit where length(xy) <
-/// tan(outer) z.
+/// Transform from the world to the cone: the light at 0, its axis along z. A point is lit if
+/// length(xy) < tan(outer) z.
 glm::dmat4 coneFromWorld(const Light& spot);
 
-/// Planes through the light all around its cone, in the world: what is lit is where dot(plane, (p,
-/// 1)) >= 0 of every one.
+/// Planes through the light around its cone, in the world: lit points have dot(plane, (p, 1)) >= 0
+/// for all of them.
 std::vector<glm::dvec4> planesAround(const Light& spot);
 
 /// A ball, in the world.
@@ -24,10 +24,10 @@ struct Ball {
     double radius;
 };
 
-/// Around what of the cone is no farther than `reach` from the light.
+/// A ball around the part of the cone within `reach` of the light.
 Ball ballAround(const Light& spot, double reach);
 
-/// The corners of a pyramid around the same. Only for cones that are not too wide for one, see
+/// The corners of a pyramid around the same part. Only for cones that aren't too wide, see
 /// hasPyramid().
 std::array<glm::dvec3, 9> pyramidAround(const Light& spot, double reach);
 bool hasPyramid(const Light& spot);

@@ -11,9 +11,9 @@ double roundingUnit(int mantissaBits) {
     return std::ldexp(0.5, -mantissaBits);
 }
 
-/// Units of the coordinates by which rounding moves a vertex and the light apart, and of the terms
-/// of dot(plane, light) by which a device may evaluate it wrongly, of floats as they are; of three
-/// products and three sums, and one unit more for planes that neighbours share (docs/method.md, C4
+/// Bounds of rounding in floats. placingUnits: units of the coordinates by which a vertex and the
+/// light move apart. dotUnits: units of the terms of dot(plane, light), for a device's evaluation:
+/// three products and three sums, and one more for planes that neighbours share (docs/method.md, C4
 /// and C24).
 constexpr double placingUnits = 4.0, dotUnits = 7.0;
 
@@ -30,15 +30,15 @@ Box boxAround(const std::array<glm::dvec3, 3>& corners) {
             glm::max(glm::max(corners[0], corners[1]), corners[2])};
 }
 
-/// The most that rounding may move a light and a triangle of such coordinates apart.
+/// The most by which rounding may move apart a light and a triangle with such coordinates.
 double mostRoom(double coordinates, int mantissaBits) {
-    // Of a unit normal three terms and the plane's own offset are at most that long; as they are
-    // rounded, dot products may be off by two units more.
+    // The three terms of a unit normal, and likewise the plane's offset, are at most sqrt(3) times
+    // the coordinates. As they are rounded, dot products may be off by two more units.
     constexpr double mostTerms = 2.0 * 1.7320508075688772;
     return roundingUnit(mantissaBits) * coordinates * (placingUnits + (dotUnits + 2.0) * mostTerms);
 }
 
-/// Whether a point of the plane is within the triangle, or beside it by no more than `room`.
+/// Whether a point of the plane is within the triangle, or outside it by at most `room`.
 bool isWithin(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal,
               const glm::dvec3& point, double room) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -49,7 +49,7 @@ bool isWithin(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& normal
     return true;
 }
 
-/// dot(plane, light) as it is of floats, and the sum of its terms without their signs.
+/// dot(plane, light) evaluated in floats, and the sum of its terms' magnitudes.
 struct Evaluated {
     double value, terms;
 };

@@ -11,8 +11,7 @@
 namespace edgeshade {
 namespace {
 
-/// A square's points evenly on a disc of radius 1, its middle in the middle (Shirley and Chiu
-/// 1997).
+/// Maps a square's points evenly to a disc of radius 1, middle to middle (Shirley and Chiu 1997).
 glm::dvec2 onDisc(const std::array<double, 2>& square) {
     constexpr double quarter = std::numbers::pi / 4.0;
     const double a = 2.0 * square[0] - 1.0, b = 2.0 * square[1] - 1.0;
@@ -23,9 +22,9 @@ glm::dvec2 onDisc(const std::array<double, 2>& square) {
     return r * glm::dvec2(std::cos(angle), std::sin(angle));
 }
 
-/// The distance from the middle of a ball of radius 1 up to which there is that share of points,
-/// where any projection of them fills a disc evenly: their density is 1 / sqrt(1 - r^2), Abel's
-/// inverse of a constant. With r = sin(t) the share is (t - sin(t) cos(t)) / (pi / 2).
+/// The radius within a unit ball that contains that share of points, if every projection of them
+/// fills a disc evenly. Their density is then 1 / sqrt(1 - r^2), Abel's inverse of a constant. With
+/// r = sin(t) the share is (t - sin(t) cos(t)) / (pi / 2).
 double distanceInBall(double share) {
     double low = 0.0, high = std::numbers::pi / 2.0;
     for (int halving = 0; halving < 60; ++halving) {
@@ -45,13 +44,13 @@ glm::dvec3 inBall(std::uint64_t n) {
            glm::dvec3(across * std::cos(angle), across * std::sin(angle), z);
 }
 
-/// The n-th place.
+/// The n-th point.
 glm::dvec4 pointOf(const Light& light, std::uint64_t n) {
     const LightExtent& extent = *light.extent;
     if (extent.shape == LightExtent::Shape::disc) {
         const auto [right, up, forward] = axesAlong(unitOf(glm::dvec3(light.position)));
         const glm::dvec2 on = onDisc(evenly<2>(n));
-        // The same share of the solid angle for the same share of the disc.
+        // Equal shares of the disc get equal shares of the solid angle.
         const double radius = glm::length(on) * std::sin(0.5 * extent.radius);
         const double sine = 2.0 * radius * std::sqrt(1.0 - radius * radius);
         const glm::dvec2 away = radius > 0.0 ? on * (sine / glm::length(on)) : glm::dvec2(0.0);
@@ -109,8 +108,8 @@ LightBall ballInObject(const LightRegion& region, const glm::dmat4& worldFromObj
     glm::dvec4 center = glm::inverse(worldFromObject) * region.center;
     double radius = rangeInObject(region.radius, worldFromObject);
     if (region.center.w == 0.0) {
-        // As lightInObject() scales directions: what lies `radius` apart is up to 1 + sqrt(3) times
-        // as far apart, of the smaller one's largest component.
+        // lightInObject() scales directions so: those `radius` apart come up to 1 + sqrt(3) times
+        // as far apart, divided by the smaller one's largest component.
         const double largest =
             std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
         radius = radius < largest ? (1.0 + std::numbers::sqrt3) * radius / (largest - radius)

@@ -6,14 +6,14 @@
 
 namespace edgeshade {
 
-/// What ranges are taken to be longer by, against rounding.
+/// Factor by which ranges are lengthened, against rounding.
 inline constexpr double rangeWidening = 1.0 + 1e-5;
 
-/// Whether everything in the box, which is in an object's space, is farther from a light there than
-/// the range in the world. `range`: as rangeInObject() has it.
+/// Whether the whole box, in an object's space, is beyond the range of a light there. `range`: as
+/// of rangeInObject().
 bool isBeyond(const Box& box, const glm::dvec3& light, double range);
 
-/// The same of a triangle's corners.
+/// The same for a triangle's corners.
 bool areBeyond(const std::array<glm::dvec3, 3>& corners, const glm::dvec3& light, double range);
 
 } // namespace edgeshade

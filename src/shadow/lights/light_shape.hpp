@@ -6,28 +6,28 @@
 
 namespace edgeshade {
 
-/// All places that a light shines from, in any space, homogeneous: center + arms * u with |u| <= 1
-/// where it is round, else with every |u_i| <= 1. Of a directional light these are directions,
-/// which have any length.
+/// All points of a light, in any space, homogeneous: center + arms * u with |u| <= 1 if it is
+/// round, otherwise with every |u_i| <= 1. For a directional light these are directions of any
+/// length.
 struct LightShape {
     glm::dvec4 center{0.0};
-    glm::dmat3 arms{0.0}; ///< 0: it is but a point
+    glm::dmat3 arms{0.0}; ///< 0: a single point
     bool round = true;
 
-    /// How far dot(normal, place) gets from that of the centre.
+    /// The largest deviation of dot(normal, point) from its value at the centre.
     double support(const glm::dvec3& normal) const;
-    /// The same shape elsewhere.
+    /// The same shape in another space.
     LightShape in(const glm::dmat4& space) const;
 };
 
-/// In the world; of a light without an extent its place alone.
+/// The shape in the world; for a light without an extent, its position alone.
 LightShape shapeOf(const Light& light);
 
-/// Whether what casts leaves them the same shadows: place, range and extent are alike.
+/// Whether two lights cast the same shadows: their position, range and extent are equal.
 bool castAlike(const Light& a, const Light& b);
 
-/// Which side of a triangle all of a light is on, in one space: 1 where it sees it
-/// counter-clockwise; 0: no side, as far as rounding tells.
+/// The side of a triangle that all of a light is on, in one space: 1 if it sees the triangle
+/// counter-clockwise, -1 if clockwise, 0 if on neither or uncertain for rounding.
 int sideOfAll(const std::array<glm::dvec3, 3>& corners, const LightShape& light);
 
 } // namespace edgeshade

@@ -7,8 +7,9 @@
 
 namespace edgeshade {
 
-/// The scene as a light sees it: rays to its points, on the six faces of a cube around a point
-/// light or on the one plane across a directional light, where a ray is the point (x, y, 1).
+/// The scene as seen by a light: rays to its points. A point light uses the six faces of a cube
+/// around it; a directional light one plane across its direction, where a ray is the point (x, y,
+/// 1).
 struct LightView {
     explicit LightView(const Light& light);
 
@@ -16,7 +17,7 @@ struct LightView {
         return directional ? glm::dvec3(glm::dot(across, world), glm::dot(upward, world), 1.0)
                            : world - position;
     }
-    /// A face as far as it goes.
+    /// The full extent of a face.
     Outline wholeFace() const {
         const double end = directional ? INFINITY : 1.0;
         return {-end, end, -end, end};
@@ -24,7 +25,7 @@ struct LightView {
 
     bool directional;
     glm::dvec3 position; ///< of a point light
-    double range;        ///< likewise; casters beyond shade nothing that it reaches
+    double range;        ///< of a point light; casters beyond it shade nothing that it reaches
     glm::dvec3 across{0.0}, upward{0.0};
     std::vector<glm::dmat3> faces;
 };

@@ -5,11 +5,11 @@
 
 namespace edgeshade {
 
-/// A light of the file as one of a picture. Point lights and spots fall off with the square of the
-/// distance.
+/// Converts a light of the file to one of a picture. Point lights and spots fall off with the
+/// square of the distance.
 Light lightOf(const SceneLight& light);
 
-/// The scene's lights, mostLights of them at most; none where the file has none.
+/// The scene's lights, at most mostLights; empty if the file has none.
 std::vector<Light> lightsOf(const Scene& scene);
 
 } // namespace edgeshade

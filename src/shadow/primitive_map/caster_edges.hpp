@@ -8,24 +8,24 @@
 
 namespace edgeshade {
 
-/// The casting triangles of a batch with all their edges, flat ones too; of no light yet.
+/// The casting triangles of a batch with all their edges, flat ones too; independent of the light.
 struct CasterEdges {
-    WeldedMesh mesh; ///< as wound, in the order of PlanePairShadow::caps
+    WeldedMesh mesh; ///< in their own winding, in the order of PlanePairShadow::caps
     EdgeList edges;
-    std::vector<CutoutTriangle> cutouts{}; ///< one a triangle, or none: all of them are solid
+    std::vector<CutoutTriangle> cutouts{}; ///< one per triangle; empty: all are solid
 };
 
-/// Of what a batch's caps are. Throws nothing but for memory.
+/// The edges of a batch's caps. Throws only if out of memory.
 CasterEdges casterEdgesOf(const PlanePairShadow& shadow);
 
-/// Of a batch's MASK triangles, which cast what their alpha leaves of them.
+/// The edges of a batch's MASK triangles, which cast where their alpha leaves them.
 CasterEdges cutoutEdgesOf(const Batch& batch, const std::vector<Material>& materials);
 
-/// Casters where they are.
+/// Casters at their place in the world.
 struct PlacedCasters {
     std::shared_ptr<const CasterEdges> casters;
     glm::dmat4 worldFromBatch{1.0};
-    bool cast = true; ///< false: left out
+    bool cast = true; ///< false: ignored
 };
 
 } // namespace edgeshade

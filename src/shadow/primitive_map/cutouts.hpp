@@ -7,14 +7,15 @@
 
 namespace edgeshade {
 
-/// How a texture goes on beyond its edges; the values are the shader's.
+/// Wrapping of a texture beyond its edges; the values are the shader's.
 enum class CutoutWrap { repeat = 0, mirror = 1, clamp = 2 };
 
-/// What alpha-tested triangles of one material are cut out by: a rectangle of the atlas of all.
+/// The texture that cuts out alpha-tested triangles of one material: a rectangle of the common
+/// atlas.
 struct CutoutTexture {
-    glm::ivec2 place{0}, size{0}; ///< in texels; size 0: no texture, alpha is the corners'
+    glm::ivec2 place{0}, size{0}; ///< in texels; size 0: no texture, only the corners' alpha
     CutoutWrap wrapS = CutoutWrap::repeat, wrapT = CutoutWrap::repeat;
-    bool linear = true;  ///< between texels; else the nearest one
+    bool linear = true;  ///< filtered linearly; otherwise the nearest texel
     float cutoff = 0.5f; ///< alpha below it is a hole
 };
 using CutoutTextures = std::vector<CutoutTexture>; ///< by material
@@ -25,15 +26,16 @@ struct CutoutTriangle {
     std::uint32_t material = 0;
 };
 
-/// What of a triangle is where on it, along a ray of map space: linear along the plane z = 1 of a
-/// directional light's rays, else as they are divided by dot(Occluder::plane, ray).
+/// A triangle's texture coordinates and alpha as functions of a ray in map space. They are linear
+/// over the plane z = 1 of a directional light's rays. For a point light each is a linear function
+/// of the ray, divided by dot(Occluder::plane, ray).
 struct CutoutPlanes {
     glm::dvec3 u{0.0}, v{0.0}, alpha{0.0};
     std::uint32_t material = 0;
 };
 
-/// Of the triangle whose corners have these rays: (x, y, 1) of a directional light, else the
-/// corners in map space. They must not lie in one plane with the light.
+/// The planes of a triangle whose corners have these rays: (x, y, 1) for a directional light,
+/// otherwise the corners in map space. They must not lie in one plane with the light.
 CutoutPlanes cutoutPlanesOf(const CutoutTriangle& triangle, const std::array<glm::dvec3, 3>& rays);
 
 } // namespace edgeshade

@@ -12,32 +12,32 @@
 namespace edgeshade {
 namespace {
 
-/// Planes as steep as this hold no ray that a float could tell from the plane.
+/// Slope from which no ray is distinguishable from the plane in floats.
 constexpr double steepestPlane = 1e30;
 
-/// What double rounding may take from a value that is the sum of such terms.
+/// Relative rounding error, in double precision, of a sum of such terms.
 constexpr double rounding = 1e-14;
 
-/// What dot(plane, ray) reaches on the square's rays, at the corner farthest to the one side.
+/// The maximum of dot(plane, ray) over the square's rays.
 double mostOn(const glm::dvec3& plane, const RaySquare& square) {
     return std::max(plane.x * square.low.x, plane.x * square.high.x) +
            std::max(plane.y * square.low.y, plane.y * square.high.y) + plane.z;
 }
 
-/// The same to the other side.
+/// The minimum of dot(plane, ray) over the square's rays.
 double leastOn(const glm::dvec3& plane, const RaySquare& square) {
     return -mostOn(-plane, square);
 }
 
-/// Scaled to a largest component of 1, alike for both neighbours.
+/// The plane through the edge, scaled to a largest component of 1, the same for both neighbours.
 glm::dvec3 edgePlane(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 plane = glm::cross(a, b);
     const double largest = std::max({std::abs(plane.x), std::abs(plane.y), std::abs(plane.z)});
     return largest > 0.0 ? plane / largest : plane;
 }
 
-/// For each edge of each triangle (three a triangle, from corner i to i + 1) whether multiplicities
-/// of light-facing triangles, or of the others, don't cancel there.
+/// For each edge of each triangle (three per triangle, from corner i to i + 1), whether
+/// multiplicities of light-facing triangles, or of the others, don't cancel there.
 std::vector<std::uint8_t> contoursOf(const CasterEdges& casters, const std::vector<int>& sides) {
     std::vector<std::uint8_t> contours(sides.size(), 0);
     for (const Edge& edge : casters.edges.edges) {
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> contoursOf(const CasterEdges& casters, const std::vect
     return contours;
 }
 
-/// Of the triangle in map space; nothing for one that no ray can be told to meet.
+/// The plane of a triangle in map space; null if it is so steep that no ray certainly meets it.
 std::optional<glm::dvec3> planeOf(const std::array<glm::dvec3, 3>& corners, bool directional) {
     const glm::dvec3& a = corners[0];
     const glm::dvec3 normal = glm::cross(corners[1] - a, corners[2] - a);
@@ -110,7 +110,7 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
         occluder.flat = !plane || middles[t] == 0;
         occluder.mixed = sides[t] == 0 || occluder.flat;
         occluder.plane = plane.value_or(glm::dvec3(0.0));
-        // Seen from the light, map space turns a light-facing triangle clockwise unless mirrored.
+        // Seen from the light, map space makes a light-facing triangle clockwise unless mirrored.
         const bool inward = (middles[t] < 0) != mirrored;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
@@ -131,7 +131,8 @@ void addOccluders(const Light& light, const LightTiles& tiles, const PlacedCaste
     }
 }
 
-/// The points of the triangle in the tile's pyramid, grown a little, and by the light's extent.
+/// The part of the triangle in the tile's pyramid, which is grown slightly, and by the light's
+/// extent.
 Polygon partInTile(Polygon triangle, const TileSpread& spread) {
     constexpr double grown = 1.0 + 1e-3;
     triangle = clipped(triangle, {1, 0, grown}, spread.low().x);
@@ -182,14 +183,14 @@ std::optional<Footprint> footprintOf(const Occluder& occluder, std::uint32_t ind
     for (std::size_t i = 0; i < part.count; ++i) {
         const glm::dvec3& point = part.corners[i];
         if (!tiles.directional) print.depths.add(point.z);
-        // Behind the light nothing is in the tile, and right at it everywhere.
+        // A point behind the light is not in the tile, and one at the light is everywhere in it.
         const glm::dvec2 at = point.z > 0.0 ? glm::dvec2(point) / point.z : glm::dvec2(0.0);
         print.low = glm::min(print.low, at);
         print.high = glm::max(print.high, at);
     }
     if (part.count == 0) return std::nullopt;
     print.nearLight = spread.any() && print.depths.low <= spread.nearestTold();
-    // A light with an extent may see what lies behind its middle.
+    // A light with an extent may see points behind its middle.
     const double behind = spread.any() ? -spread.nearestTold() : 0.0;
     if (!tiles.directional && !(print.depths.high > behind)) return std::nullopt;
     return print;
@@ -218,7 +219,7 @@ std::optional<bool> Footprint::covers(const glm::dvec3& ray, const Occluder& of)
     bool inside = true;
     int doubtful = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        // The same products in the same order for both neighbours, which differ in sign alone.
+        // The same products in the same order for both neighbours, so that only the sign differs.
         const double side = edges[i].x * ray.x + edges[i].y * ray.y + edges[i].z * ray.z;
         inside = inside && (side > 0.0 || (side == 0.0 && of.takesEdge[i]));
         if (side < -rounding) return false;
@@ -233,7 +234,7 @@ Interval Footprint::depthsIn(const RaySquare& square, bool directional) const {
     const double terms = std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z);
     Interval here{leastOn(plane, square) - rounding * terms,
                   mostOn(plane, square) + rounding * terms};
-    if (!directional) { // along the plane the inverse of a depth is linear
+    if (!directional) { // the inverse of a depth is linear along the plane
         const double nearest = here.high > 0.0 ? 1.0 / here.high : 0.0;
         here = {nearest, here.low > 0.0 ? 1.0 / here.low : INFINITY};
     }

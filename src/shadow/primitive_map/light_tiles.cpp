@@ -8,11 +8,11 @@
 namespace edgeshade {
 namespace {
 
-/// What is left free around the casters, as a share of their extent: rays at the rim must not be
-/// placed outside by rounding.
+/// Margin around the casters, as a share of their extent: rounding must not place rays at the rim
+/// outside.
 constexpr double frame = 1e-3;
 
-/// The steepest rays, as tangents, that one tile takes in.
+/// The steepest rays, as tangents, that one tile covers.
 constexpr double steepest = 1.8;
 
 template <class Use>
@@ -23,7 +23,7 @@ void forEachVertex(const std::vector<PlacedCasters>& casters, Use use) {
                 use(glm::dvec3(placed.worldFromBatch * glm::dvec4(glm::dvec3(position), 1.0)));
 }
 
-/// The farthest point of a box along an axis.
+/// The largest coordinate of a box along an axis.
 double farthestAlong(const glm::dvec3& axis, const Box& box) {
     return glm::dot(glm::max(axis * box.low, axis * box.high), glm::dvec3(1.0));
 }
@@ -43,7 +43,7 @@ LightTiles parallelTile(const Light& light, const std::vector<PlacedCasters>& ca
         double farthest = box.high.z;
         if (!receivers.empty()) farthest = std::max(farthest, farthestAlong(axes[2], receivers));
         result.farthestReceiver = (farthest - center.z) / half.z * (1.0 + frame) + frame;
-        // As far as the casters' shadows spread.
+        // The range over which the casters' shadows spread.
         const double spread =
             std::tan(light.extent->radius) * half.z * (result.farthestReceiver + 1.0);
         half.x += spread * (1.0 + frame);
@@ -58,7 +58,7 @@ LightTiles parallelTile(const Light& light, const std::vector<PlacedCasters>& ca
     return result;
 }
 
-/// The one tile of a light that has all casters before it; nothing where it hasn't.
+/// A tile that holds all casters in front of the light; null if they don't fit one.
 std::optional<LightTiles> fittedTile(const LightShape& shape, const Box& bounds,
                                      const std::vector<PlacedCasters>& casters) {
     const glm::dvec3 light(shape.center);
@@ -81,7 +81,7 @@ std::optional<LightTiles> fittedTile(const LightShape& shape, const Box& bounds,
     const glm::dvec2 middle = 0.5 * (low + high);
     glm::dvec2 half =
         glm::max(0.5 * (high - low) * (1.0 + frame), glm::dvec2(1e-6 * (reach.x + reach.y)));
-    for (glm::length_t i = 0; i < 2; ++i) { // as far as the casters' shadows spread
+    for (glm::length_t i = 0; i < 2; ++i) { // the range over which the casters' shadows spread
         const glm::dvec3 across =
             (axes[static_cast<std::size_t>(i)] - middle[i] * axes[2]) / half[i];
         const double spread =
@@ -118,7 +118,7 @@ LightTiles sixTiles(const glm::dvec3& light, const std::vector<PlacedCasters>& c
                                    {0, 0, scale, -scale * light.z});
     for (glm::length_t axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
-            glm::dmat3 tile(0.0); // columns of glm: the rows of the tile, as `point * tile` asks
+            glm::dmat3 tile(0.0); // glm's columns hold the tile's rows, for `point * tile`
             tile[0][(axis + 1) % 3] = 1.0;
             tile[1][(axis + 2) % 3] = 1.0;
             tile[2][axis] = sign;

@@ -9,48 +9,49 @@
 
 namespace edgeshade {
 
-/// How primitive maps are made.
+/// Parameters of primitive maps.
 struct PrimitiveMapSettings {
     int size = 512; ///< texels along a tile's edge; a power of 2, >= 4
-    /// On the GPU, of a map; of a scene's PrimitiveMaps all of them together. Smaller maps are
+    /// GPU memory of a map, or of all maps of a scene's PrimitiveMaps together. Smaller maps are
     /// tried first.
     std::size_t mostBytes = std::size_t{128} << 20;
-    std::size_t splitAbove = 8; ///< texels whose points have more to test are divided in 4 x 4
-    int mostSplits = 3;         ///< one in another
-    /// A map with a longer list is not wanted: building ends where one is found.
+    std::size_t splitAbove = 8; ///< texels with longer lists are divided in 4 x 4
+    int mostSplits = 3;         ///< depth of nested divisions
+    /// The longest list allowed: building stops when a longer one is found.
     std::size_t longestWanted = std::numeric_limits<std::size_t>::max();
-    bool othersReceive = false; ///< some surfaces are no casters
-    Box receivers; ///< all that the light shines on, in the world: of directional lights with
-                   ///< extent
-    CutoutTextures cutouts; ///< where alpha-tested ones cast; else none of them may be there
+    bool othersReceive = false; ///< some surfaces are not casters
+    Box receivers; ///< everything that the light shines on, in the world; for directional lights
+                   ///< with an extent
+    CutoutTextures cutouts; ///< textures of casting alpha-tested triangles; empty if none of them
+                            ///< cast
 };
 
-/// Lists of the triangles that may shade what a light sees, by its rays (docs/method.md, C34); what
-/// primitive_map_lookup.glsl reads. All three are textures of floats in rows of `columns` texels.
+/// Lists, by a light's rays, of the triangles that may shade what it sees (docs/method.md, C34);
+/// read by primitive_map_lookup.glsl. All three arrays become textures of floats in rows of
+/// `columns` texels.
 struct PrimitiveMap {
     LightTiles tiles;
     int size = 0;
-    /// A texel (dark behind, reference) for each of the tiles' texels, row by row and tile by tile,
-    /// then blocks of 4 x 4 for the parts of those that were divided. A reference is 0: no list; >
-    /// 0: where a list begins in `entries`, and a half more if light-facing casters need none of
-    /// it; < 0: negated, where a block begins.
+    /// One texel (dark behind, reference) for each of the tiles' texels, row by row and tile by
+    /// tile, then blocks of 4 x 4 for the parts of divided ones. A reference is 0: no list; > 0:
+    /// the start of a list in `entries`, plus a half if light-facing casters need none of it; < 0:
+    /// the negated start of a block.
     std::vector<glm::vec2> header;
-    /// Lists, one after the other from 1 on, of (name, nearest depth of the next one or neverDark)
-    /// from near to far. A name is the record's number or, of an alpha-tested one, -1 - that
-    /// number; and a half more if light-facing casters need none behind it.
+    /// Lists, one after another from 1 on, of (name, nearest depth of the next entry or neverDark)
+    /// from near to far. A name is the record's number, or -1 - that number for an alpha-tested
+    /// triangle; plus a half if light-facing casters need no later entries.
     std::vector<glm::vec2> entries;
-    /// Three texels a triangle: in xyz an edge each (Occluder::edges), in the fourth components the
-    /// plane. Of an
-    /// alpha-tested one three more: CutoutPlanes' u, v, alpha, and with u the record that says what
-    /// it is cut out by: (place, size) in the atlas, (cutoff, wrap along u, along v, linear or
-    /// not).
+    /// Three texels per triangle: an edge in each xyz (Occluder::edges), the plane in the fourth
+    /// components. An alpha-tested triangle has three more: CutoutPlanes' u, v, alpha, with u's
+    /// fourth component naming the record of its texture: (place, size) in the atlas, (cutoff, wrap
+    /// along u, along v, linear or not).
     std::vector<glm::vec4> records;
-    bool cutouts = false; ///< some are alpha-tested
-    /// Of a light with an extent (docs/method.md, C42): records are three texels a triangle, its
-    /// corners in map space, those that are before others by x, y and z first.
+    bool cutouts = false; ///< some triangles are alpha-tested
+    /// For a light with an extent (docs/method.md, C42): records are three texels per triangle, its
+    /// corners in map space, sorted by x, then y, then z.
     bool extended = false;
     std::size_t longestList = 0;
-    double meanList = 0.0; ///< entries of a list, on the average
+    double meanList = 0.0; ///< average entries per list
 
     std::size_t bytes() const {
         return header.size() * sizeof(glm::vec2) + entries.size() * sizeof(glm::vec2) +
@@ -58,7 +59,7 @@ struct PrimitiveMap {
     }
 };
 
-/// How a map's light and tiles are; the values are the shader's.
+/// Kind of light and tiles; the values are the shader's.
 enum class PrimitiveMapKind { directional = 0, oneTile = 1, sixTiles = 2 };
 
 inline PrimitiveMapKind kindOf(const LightTiles& tiles) {
@@ -66,10 +67,10 @@ inline PrimitiveMapKind kindOf(const LightTiles& tiles) {
     return tiles.tiles.size() == 1 ? PrimitiveMapKind::oneTile : PrimitiveMapKind::sixTiles;
 }
 
-/// Beyond any depth.
+/// Larger than any depth.
 inline constexpr float neverDark = 1e30f;
 
-/// Numbers that a float holds exactly together with a half, so what references can name.
+/// Limit of references: a float holds these numbers exactly, with a half added.
 inline constexpr std::size_t mostReferences = std::size_t{1} << 23;
 
 } // namespace edgeshade

@@ -11,26 +11,26 @@
 namespace edgeshade {
 namespace {
 
-/// Texels along the edge of what is built in one go.
+/// Texels along the edge of a part, which is built in one go.
 constexpr int partSide = 64;
 
-/// Into how many pieces squares are divided along each axis, if they may.
+/// Pieces along each axis into which squares are divided, if allowed.
 constexpr int pieces = 4;
 
-/// Pieces are kept whose lists are so much of the whole's, on the average.
+/// Pieces are kept if their lists' mean length is at most this share of the whole's.
 constexpr double worthDividing = 0.75;
 
-/// Looks at a footprint in a square (some 20 ns each) up to which a map is built, and those more
-/// that each footprint may take.
+/// Limit of tests of a footprint against a square (about 20 ns each): a base, and an addition for
+/// each footprint.
 constexpr std::size_t mostLooks = std::size_t{1} << 30, looksEach = 1000;
 
-/// Where many casters crowd, parts in which long lists are looked for before building.
+/// Most parts in which to look for long lists before building, those with the most casters.
 constexpr std::size_t mostCrowdedParts = 4;
 
-/// Added to what names a list or a triangle: light-facing casters need no more of it.
+/// Added to the name of a list or a triangle: light-facing casters need no later entries.
 constexpr float endsHere = 0.5f;
 
-/// Up, so that no depth before it counts as behind.
+/// Rounds up, so that no depth before it counts as behind.
 float roundedUp(double value) {
     if (!(value < neverDark)) return neverDark;
     const auto rounded = static_cast<float>(value);
@@ -48,7 +48,7 @@ void addRecord(const Occluder& occluder, std::vector<glm::vec4>& records) {
         records.emplace_back(glm::vec3(occluder.edges[i]), plane[static_cast<glm::length_t>(i)]);
 }
 
-/// Corners in an order that neighbours share, so that both compute the same of an edge.
+/// Adds corners in an order that neighbours share, so that both compute the same for an edge.
 void addCorners(const Occluder& occluder, std::vector<glm::vec4>& records) {
     std::array<glm::vec3, 3> corners;
     std::copy(occluder.corners.begin(), occluder.corners.end(), corners.begin());
@@ -59,14 +59,14 @@ void addCorners(const Occluder& occluder, std::vector<glm::vec4>& records) {
         records.emplace_back(corner, 0.0f);
 }
 
-/// Records of a map, each triangle's and each texture's once, where they are first asked for.
+/// A map's records, one for each triangle and each texture, made on first use.
 class Records {
   public:
     Records(const Occluders& occluders, const CutoutTextures& textures, PrimitiveMap& map)
         : occluders_(occluders), textures_(textures), map_(map),
           recordOf_(occluders.all.size(), none), textureOf_(textures.size(), none) {}
 
-    /// What an entry names it by.
+    /// The occluder's name in an entry.
     float nameOf(std::uint32_t occluder) {
         const Occluder& of = occluders_.all[occluder];
         std::uint32_t& record = recordOf_[occluder];
@@ -116,7 +116,7 @@ class Records {
 
 } // namespace
 
-/// Descends from a part's square to texels and on to their parts.
+/// Subdivides a part's square to texels, and further to pieces of them.
 class PrimitiveMapBuilder::PartBuilder {
   public:
     PartBuilder(PrimitiveMapBuilder& builder, Part& part)
@@ -125,7 +125,7 @@ class PrimitiveMapBuilder::PartBuilder {
                             static_cast<std::size_t>(part_.side));
     }
 
-    /// The texels of a square within the part, from what may touch it.
+    /// Fills the texels of a square within the part, from candidates that may touch it.
     void fill(int x, int y, int side, const std::vector<std::uint32_t>& candidates) {
         if (candidates.empty() || builder_.tooLarge_) return;
         const RaySquare square = builder_.squareOf(x, y, side);
@@ -147,7 +147,7 @@ class PrimitiveMapBuilder::PartBuilder {
     }
 
   private:
-    /// A texel, or a part of one, of which this was found.
+    /// The reference for a texel, or a piece of one, with the occluders `found` in it.
     Texel settle(const glm::dvec2& at, double side, const TexelOccluders& found, int splits) {
         Texel texel;
         texel.darkBehind = found.darkBehind;
@@ -170,7 +170,7 @@ class PrimitiveMapBuilder::PartBuilder {
         builder_.charge(divided.size(), 0);
         for (std::size_t i = 0; i < divided.size(); ++i) {
             const Texel piece = settle(placeOf(i, at, side), side / pieces, divided[i], splits + 1);
-            part_.blocks[texel.index + i] = piece; // which settling may have moved
+            part_.blocks[texel.index + i] = piece; // settling may have moved the blocks
         }
         return texel;
     }
@@ -192,8 +192,8 @@ class PrimitiveMapBuilder::PartBuilder {
         return divided;
     }
 
-    /// Whether dividing is worth its room: where many triangles lie behind each other, as leaves
-    /// do, pieces ask as many of them as the whole.
+    /// Whether dividing is worth its memory: where many triangles are behind each other, like
+    /// leaves, pieces have as many of them as the whole.
     static bool areShorter(const Pieces& divided, const TexelOccluders& whole) {
         std::size_t sum = 0;
         for (const TexelOccluders& piece : divided)
@@ -247,7 +247,7 @@ void PrimitiveMapBuilder::chargeList(std::size_t triangles) {
 }
 
 void PrimitiveMapBuilder::lookForLongLists() {
-    if (settings_.mostSplits > 0) return; // a part of a texel may have less
+    if (settings_.mostSplits > 0) return; // a piece of a texel may have a shorter list
     std::vector<const Part*> crowded;
     for (const Part& part : parts_)
         if (part.candidates.size() > settings_.longestWanted) crowded.push_back(&part);
@@ -259,7 +259,7 @@ void PrimitiveMapBuilder::lookForLongLists() {
         if (tooLong_ == 0) lookForLongLists(*part);
 }
 
-/// Goes down to a texel, each time into the piece that most casters touch.
+/// Descends to a texel, each time into the piece touched by the most casters.
 void PrimitiveMapBuilder::lookForLongLists(const Part& part) {
     const TileFootprints tile = footprintsOf(part.tile);
     TexelOccluders densest, piece;
@@ -287,7 +287,7 @@ TileFootprints PrimitiveMapBuilder::footprintsOf(std::size_t tile) const {
     return {occluders_.all, prints_[tile].prints, tiles_.directional, TileSpread(tiles_, tile)};
 }
 
-/// In texels of the tile.
+/// The arguments are in texels of the tile.
 RaySquare PrimitiveMapBuilder::squareOf(double x, double y, double side) const {
     const double scale = 2.0 / settings_.size;
     const glm::dvec2 low(x * scale - 1.0, y * scale - 1.0);
@@ -307,7 +307,7 @@ void PrimitiveMapBuilder::divideIntoParts(std::size_t tile) {
             part.y = y;
             part.side = side;
         }
-    // From rays to parts, a little farther than the footprint goes.
+    // Maps rays to parts; the result extends slightly beyond the footprint.
     const double scale = 0.5 * perRow;
     const auto partAt = [&](double at) {
         return static_cast<int>(std::clamp(std::floor((at + 1.0) * scale), 0.0, perRow - 1.0));
@@ -391,7 +391,7 @@ void PrimitiveMapBuilder::buildAllParts() {
             buildPart(part);
     };
 #ifndef __EMSCRIPTEN__
-    std::vector<std::jthread> threads; // joined before `next` and `work` go
+    std::vector<std::jthread> threads; // joined before `next` and `work` are destroyed
     const unsigned others = std::max(1u, std::thread::hardware_concurrency()) - 1;
     for (unsigned i = 0; i < others; ++i)
         threads.emplace_back(work);

@@ -8,34 +8,36 @@
 
 namespace edgeshade {
 
-/// Builds the map of one light part by part, so that a caller may do something else in between, or
-/// have several threads work on parts. The result is the same whoever did which.
+/// Builds a light's map part by part, so that a caller can do other work in between, or let several
+/// threads build parts. The result doesn't depend on which thread built a part.
 class PrimitiveMapBuilder {
   public:
     /// Projects the casters, and divides tiles into parts.
     PrimitiveMapBuilder(const Light& light, const std::vector<PlacedCasters>& casters,
                         const PrimitiveMapSettings& settings);
 
-    /// Whether the light is too far off for floats, see leastDepthSpan: there is no map then.
+    /// Whether the light is too far away for floats, see leastDepthSpan: then there is no map.
     bool isTooFar() const { return tiles_.depthSpan < leastDepthSpan; }
 
-    /// Triangles in a list that was found to be longer than is wanted; 0: none is known.
+    /// Length of a list found to be too long; 0: none is known.
     std::size_t tooLong() const { return tooLong_; }
-    /// Looks for such a list where most casters crowd, before anything is built: texel by texel, as
-    /// the map will have it, so that what is found is certain. Of maps whose texels aren't divided.
+    /// Looks for too long a list where the most casters crowd, before building. It examines texels
+    /// as the map will have them, so that a find is certain. Only for maps whose texels aren't
+    /// divided.
     void lookForLongLists();
 
     std::size_t partCount() const { return parts_.size(); }
-    /// Each once, in any order, different ones at the same time.
+    /// Builds a part. Call it once for each part, in any order; different parts at the same time
+    /// are allowed.
     void buildPart(std::size_t part);
-    /// All of them, on as many threads as there are cores.
+    /// Builds all parts, on as many threads as there are cores.
     void buildAllParts();
-    /// Once all parts are built. Nothing if it is larger than it may be, has too long a list, or
-    /// would take minutes.
+    /// Returns the map once all parts are built. Null if it exceeds its memory, has too long a
+    /// list, or would take minutes.
     std::optional<PrimitiveMap> join();
 
   private:
-    /// A reference of a part's own: to a list, to a block of children, or to nothing.
+    /// A reference within a part: to a list, to a block of children, or to nothing.
     struct Texel {
         double darkBehind = std::numeric_limits<double>::infinity();
         enum class Kind { none, list, block } kind = Kind::none;
@@ -58,9 +60,9 @@ class PrimitiveMapBuilder {
     };
     class PartBuilder;
 
-    /// Counts what a part takes; past what may be taken nothing more is built.
+    /// Counts a part's entries and tests; beyond the limits building stops.
     void charge(std::size_t listed, std::size_t looks);
-    /// Likewise, past the longest list that is wanted.
+    /// Stops building if a list is longer than allowed.
     void chargeList(std::size_t triangles);
     void lookForLongLists(const Part& part);
     TileFootprints footprintsOf(std::size_t tile) const;
@@ -72,10 +74,10 @@ class PrimitiveMapBuilder {
     Occluders occluders_;
     std::vector<Tile> prints_; ///< by tile
     std::vector<Part> parts_;
-    std::atomic<std::size_t> listed_ = 0; ///< entries and texels, by all parts
-    std::atomic<std::size_t> looks_ = 0;  ///< at a footprint in a square
+    std::atomic<std::size_t> listed_ = 0; ///< entries and texels, of all parts
+    std::atomic<std::size_t> looks_ = 0;  ///< tests of a footprint against a square
     std::atomic<std::size_t> tooLong_ = 0;
-    std::atomic<bool> tooLarge_ = false; ///< or too long a list: nothing more is built
+    std::atomic<bool> tooLarge_ = false; ///< too large, or a list is too long: building has stopped
 };
 
 } // namespace edgeshade

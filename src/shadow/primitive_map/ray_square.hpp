@@ -4,7 +4,7 @@
 
 namespace edgeshade {
 
-/// A square of rays (x, y, 1) in a tile of a primitive map, or a rectangle of them.
+/// A square or rectangle of rays (x, y, 1) in a tile of a primitive map.
 struct RaySquare {
     glm::dvec2 low, high;
 

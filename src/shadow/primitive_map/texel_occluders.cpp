@@ -5,14 +5,14 @@
 namespace edgeshade {
 namespace {
 
-/// Pairs of a light-facing triangle and one turned away, up to which a group is looked at.
+/// Most pairs of a light-facing triangle and one facing away for which a group is examined.
 constexpr std::size_t mostPairs = 64;
 
-/// A depth before all others that floats hold.
+/// Beyond all depths that occur in floats.
 constexpr double nowhere = 1e30;
 
-/// The most that planes' tolerances join depths by: beyond, of steep ones, lists would be longer
-/// than what is told apart is worth.
+/// Upper limit of a plane's tolerance for joining depths. For steeper planes lists would get too
+/// long for the gain in accuracy.
 constexpr double mostTolerance = 32.0 * mapRounding;
 
 struct Touching {
@@ -20,12 +20,12 @@ struct Touching {
     Interval depths; ///< in the square
 };
 
-/// Footprints whose depths overlap, in one square (docs/method.md, C34): where no contour passes
-/// through it, each ray meets as many of them as any other.
+/// Footprints whose depths overlap, in one square (docs/method.md, C34). If no contour passes
+/// through the square, every ray meets equally many of them.
 struct DepthGroup {
     std::span<const Touching> members;
     double farthest = 0.0;
-    bool constant = true; ///< as many of either facing on every ray
+    bool constant = true; ///< every ray meets equally many of either facing
     int facing = 0, away = 0;
 
     int cover() const { return facing + away; }
@@ -36,7 +36,7 @@ class GroupFinder {
     GroupFinder(const TileFootprints& tile, const RaySquare& square)
         : tile_(tile), square_(square), sample_(square.center()) {}
 
-    /// The next group of what is sorted by nearest depth, from `first` on.
+    /// The next group of footprints, sorted by nearest depth, from `first` on.
     DepthGroup groupFrom(std::span<const Touching> sorted, std::size_t first) const {
         DepthGroup group;
         std::size_t end = first;
@@ -50,8 +50,8 @@ class GroupFinder {
         return group;
     }
 
-    /// Whether each ray meets one light-facing triangle of the group, before all that are turned
-    /// away: no light-facing caster of the group is in another's shadow.
+    /// Whether each ray meets one light-facing triangle of the group, before all that face away: no
+    /// light-facing caster of the group is in another's shadow.
     bool isLitSheet(const DepthGroup& group) const {
         if (tile_.spread.any()) return group.cover() == 1 && goesOn(group);
         if (group.cover() == 1) return true;
@@ -67,8 +67,8 @@ class GroupFinder {
         });
     }
 
-    /// Whether no segment that ends within a group meets more of it than one that goes on through
-    /// it.
+    /// Whether segments that end within a group never meet more of it than those that continue
+    /// through it.
     bool goesOn(const DepthGroup& group) const {
         return tile_.spread.mayGoOn({group.members.front().depths.low, group.farthest});
     }
@@ -97,7 +97,7 @@ class GroupFinder {
 
     /// Whether a's plane is nearer than b's on all rays of the square.
     bool isBefore(const Footprint& a, const Footprint& b) const {
-        // Linear along the square: depths, or of a point light their inverses.
+        // These are linear over the square: depths, or for a point light their inverses.
         const glm::dvec3 apart = tile_.directional ? b.plane - a.plane : a.plane - b.plane;
         for (int i = 0; i < 4; ++i)
             if (!(glm::dot(apart, square_.corner(i)) >= 0.0)) return false;
@@ -109,7 +109,7 @@ class GroupFinder {
     glm::dvec3 sample_;
 };
 
-/// The depths at which segments from a square may meet a footprint; nothing: they don't.
+/// The depths at which segments from a square may meet a footprint; null: they don't.
 std::optional<Interval> depthsMet(const Footprint& print, const TileFootprints& tile,
                                   const RaySquare& square) {
     if (print.nearLight) return Interval{-nowhere, print.depths.high};
@@ -117,14 +117,13 @@ std::optional<Interval> depthsMet(const Footprint& print, const TileFootprints& 
     if (!print.mayTouch(met)) return std::nullopt;
     Interval depths = print.depthsIn(met, tile.directional);
     if (!tile.spread.any()) return depths;
-    met = tile.spread.grown(square, depths.low); // no segment meets it nearer
+    met = tile.spread.grown(square, depths.low); // no segment meets it nearer than this
     if (!print.mayTouch(met)) return std::nullopt;
     return print.depthsIn(met, tile.directional);
 }
 
-/// How far apart depths have to be for lookups to tell them apart: points may be off by rounding,
-/// and what is behind a plane by no more than its tolerance may be on it
-/// (primitive_map_lookup.glsl).
+/// The distance that depths need for lookups to distinguish them: points may be off by rounding,
+/// and a point behind a plane by less than its tolerance may be on it (primitive_map_lookup.glsl).
 double roomOf(const Footprint& print, const Interval& depths, bool directional) {
     const double terms =
         std::abs(print.plane.x) + std::abs(print.plane.y) + std::abs(print.plane.z);
@@ -132,7 +131,7 @@ double roomOf(const Footprint& print, const Interval& depths, bool directional) 
     return mapRounding + (directional ? tolerance : tolerance * std::min(depths.high, 1.0));
 }
 
-/// Lists what may have holes: no ray is known to be blocked by it.
+/// Lists triangles that may have holes; none is known to block a ray.
 void addCutouts(std::span<const Touching> cutouts, TexelOccluders& result) {
     const std::size_t solid = result.listed.size();
     for (const Touching& cutout : cutouts) {
@@ -181,7 +180,7 @@ void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> ca
         next += group.members.size();
         terminal = group.constant && group.cover() > 0;
         if (!terminal) {
-            if (!group.constant || !finder.goesOn(group)) list(group); // else no ray meets it
+            if (!group.constant || !finder.goesOn(group)) list(group); // otherwise no ray meets it
             result.forCasters = result.listed.size();
             continue;
         }

@@ -8,7 +8,7 @@
 
 namespace edgeshade {
 
-/// The footprints of one tile, with what they are of.
+/// The footprints of one tile, with their occluders.
 struct TileFootprints {
     std::span<const Occluder> occluders;
     std::span<const Footprint> prints;
@@ -16,29 +16,30 @@ struct TileFootprints {
     TileSpread spread;
 };
 
-/// A footprint in a list, with the depth before which it holds nothing there.
+/// A footprint in a list, and the nearest depth of its points there.
 struct ListedOccluder {
     std::uint32_t print = 0;
     double nearest = 0.0;
 };
 
-/// What shades a texel's rays (docs/method.md, C34); of a light with an extent, what is between its
-/// points and any of the light's places (C42).
+/// The occluders of a texel's rays (docs/method.md, C34). For a light with an extent, those between
+/// the texel's points and any point of the light (C42).
 struct TexelOccluders {
-    /// Every ray of the texel is blocked behind this depth; infinite: nothing says so.
+    /// Every ray of the texel is blocked behind this depth; infinite: unknown.
     double darkBehind = std::numeric_limits<double>::infinity();
-    /// Together with these all that blocks its rays, from near to far: for points on light-facing
-    /// casters the first `forCasters`, for others all. What is alpha-tested is there wherever it
-    /// isn't wholly behind darkBehind, and then for all alike.
+    /// With darkBehind, everything that blocks its rays, from near to far. Points on light-facing
+    /// casters need the first `forCasters` entries, other points all. Alpha-tested occluders are
+    /// listed wherever they aren't wholly behind darkBehind, and then for all points.
     std::vector<ListedOccluder> listed;
     std::size_t forCasters = 0;
-    /// All that touches the texel and isn't wholly behind darkBehind: candidates of its parts.
+    /// All occluders that touch the texel and aren't wholly behind darkBehind: candidates for its
+    /// pieces.
     std::vector<std::uint32_t> touching;
 };
 
-/// Finds them among candidates, of which none that may touch the square is missing. `square`: the
-/// texel, grown by what rounding may place into it. `othersReceive`: some surfaces are no casters,
-/// or not those that cast. The result's vectors are written over.
+/// Finds a texel's occluders among candidates, which must include all that may touch the square.
+/// `square`: the texel, grown by the rounding error of points. `othersReceive`: some surfaces don't
+/// cast, or differ from the casters. Overwrites the result's vectors.
 void findOccluders(const TileFootprints& tile, std::span<const std::uint32_t> candidates,
                    const RaySquare& square, bool othersReceive, TexelOccluders& result);
 

@@ -8,7 +8,7 @@
 namespace edgeshade {
 namespace {
 
-/// What rounding may make more of an extent.
+/// Enlarges an extent against rounding.
 constexpr double rounded = 1.0 + 1e-4;
 
 } // namespace
@@ -34,7 +34,7 @@ TileSpread::TileSpread(const LightTiles& tiles, std::size_t tile) {
 RaySquare TileSpread::grown(const RaySquare& square, double nearest) const {
     if (!any_) return square;
     const double scale = directional_ ? std::max(farthest_ - nearest, 0.0) : 1.0 / nearest;
-    // A support is convex, so along an axis it is nowhere more than between its ends.
+    // A support is convex, so along an axis it never exceeds the interpolation between its ends.
     const auto at = [&](const glm::dvec2& place) {
         return scale * glm::mix(low_, high_, 0.5 * (glm::clamp(place, -1.0, 1.0) + 1.0));
     };

@@ -17,7 +17,7 @@ struct ShadowCasters::Impl {
         const double side = glm::dot(glm::dvec4(planes[triangle]), light);
         return (side > 0.0) - (side < 0.0);
     }
-    /// 1 if it runs from an edge's lower vertex to its upper one, -1 if the other way.
+    /// 1 if the triangle runs from an edge's lower vertex to its upper one, -1 otherwise.
     int directionOf(const Edge& edge, std::uint32_t triangle) const {
         const Triangle& t = welded.triangles[triangle];
         for (std::size_t i = 0; i < 3; ++i)
@@ -25,11 +25,11 @@ struct ShadowCasters::Impl {
         return -1;
     }
 
-    std::size_t triangles; ///< degenerate ones included
+    std::size_t triangles; ///< with degenerate ones
     WeldedMesh welded;
     EdgeList edges;
     std::vector<glm::vec4> planes;
-    std::vector<std::uint32_t> vertices; ///< the first of the given ones, by welded vertex
+    std::vector<std::uint32_t> vertices; ///< by welded vertex, the first of the given vertices
 };
 
 ShadowCasters::Impl::Impl(const TriangleMesh& mesh)

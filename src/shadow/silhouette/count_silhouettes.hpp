@@ -4,7 +4,7 @@
 
 namespace edgeshade {
 
-/// Records whose multiplicity is not zero for a homogeneous light in the batch's space.
+/// Number of records whose multiplicity is not zero for a homogeneous light in the batch's space.
 std::size_t countSilhouettes(const PlanePairShadow& shadow, const glm::dvec4& light);
 
 } // namespace edgeshade

@@ -7,7 +7,7 @@
 namespace edgeshade {
 namespace {
 
-// Vectors of the compiler: SSE, NEON or WebAssembly's from one source.
+// The compiler's vector types: SSE, NEON or WebAssembly's SIMD from one source.
 constexpr std::size_t lanes = 4;
 using Floats = float __attribute__((vector_size(lanes * sizeof(float))));
 using Ints = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t))));
@@ -32,7 +32,7 @@ Floats magnitude(Floats value) {
     return value;
 }
 
-/// Lengths of normals may be rounded up from 1.
+/// Upper bound of a unit normal's length after rounding.
 constexpr float longestNormal = 1.0f + 1e-5f;
 
 } // namespace
@@ -57,7 +57,7 @@ void LightFacings::find(const LightBall& ball, int mantissaBits,
     const float share = static_cast<float>(dotRounding(mantissaBits));
     const Floats lightX = all(light.x), lightY = all(light.y), lightZ = all(light.z),
                  lightW = all(light.w);
-    // Other lights of the ball have terms that are larger by so much together.
+    // The terms of other lights of the ball sum to at most this much more.
     const Floats margin = all((ball.radius * longestNormal + ball.reach) * (1.0f + 2.0f * share) +
                               dotUnderflow(mantissaBits));
     for (std::size_t i = 0; i < x_.size(); i += lanes) {
@@ -65,7 +65,7 @@ void LightFacings::find(const LightBall& ball, int mantissaBits,
                      w = load(w_, i) * lightW;
         const Floats side = x + y + z + w;
         const Floats terms = magnitude(x) + magnitude(y) + magnitude(z) + magnitude(w);
-        // Comparisons are -1 where true; with NaN, and where infinity meets infinity, false.
+        // Comparisons give -1 for true, and false for NaN and infinity against infinity.
         const Floats bound = margin + all(share) * terms;
         const Ints facing = (-side > bound) - (side > bound);
         const SmallInts narrow = __builtin_convertvector(facing, SmallInts);

@@ -3,8 +3,8 @@
 namespace edgeshade {
 namespace {
 
-/// Frames after which what none of them needed is forgotten: groups of casters for a light that has
-/// moved on, say. Some callers draw a frame's lights one by one.
+/// Frames after which an unused list is deleted, such as a group of casters for a light that has
+/// moved on. Some callers draw a frame's lights one by one.
 constexpr std::size_t framesKept = 16;
 
 std::array<std::uint32_t, 4> bitsOf(const glm::vec4& value) {
@@ -24,7 +24,7 @@ void PotentialSilhouettes::beginFrame(const std::shared_ptr<const int>& scene) {
     const auto unused = [&](const auto& item) {
         return item.second.lastFrame + framesKept < frame_;
     };
-    // Records that nobody else holds are of a pose that has passed.
+    // Records held by nobody else are of an earlier pose.
     const auto isPassed = [](const Source& source) { return source.shadow.use_count() == 1; };
     std::erase_if(entries_, [&](const auto& item) {
         return unused(item) || isPassed(sources_.at(std::get<0>(item.first)));

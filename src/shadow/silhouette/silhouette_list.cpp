@@ -13,7 +13,7 @@ int facingOf(const std::vector<std::int8_t>& facings, PlaneOf plane) {
     return plane.negated() ? -facing : facing;
 }
 
-/// Whether planeSide() may be 0; judged in floats as LightFacings does, where what overflows may.
+/// Whether planeSide() may be 0; evaluated in floats like LightFacings, and true on overflow.
 bool mayBeIn(const glm::vec4& plane, const glm::vec4& light, float reach, int mantissaBits) {
     const glm::vec4 terms = plane * light;
     const glm::vec4 sizes = glm::abs(terms);
@@ -23,8 +23,8 @@ bool mayBeIn(const glm::vec4& plane, const glm::vec4& light, float reach, int ma
     return !(std::abs(side) > reach * (1.0f + share) + dotUnderflow(mantissaBits) + share * size);
 }
 
-/// Appends to a list without a branch to mispredict: what is written is written over by the next
-/// unless it counts.
+/// Appends to a list without a branch to mispredict: each entry is overwritten by the next unless
+/// it counts.
 class Appender {
   public:
     Appender(PairList& list, std::size_t most) : list_(list) {

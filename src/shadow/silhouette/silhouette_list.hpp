@@ -9,36 +9,36 @@ namespace edgeshade {
 
 /// Some of a batch's pairs.
 struct PairList {
-    std::vector<std::uint32_t> pairs;   ///< of PlanePairShadow::pairs, ascending
+    std::vector<std::uint32_t> pairs;   ///< indices in PlanePairShadow::pairs, ascending
     std::vector<RecordRange> ofCluster; ///< ranges of `pairs`, by cluster
 };
 
-/// The records of a batch that can be silhouettes in some light of a ball, and more
-/// (docs/method.md, C24): every pair that is not listed has multiplicity 0 in all of them,
-/// whichever of its triangles count. Single records are silhouettes in any light but one in their
-/// plane, so none is left out. The vertex shader alone judges what is listed.
+/// The records of a batch that can be silhouettes for some light of a ball, and perhaps others
+/// (docs/method.md, C24). Every pair that is not listed has multiplicity 0 for all of these lights,
+/// whichever of its triangles count. Single records are silhouettes for any light outside their
+/// plane, so none is omitted. The vertex shader decides about the listed records.
 struct SilhouetteList {
-    PairList certain;   ///< silhouettes in any light of the ball: multiplicity ±2 if all count
-    PairList uncertain; ///< silhouettes in some, maybe
-    std::vector<std::int8_t> facings; ///< of caps, see LightFacings
+    PairList certain;   ///< silhouettes for every light of the ball: multiplicity ±2 if all count
+    PairList uncertain; ///< silhouettes for some, perhaps
+    std::vector<std::int8_t> facings; ///< one per cap, see LightFacings
     bool lightInPlane = true; ///< the light may be in the plane of an uncertain pair's triangle
-    /// Tells this list from any other, also from one at the same address later.
+    /// Identifies this list, even if a later one has the same address.
     std::shared_ptr<const int> identity = nullptr;
 
     std::size_t size() const { return certain.pairs.size() + uncertain.pairs.size(); }
 };
 
-/// The listed records themselves; `records` is emptied first.
+/// Copies the listed records to `records`, which is emptied first.
 void gatherPairs(const PlanePairShadow& shadow, const PairList& list,
                  std::vector<PairRecord>& records);
 
-/// Whether the light may be in the plane of a listed triangle, or within `reach` of it, as floats
-/// of so many mantissa bits round. If not, every listed pair of which both triangles cast has
+/// Whether the light may be in the plane of a listed triangle, or within `reach` of it, given
+/// floats of `mantissaBits` mantissa bits. If not, every listed pair whose two triangles cast has
 /// multiplicity 0 or ±2.
 bool isInSomePlane(const PlanePairShadow& shadow, const PairList& list, const glm::vec4& light,
                    float reach, int mantissaBits);
 
-/// How many caps of a cluster may face the light.
+/// Number of a cluster's caps that may face the light.
 std::uint32_t lightFacingCapCount(const SilhouetteList& proposal, const ShadowCluster& cluster);
 
 /// Whether a cap with this facing, of SilhouetteList::facings, may face the light.
@@ -46,9 +46,9 @@ inline bool mayFaceTheLight(std::int8_t facing) {
     return facing >= 0;
 }
 
-/// Fills in `proposal`, whose memory it uses again. `facings` must be those of the shadow. `range`:
-/// as rangeInObject() has it; pairs of clusters out of it, for all lights of the ball, are not
-/// listed, and no memory is kept for them.
+/// Fills in `proposal`, and reuses its memory. `facings` must be those of the shadow. `range`: as
+/// of rangeInObject(); pairs of clusters beyond it, for all lights of the ball, are not listed and
+/// take no memory.
 void listSilhouettes(const PlanePairShadow& shadow, const LightFacings& facings,
                      const LightBall& ball, int mantissaBits, SilhouetteList& proposal,
                      double range = std::numeric_limits<double>::infinity());

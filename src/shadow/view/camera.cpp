@@ -39,7 +39,7 @@ Camera framingCamera(const Box& box, double fovDegrees, double aspect,
     Camera camera{box.center() + direction, box.center(), fovDegrees};
     const glm::dmat4 view = viewFromWorld(camera);
 
-    // As near as every corner of the box allows.
+    // The shortest distance that shows every corner of the box.
     double distance = std::max(1e-6 * box.diagonal(), 1e-9);
     for (int corner = 0; corner < 8 && !box.empty(); ++corner) {
         const glm::dvec3 offset = glm::dmat3(view) * (box.corner(corner) - box.center());

@@ -6,8 +6,8 @@
 
 namespace edgeshade {
 
-/// A perspective camera in the world: right-handed, +Y up; where it looks straight up or down, -Z
-/// is up in the picture.
+/// A perspective camera in the world: right-handed, +Y up. If it looks straight up or down, -Z is
+/// up in the picture.
 struct Camera {
     glm::dvec3 from{0.0, 0.0, 1.0};
     glm::dvec3 to{0.0};
@@ -17,14 +17,14 @@ struct Camera {
 /// World to camera space (x right, y up, looking along -z).
 glm::dmat4 viewFromWorld(const Camera& camera);
 
-/// Half the picture's height a unit of depth.
+/// Half the picture's height at unit depth.
 double tangentOfHalfFov(double fovDegrees);
 
-/// The direction from a scene to the eye that suits any scene: from slightly above.
+/// The default direction from a scene to the eye: from slightly above.
 glm::dvec3 framingDirection();
 
-/// A camera that sees the whole box from there: what measured views are laid around; see
-/// framing.hpp for pictures.
+/// A camera that sees the whole box from framingDirection(), around which measured views are laid;
+/// for pictures see framing.hpp.
 Camera framingCamera(const Box& box, double fovDegrees, double aspect);
 
 /// A camera that sees the whole box from `direction`, which points from the box to the eye.

@@ -8,13 +8,13 @@
 namespace edgeshade {
 namespace {
 
-constexpr double slicePays = 64.0; // ratio of depths from which one more slice is worth it
+constexpr double slicePays = 64.0; // ratio of depths from which another slice is worthwhile
 constexpr int mostSlices = 8;
 
-/// Room before and behind the scene in an orthographic picture, as a share of its size.
+/// Margin before and behind the scene in an orthographic picture, as a share of its size.
 constexpr double orthographicMargin = 1e-2;
 
-/// The depths of all of the scene, with some room.
+/// The depths of the whole scene, with a margin.
 DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
     if (bounds.empty()) return {1.0, 2.0};
     const Interval depths = depthsOf(frustum, bounds);
@@ -22,7 +22,7 @@ DepthRange wholeDepth(const Frustum& frustum, const Box& bounds) {
     return {depths.low - margin, depths.high + margin};
 }
 
-/// The scene's, with those of its ground.
+/// The scene's bounds, extended by its ground.
 Box boundsWithGround(const Scene& scene, Box bounds) {
     for (const Batch& batch : scene.batches)
         if (batch.ground)
@@ -31,7 +31,7 @@ Box boundsWithGround(const Scene& scene, Box bounds) {
     return bounds;
 }
 
-/// By batch: the box of its vertices, in its space, where it shares them with others.
+/// By batch: the box of its vertices in its space, if it shares them with other batches.
 std::vector<std::optional<Box>> boxesOfShared(const Scene& scene) {
     const std::vector<std::size_t> first = firstOfGeometry(scene.batches);
     std::vector<std::optional<Box>> boxes(first.size());
@@ -48,7 +48,7 @@ std::vector<std::optional<Box>> boxesOfShared(const Scene& scene) {
     return boxes;
 }
 
-/// Where a point light needs casters to be cut, see FrameLight::cut.
+/// The plane that cuts casters for a point light, see FrameLight::cut; null if not needed.
 std::optional<glm::dvec4> cutAt(const Light& light, const Frustum& frustum, const Box& bounds) {
     if (!frustum.orthographic || light.position.w == 0.0 || bounds.empty()) return std::nullopt;
     const glm::dvec3 forward = frustum.forward();

@@ -8,12 +8,12 @@ namespace {
 
 constexpr double margin = 1.06;
 
-/// Of the scene's diagonal: how far before the eye each vertex is at least, a little more than a
-/// fiftieth. A needle that points at the eye would else have its tip there.
+/// Minimum depth of every vertex as a share of the scene's diagonal, slightly more than a fiftieth.
+/// Without it a needle that points at the eye would have its tip there.
 constexpr double leastEyeDistance = 0.02 * (1.0 + 1e-6);
 
-/// Where an eye has to be along one axis of the picture: a point at x to the side and z towards the
-/// eye is seen from (eye, height) if |x - eye| <= tangent * (height - z).
+/// Possible positions of an eye along one axis of the picture. A point at x to the side and z
+/// towards the eye is visible from (eye, height) if |x - eye| <= tangent * (height - z).
 class Spread {
   public:
     explicit Spread(double tangent) : tangent_(tangent) {}

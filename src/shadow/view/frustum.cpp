@@ -10,7 +10,7 @@
 namespace edgeshade {
 namespace {
 
-/// How far matrices may be from what they should be, as a share: they may come from floats.
+/// Relative tolerance for matrices, which may come from floats.
 constexpr double tolerance = 1e-4;
 
 [[noreturn]] void fail(const std::string& what) {
@@ -24,7 +24,7 @@ void requireFinite(const glm::dmat4& matrix, const std::string& name) {
                 fail("The " + name + " matrix has a number that is not finite.");
 }
 
-/// By how much a view matrix makes lengths longer; a mirroring one, too.
+/// The scale factor of a view matrix, even if it mirrors.
 double scaleOf(const glm::dmat4& viewFromWorld) {
     return std::cbrt(std::abs(glm::determinant(glm::dmat3(viewFromWorld))));
 }
@@ -62,7 +62,7 @@ glm::dmat4 rigidView(const glm::dmat4& viewFromWorld) {
     const double scale = scaleOf(viewFromWorld);
     if (!(scale > 0.0)) fail("The camera's matrix is singular.");
     if (glm::determinant(turn) < 0.0) fail("The camera's matrix mirrors the world.");
-    // Gram-Schmidt takes out what rounding has left; more than that is no turn.
+    // Gram-Schmidt removes rounding errors; larger ones mean that it is no rotation.
     const glm::dvec3 right = glm::row(turn, 0) / scale, up = glm::row(turn, 1) / scale;
     const glm::dvec3 backward = glm::row(turn, 2) / scale;
     const glm::dvec3 z = glm::normalize(backward);
@@ -82,7 +82,7 @@ Frustum frustumOf(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromVie
     requireFinite(clipFromView, "projection");
     Frustum frustum;
     frustum.viewFromWorld = rigidView(viewFromWorld);
-    // w is -z of a perspective, or the same everywhere; either may be scaled.
+    // w is -z in perspective, or constant; either may be scaled.
     const glm::dvec4 w = glm::row(clipFromView, 3);
     const double unit = std::max(std::abs(w.z), std::abs(w.w));
     const glm::dvec4 share = w / unit;
@@ -90,7 +90,7 @@ Frustum frustumOf(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromVie
     if (!frustum.orthographic && !isNear(share, {0, 0, -1, 0}))
         fail("The projection is neither perspective nor orthographic: its last row is not (0, 0, "
              "-1, 0), nor (0, 0, 0, 1).");
-    // The camera's scale goes with what is measured in scene units.
+    // The camera's scale affects values in scene units.
     const double scale = scaleOf(viewFromWorld);
     for (glm::length_t axis = 0; axis < 2; ++axis) {
         const glm::dvec4 row = glm::row(clipFromView, axis) / unit;

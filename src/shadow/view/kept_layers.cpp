@@ -14,7 +14,7 @@ bool KeptLayers::fill(const Scene& scene, bool castMasked, std::vector<FrameLigh
                    known.extent == of.light.extent && known.points == of.points.size();
         });
         const bool known = found != kept_.end();
-        if (!of.drawn && !known) continue; // nobody asks until it is
+        if (!of.drawn && !known) continue; // not needed until it is drawn
         anyNew = anyNew || !known;
         of.layers =
             known ? found->layers : boundLayers(scene, castMasked, of.counted(), stencilLimit);

@@ -4,13 +4,14 @@
 
 namespace edgeshade {
 
-/// Bounds the layers around lights, and keeps that for those that rest: it takes 8 ms for 150,000
-/// triangles where few lie behind each other, up to 50 ms where many do. Lights that aren't drawn,
-/// or get no shadow, are not asked about.
+/// Bounds the layers around lights, and keeps the bounds of lights at rest: one takes 8 ms for
+/// 150,000 triangles if few are behind each other, up to 50 ms if many are. Lights that aren't
+/// drawn, or have no shadow, are skipped.
 class KeptLayers {
   public:
     /// Fills in FrameLight::layers; those of lights that have not moved since the last call are
-    /// known. The scene must be as it was then, else clear() comes first. False: all were known.
+    /// reused. The scene must be unchanged since then; otherwise call clear() first. Returns false
+    /// if all were known.
     bool fill(const Scene& scene, bool castMasked, std::vector<FrameLight>& lights);
 
     void clear() { kept_.clear(); }

@@ -10,11 +10,11 @@
 namespace edgeshade {
 namespace {
 
-/// What is nearer to a light than this share of its range, or of what is visible, is taken to be as
-/// far: else a light within the bounds of what is visible would be infinitely bright.
+/// Shortest distance that counts, as a share of the light's range, or of the visible geometry's
+/// size. Otherwise a light among the visible geometry would be infinitely bright.
 constexpr double leastDistance = 0.25;
 
-/// Pixels that the light reaches, of all depths.
+/// Number of pixels that the light reaches, over all depths.
 double areaOf(const FrameView& view, const Light& light) {
     PixelRectangle reach;
     for (const DepthSlice& slice : view.slices)
@@ -38,7 +38,7 @@ void leaveOutUnreached(FrameView& view) {
 
 double importanceOf(const FrameView& view, const Light& light) {
     const double share = areaOf(view, light) / (static_cast<double>(view.width) * view.height);
-    const glm::dvec3 color(light.color); // as bright as CIE's Y says
+    const glm::dvec3 color(light.color); // luminance, CIE's Y
     const double bright = 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
     if (!light.photometric) return bright * share / static_cast<double>(view.lights.size());
     const double reflected = bright * std::numbers::inv_pi * share;

@@ -7,23 +7,23 @@
 
 namespace edgeshade {
 
-/// Marks the lights that reach nothing of what is visible as not drawn: nothing is planned, drawn
-/// or uploaded for them, and nothing of the picture changes. Those with an extent stay.
+/// Marks lights that reach no visible geometry as not drawn: they are not planned, drawn or
+/// uploaded, and the picture is the same. Lights with an extent stay.
 void leaveOutUnreached(FrameView& view);
 
-/// How much a light is estimated to add to the picture: how bright it is over the square of how far
-/// it is from what is visible, times the share of the picture that it reaches. No unit; 0 where it
-/// reaches nothing. A light without candela counts as one of an even share of the picture's light.
+/// Estimate of a light's contribution to the picture: its brightness over the squared distance to
+/// the visible geometry, times the share of the picture that it reaches. No unit; 0 if it reaches
+/// nothing. A light that isn't in candela counts with an even share of the picture's light.
 double importanceOf(const FrameView& view, const Light& light);
 
-/// Has it shine through what casts, from its centre alone.
+/// Makes the light ignore casters, and shine from its centre alone.
 void leaveWithoutShadow(FrameLight& light);
 
-/// Leaves shadows to the lights that matter most, `most` of them, by importanceOf(); of equal ones
-/// to the first.
+/// Keeps shadows only for the `most` most important lights, by importanceOf(); of equal ones the
+/// first.
 void keepShadowed(FrameView& view, std::size_t most);
 
-/// Both; `mostShadowed`: nothing where all lights are to have shadows.
+/// Calls both; `mostShadowed`: null if all lights have shadows.
 void chooseLights(FrameView& view, std::optional<std::size_t> mostShadowed);
 
 } // namespace edgeshade

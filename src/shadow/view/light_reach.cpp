@@ -11,17 +11,17 @@
 namespace edgeshade {
 namespace {
 
-/// Bounds of x / depth over the part of a disc at depth >= near. The part is convex, so that they
-/// are taken where a line through the eye touches the circle, or at the ends of the near plane's
+/// Bounds of x / depth over the part of a disc at depth >= near. The part is convex, so the
+/// extremes are where a line through the eye touches the circle, or at the ends of the near plane's
 /// chord.
 Interval slopesOver(double x, double depth, double radius, double near) {
     Interval slopes;
-    const double squared = x * x + depth * depth - radius * radius; // of the tangents' length
+    const double squared = x * x + depth * depth - radius * radius; // the tangents' squared length
     if (squared > 0.0) {
         const double length = std::sqrt(squared);
         const double distance = std::hypot(x, depth);
         for (const double side : {-1.0, 1.0}) {
-            // The centre's direction turned by the tangent's angle, and as far as the tangent goes.
+            // The centre's direction rotated by the tangent's angle, at the tangent's length.
             const double cosine = length / distance, sine = side * radius / distance;
             const double atX = (x * cosine + depth * sine) * length / distance;
             const double atDepth = (depth * cosine - x * sine) * length / distance;
@@ -37,8 +37,8 @@ Interval slopesOver(double x, double depth, double radius, double near) {
     return slopes;
 }
 
-/// First pixel and count of those that the slopes fall on, one more on both sides. `low`, `high`:
-/// the window's ends.
+/// First pixel and number of pixels that the slopes cover, with one more on both sides. `low`,
+/// `high`: the window's ends.
 std::pair<int, int> pixelsOf(const Interval& slopes, double low, double high, int count) {
     const auto pixel = [&](double slope) {
         return std::clamp((slope - low) / (high - low) * count, -2.0, count + 2.0);
@@ -48,7 +48,7 @@ std::pair<int, int> pixelsOf(const Interval& slopes, double low, double high, in
     return {first, std::max(0, end - first)};
 }
 
-/// Those of a picture, in both directions; empty where there are none.
+/// The pixels that the slopes cover in both directions; may be empty.
 PixelRectangle pixelsOf(const Slopes& slopes, const FrameView& view) {
     const glm::dvec2 &low = view.frustum.low, &high = view.frustum.high;
     const auto [x, width] = pixelsOf(slopes.right, low.x, high.x, view.width);
@@ -57,7 +57,7 @@ PixelRectangle pixelsOf(const Slopes& slopes, const FrameView& view) {
     return {x, y, width, height};
 }
 
-/// The pixels around a ball between two depths.
+/// The pixels around the part of a ball between two depths.
 PixelRectangle pixelsAround(const Ball& ball, const Interval& depths, const FrameView& view) {
     const glm::dvec3 center(view.frustum.viewFromWorld * glm::dvec4(ball.center, 1.0));
     const double depth = -center.z, radius = ball.radius;
@@ -70,8 +70,8 @@ PixelRectangle pixelsAround(const Ball& ball, const Interval& depths, const Fram
                     view);
 }
 
-/// The pixels around what the corners are the hull of, between two depths. A line between any two
-/// corners is in the hull, and all of its edges are among them.
+/// The pixels around the part of the corners' hull between two depths. It uses lines between any
+/// two corners: they are in the hull, and include all its edges.
 PixelRectangle pixelsAround(const std::array<glm::dvec3, 9>& corners, const Interval& depths,
                             const FrameView& view) {
     const bool orthographic = view.frustum.orthographic;
@@ -95,7 +95,7 @@ PixelRectangle pixelsAround(const std::array<glm::dvec3, 9>& corners, const Inte
     return pixelsOf(slopes, view);
 }
 
-/// How far from the light a spot can light what is visible; infinite where nothing says.
+/// The longest distance at which a spot can light visible geometry; infinite if unknown.
 double reachOf(const FrameView& view, const Light& spot) {
     double reach = spot.hasRange() ? spot.range : std::numeric_limits<double>::infinity();
     if (view.visible.empty()) return reach;

@@ -17,7 +17,7 @@ inline std::array<glm::dvec3, 4> rectangleAt(double depth, const Frustum& frustu
     return corners;
 }
 
-/// What is between the eye and the picture at a depth, in that space.
+/// The volume between the eye and the picture at a depth, in that space.
 inline NearClipVolume volumeBefore(double depth, const Frustum& frustum,
                                    const glm::dmat4& spaceFromView) {
     return {rectangleAt(depth, frustum, spaceFromView),

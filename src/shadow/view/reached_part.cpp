@@ -8,8 +8,8 @@
 namespace edgeshade {
 namespace {
 
-/// Pixels around the reach: masks of lower resolution are counted two of theirs beyond it
-/// (scaledReach()), each as wide as four.
+/// Pixels of margin around the reach: masks of lower resolution are counted up to two of their
+/// pixels beyond it (scaledReach()), each up to four wide.
 constexpr int margin = 16;
 
 PixelRectangle widened(const PixelRectangle& reach, const FrameView& view) {

@@ -4,10 +4,10 @@
 
 namespace edgeshade {
 
-/// What of a view a light can change, as a view of its own that has no lights: the window around
-/// lightReach(), no deeper than the light reaches, and of what is visible the part in the box of
-/// its ball (docs/method.md, C22). Shadows that are right there are right for the light. A light
-/// that reaches everywhere has all of the view.
+/// The part of a view that a light can change, as a view without lights. Its window is around
+/// lightReach(), and no deeper than the light reaches. Its visible geometry is limited to the box
+/// of the light's ball (docs/method.md, C22). If shadows are right in this view, they are right for
+/// the light. For a light that reaches everywhere it is the whole view.
 FrameView reachedPart(const FrameView& view, const DepthSlice& slice, const Light& light);
 
 } // namespace edgeshade

@@ -7,8 +7,8 @@
 
 namespace edgeshade {
 
-/// What a slice shows, in a batch's space: left, right, bottom, top, near, and the farthest that is
-/// visible; dot(plane, (p, 1)) >= 0 inside.
+/// Planes around a slice, in a batch's space: left, right, bottom, top, near, and the farthest
+/// visible depth; dot(plane, (p, 1)) >= 0 inside.
 using ViewPlanes = std::array<glm::dvec4, 6>;
 
 /// The planes for a batch placed by `worldFromBatch`.

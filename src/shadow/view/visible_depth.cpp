@@ -13,12 +13,12 @@ namespace {
 
 constexpr double widening = 1.001; // of the window, against rounding
 
-/// Corners of as many triangles as are looked at together first: those that follow each other in a
-/// file mostly lie close together.
+/// Corners of the triangles that are first tested together: neighbours in a file are mostly close
+/// together.
 constexpr std::size_t runCorners = 3 * 64;
 
-/// How far a GL may place points off, in the view. `farthest`: their largest coordinates, without
-/// sign.
+/// Bound of a GL's error in placing points, in the view. `farthest`: the largest magnitudes of
+/// their coordinates.
 double placingErrorOf(const glm::dvec3& farthest, const glm::dmat4& viewFromBatch) {
     double largest = 0.0;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
@@ -35,7 +35,7 @@ glm::dvec3 farthestOf(const std::vector<glm::vec3>& positions) {
     return farthest;
 }
 
-/// A window that is wider by `widening` on each side.
+/// The frustum with its window enlarged by the factor `widening`.
 Frustum widened(Frustum frustum) {
     const glm::dvec2 more = 0.5 * (widening - 1.0) * frustum.size();
     frustum.low -= more;
@@ -43,7 +43,7 @@ Frustum widened(Frustum frustum) {
     return frustum;
 }
 
-/// Of the frustum in camera space: dot(normal, p) + offset >= 0 inside.
+/// A side of the frustum in camera space: dot(normal, p) + offset >= 0 inside.
 struct Side {
     glm::dvec3 normal;
     double offset;
@@ -58,7 +58,7 @@ std::array<Side, 5> sidesOf(const Frustum& frustum) {
             Side{{0.0, 1.0, low.y}, 0.0}, Side{{0.0, -1.0, -high.y}, 0.0}, front};
 }
 
-/// The slopes that points of the frustum get, each placed up to `error` off.
+/// Bounds of the slopes of the frustum's points, each placed with an error of up to `error`.
 class SlopeBounds {
   public:
     SlopeBounds(const Frustum& frustum, double error, const Slopes& known = {})
@@ -69,7 +69,7 @@ class SlopeBounds {
         error_ = 2.0 * error * (1.0 + std::max(widest.x, widest.y));
     }
 
-    /// Whether a point, of the frustum or not, adds nothing.
+    /// Whether a point, in the frustum or not, is already within the bounds.
     bool hold(const glm::dvec3& point) const {
         const double depth = -point.z;
         return depth > nearest_ && hold(slopes_.right, point.x, perUnit(depth)) &&
@@ -82,14 +82,14 @@ class SlopeBounds {
     const Slopes& slopes() const { return slopes_; }
 
   private:
-    /// What the window's coordinates are multiplied by at a depth.
+    /// Factor from window coordinates to positions at a depth.
     double perUnit(double depth) const { return frustum_.orthographic ? 1.0 : depth; }
     bool hold(const Interval& known, double offset, double unit) const {
         return known.low * unit <= offset - error_ && offset + error_ <= known.high * unit;
     }
     void add(Interval& known, double offset, double depth, double low, double high) const {
-        // x / d, both off by e: by at most e (1 + |x / d|) / (d - e), which is within 2 e / d of
-        // it.
+        // x / d, with errors of e in both, is off by at most e (1 + |x / d|) / (d - e). As d > 2 e,
+        // that is at most 2 e (1 + |x / d|) / d.
         for (const double error : {-error_, error_})
             known.add(depth > nearest_ ? std::clamp((offset + error) / perUnit(depth), low, high)
                       : error < 0.0    ? low
@@ -101,8 +101,8 @@ class SlopeBounds {
     Slopes slopes_;
 };
 
-/// Whether a triangle of a picture's camera space certainly shows its back. `mirrored`: what places
-/// it there turns windings over; `error`: how far a GL may place its corners off.
+/// Whether a triangle in the picture's camera space certainly shows its back. `mirrored`: its
+/// transform reverses winding; `error`: bound of a GL's error in placing its corners.
 bool showsBack(const Polygon& triangle, bool orthographic, bool mirrored, double error) {
     const glm::dvec3 &a = triangle.corners[0], &b = triangle.corners[1], &c = triangle.corners[2];
     const glm::dvec3 ab = b - a, ac = c - a;
@@ -112,14 +112,14 @@ bool showsBack(const Polygon& triangle, bool orthographic, bool mirrored, double
     return side < -4.0 * error * sides * (sides + glm::length(towardsEye));
 }
 
-/// Whether all of a box of the picture's camera space is outside of the frustum.
+/// Whether the whole box, in the picture's camera space, is outside the frustum.
 bool isOutsideOf(const std::array<Side, 5>& sides, const Box& box) {
     return std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
         return largestOver(box, glm::dvec4(side.normal, side.offset)) < 0.0;
     });
 }
 
-/// By corner of the batch's indices: whether its triangle is seen from its front alone.
+/// For each index of the batch, whether its triangle is visible only from its front.
 std::vector<std::uint8_t> culledWhereTurnedAway(const Scene& scene, const Batch& batch) {
     if (!scene.culls) return {};
     std::vector<std::uint8_t> culled(batch.geometry->indices.size(), 0);
@@ -153,7 +153,7 @@ VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& g
     const auto isKnown = [&](const glm::dvec3& point) {
         return slopes.hold(point) && part.box.holds(inWorld(point));
     };
-    // What holds all corners of a box holds all of it: slopes are planes through the eye.
+    // Bounds that hold all corners of a box hold the whole box: slopes are planes through the eye.
     const auto addsNothing = [&](const Box& box) {
         if (isOutsideOf(sides, box)) return true;
         if (!part.depth.contains(-box.high.z, -box.low.z)) return false;
@@ -215,7 +215,8 @@ std::optional<double> nearestOfKnown(const VisiblePart& known, const Box& box,
             }))
             return std::numeric_limits<double>::infinity();
     if (!known.depth.contains(depth.nearest, depth.farthest)) return std::nullopt;
-    // What holds all corners of the box holds all of it: slopes are planes through the eye.
+    // Bounds that hold all corners of the box hold the whole box: slopes are planes through the
+    // eye.
     const glm::dvec3 farthest = glm::max(glm::abs(box.low), glm::abs(box.high));
     const SlopeBounds slopes(frustum, placingErrorOf(farthest, viewFromBatch), known.slopes);
     for (int i = 0; i < 8; ++i)

@@ -8,8 +8,8 @@
 
 namespace edgeshade {
 
-/// Distances along the viewing direction between which something is visible; empty (nearest above
-/// farthest) where nothing is.
+/// Range of distances along the viewing direction that contains visible geometry; empty (nearest
+/// above farthest) if there is none.
 struct DepthRange {
     double nearest = std::numeric_limits<double>::infinity();
     double farthest = 0.0;
@@ -22,17 +22,17 @@ struct DepthRange {
     bool contains(double from, double to) const { return nearest <= from && to <= farthest; }
 };
 
-/// How far to the right of the viewing direction and above it something is, as Frustum's window
-/// tells it: per unit of depth; of an orthographic picture, whatever the depth.
+/// Offsets to the right of the viewing direction and above it, in the units of Frustum's window:
+/// per unit of depth, or for an orthographic picture at any depth.
 struct Slopes {
     Interval right, up;
 };
 
-/// Where surfaces are that may be visible.
+/// Bounds of surfaces that may be visible.
 struct VisiblePart {
     DepthRange depth;
     Box box;       ///< in the world
-    Slopes slopes; ///< with what a GL's floats may add
+    Slopes slopes; ///< with a margin for a GL's floats
 
     void add(const VisiblePart& other) {
         if (other.depth.empty()) return;
@@ -45,18 +45,18 @@ struct VisiblePart {
     }
 };
 
-/// Where surfaces of one of the scene's batches are within the frustum, a little widened. Exact but
-/// for rounding: triangles are clipped to it, and left out where the scene culls them, if that is
-/// beyond doubt.
+/// Bounds of a batch's surfaces within the frustum, which is widened slightly. Exact except for
+/// rounding: triangles are clipped to it, and omitted if the scene certainly culls them.
 VisiblePart visiblePart(const Scene& scene, const Batch& batch, const Frustum& frustum);
 
-/// Of a batch whose vertices are within a box of its space, and of what is known of others: a bound
-/// below its visible depths, infinity where it is out of the frustum, if it adds nothing to that in
-/// either case. Null: visiblePart() has to look.
+/// A shortcut for a batch whose vertices are within `box`, in its space. If its surfaces can't
+/// extend the `known` bounds, returns a lower bound of its visible depths, or infinity if it is
+/// outside the frustum. Null: call visiblePart().
 std::optional<double> nearestOfKnown(const VisiblePart& known, const Box& box,
                                      const glm::dmat4& worldFromBatch, const Frustum& frustum);
 
-/// Whether the picture's eye, which may be at infinity, is above the ground: else it isn't seen.
+/// Whether the picture's eye, which may be at infinity, is above the ground: otherwise the ground
+/// is invisible.
 bool isAboveGround(const Frustum& frustum, const Batch& ground);
 
 } // namespace edgeshade
