@@ -4,8 +4,7 @@
 //                    shadow_map_lookup.glsl; SOFT_MAP: the light has an extent
 //   COARSE_MASK      a mask of lower resolution
 //   PRIMITIVE_MAP    a primitive map (primitive_map_lookup.glsl); with PRIMITIVE_MAP_POINTS it
-//   counts
-//                    the light's points that reach the fragment (primitive_map_points.glsl)
+//                    counts the light's points that reach the fragment (primitive_map_points.glsl)
 //   VISIBILITY       a texture with the share of the light's points that are visible from there
 // or else the stencil; with SELF_SHADOWED a surface is also dark where it faces away from the
 // light. DIRECTIONAL: a light of one direction; RANGED and SPOT: one that doesn't reach everywhere,
