@@ -68,7 +68,7 @@ glm::dvec2 sizeFrom(const Field& field) {
     return size;
 }
 
-/// Reads a key that says what shape a light has; false: it is another key.
+/// Reads a key that describes the light's extent; returns false for any other key.
 bool readExtent(const std::string& key, const Field& value, std::optional<LightExtent>& extent) {
     using Shape = LightExtent::Shape;
     LightExtent read = extent.value_or(LightExtent());
