@@ -10,7 +10,7 @@
 namespace edgeshade::desktop {
 namespace {
 
-/// GLFW's own words for what went wrong last.
+/// GLFW's own message about the last error.
 std::string lastError() {
     const char* text = nullptr;
     glfwGetError(&text);
