@@ -19,7 +19,7 @@ async function responseTo(address, name) {
 
 async function bytesOf(address, name, onFraction) {
   const response = await responseTo(address, name);
-  // A compressed answer's length is not that of its content.
+  // The length of a compressed answer differs from that of its content.
   const known = response.headers.has('content-encoding') ? 0
     : Number(response.headers.get('content-length'));
   requireReadableSize(name, known);

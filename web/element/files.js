@@ -1,4 +1,4 @@
-// Files that a user hands over: which of them is the scene, and whether it can be one.
+// Files from the user: finds the scene among them, and checks whether it can be one.
 
 export const largestBytes = 512 * 1024 * 1024;
 
@@ -17,7 +17,7 @@ export function sizeText(bytes) {
 const isScene = (name) => /\.(glb|gltf)$/i.test(name);
 const pathOf = (file) => file.relativePath || file.webkitRelativePath || file.name;
 
-/** Throws an Error whose message says that so many bytes are too many. */
+/** Throws an Error with a sentence if a file has too many bytes. */
 export function requireReadableSize(name, bytes) {
   if (bytes > largestBytes)
     throw new Error(`'${name}' has ${sizeText(bytes)}; the browser's viewer reads scenes of up to ` +

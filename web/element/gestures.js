@@ -1,10 +1,10 @@
-// Mouse, pen, touch and keys on the picture, told to the viewer in picture pixels.
+// Passes mouse, pen, touch and keys on the picture to the viewer, in picture pixels.
 
 const phases = { pointerdown: 0, pointermove: 1, pointerup: 2, pointercancel: 2 };
 const pixelsPerNotch = 100;
 const linesPerNotch = 3;
 
-/** Keys on the picture. Others, Tab above all, stay the page's. */
+/** Keys of the picture. Others, above all Tab, are left to the page. */
 export const keys = [
   { key: 'ArrowLeft', command: 'orbitLeft', does: 'Orbit' },
   { key: 'ArrowRight', command: 'orbitRight' },
@@ -78,7 +78,7 @@ export function listenForGestures(canvas, target) {
       try {
         canvas.setPointerCapture(event.pointerId);
       } catch {
-        // A pointer that is gone already, or one that a script made up.
+        // The pointer has already gone, or a script made it up.
       }
     }
     if (phase !== 0 && !down.has(event.pointerId) && event.pointerType !== 'mouse') return;

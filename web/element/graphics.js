@@ -1,6 +1,6 @@
-// The element's WebGL 1 context: asked for, checked, and registered with the program.
+// The element's WebGL 1 context: created, checked, and registered with the program.
 
-/** The context, or an Error whose message is a sentence. */
+/** Returns the context, or throws an Error whose message is a sentence. */
 export function createContext(canvas, { antialias }) {
   const context = canvas.getContext('webgl', {
     alpha: true,
@@ -29,7 +29,7 @@ export function register(program, context) {
   return handle;
 }
 
-/** Takes it out again: after a loss it has to be registered anew. */
+/** Unregisters it: after a loss it must be registered again. */
 export function unregister(program, handle) {
   program.GL.deleteContext(handle);
 }

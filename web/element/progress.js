@@ -1,6 +1,6 @@
-// From the start of a download to the first frame, as one bar.
+// One progress bar from the start of a download to the first frame.
 
-// Where each stage begins and ends on the bar.
+// Start and end of each stage on the bar.
 const spans = {
   download: [0, 0.5, 'Fetching the scene'],
   read: [0.5, 0.58, 'Reading the scene'],
@@ -18,7 +18,7 @@ export class Progress {
     this.#box = box;
   }
 
-  /** Returns how far the whole load is, 0..1. */
+  /** Returns the progress of the whole load, 0..1. */
   show(stage, fraction = 0) {
     const [from, to, words] = spans[stage];
     const done = from + (to - from) * fraction;

@@ -1,7 +1,7 @@
-// WebAssembly programs: each is compiled once a page.
+// WebAssembly programs; each is compiled once per page.
 
-/** A function that gives the compiled module at an address; fetched and compiled at its first call. `who`: what
- * the program is to a user. */
+/** Returns a function that returns the compiled module at an address; its first call fetches and
+ * compiles it. `who`: the program's name in messages to the user. */
 export function compiledOnce(address, who) {
   let compiled = null;
   return () => {
@@ -29,7 +29,7 @@ async function compile(address, who) {
   }
 }
 
-/** An instance of a compiled module, by what Emscripten made to run it. */
+/** An instance of a compiled module, started by Emscripten's own function. */
 export function instantiateBy(createModule, module) {
   return createModule({
     instantiateWasm(imports, done) {

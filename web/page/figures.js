@@ -1,9 +1,9 @@
-// The table of figures: what the last frames took and what is in the scene.
+// The table of figures: the cost of the last frames and the contents of the scene.
 
 const milliseconds = (value) => `${value.toFixed(value < 10 ? 2 : 1)} ms`;
 const whole = (value) => Math.round(value).toLocaleString('en');
 
-/** [label, text] of each figure that is known. `stats` as the viewer gives them. */
+/** [label, text] of each known figure. `stats`: from the viewer. */
 export function rowsOf(stats, loaded, sizeText) {
   const rows = [];
   const put = (label, value, text) => {

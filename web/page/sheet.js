@@ -1,4 +1,4 @@
-// On a phone the panel is a sheet at the bottom, folded until it is asked for.
+// On a phone the panel is a sheet at the bottom, folded until it is opened.
 
 const narrow = matchMedia('(max-width: 720px)');
 

@@ -1,6 +1,6 @@
-// The menu of a scene's variants of materials (KHR_materials_variants), there where it has some.
+// The menu of a scene's variants of materials (KHR_materials_variants), shown if it has any.
 
-/** Shows or hides `section` after each load; its `menu` says which variant is shown, '' for none. */
+/** Shows or hides `section` after each load; its `menu` shows the current variant, '' for none. */
 export function connectVariants(viewer, section, menu) {
   menu.addEventListener('change', () => chooseVariant(viewer, menu.value));
   viewer.addEventListener('load', ({ detail }) => {
@@ -12,7 +12,7 @@ export function connectVariants(viewer, section, menu) {
   });
 }
 
-/** Shows the scene, or the next one, in this variant. */
+/** Shows this scene, or the next one, in this variant. */
 export function chooseVariant(viewer, name) {
   if (name) viewer.setAttribute('variant', name);
   else viewer.removeAttribute('variant');

@@ -1,4 +1,4 @@
-// Files that users hand over: good ones are shown, bad ones are explained and change nothing.
+// Files from users: good ones are shown, bad ones are explained and change nothing.
 
 import assert from 'node:assert/strict';
 import { existsSync, mkdtempSync, openSync, ftruncateSync, closeSync, readFileSync, rmSync } from 'node:fs';
@@ -12,7 +12,7 @@ import { repository } from './support/server.mjs';
 const shared = useBrowser();
 const sample = readFileSync(join(repository, 'assets/pavilion.glb'));
 
-/** A glTF of one triangle whose buffer lies in a file of its own. */
+/** A glTF of one triangle, whose buffer is in a separate file. */
 const triangle = {
   gltf: (uri) => Buffer.from(JSON.stringify({
     asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
@@ -87,7 +87,7 @@ test('a huge file is refused before it is read', async () => {
   try {
     const path = join(folder, 'huge.glb');
     const file = openSync(path, 'w');
-    ftruncateSync(file, 6e9); // takes no room on the disk
+    ftruncateSync(file, 6e9); // a sparse file, which takes no space on the disk
     closeSync(file);
     const page = await shared.open();
     const name = await sceneName(page);

@@ -1,4 +1,4 @@
-// Lights in the element's attributes, in the address, and in the panel's words.
+// Lights in the element's attributes, in the address, and in the panel's texts.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

@@ -1,4 +1,5 @@
-// Hours of sun in the viewer: the counts of `edgeshade sunhours`, hover, legend, the address.
+// Hours of sunlight in the viewer: the same counts as `edgeshade sunhours`, hover, legend, the
+// address.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -50,7 +51,8 @@ test('counts are those of the program, and the pointer is told them', async () =
     values.add(here?.lit ?? -1);
     if (here) assert.deepEqual([here.of, here.step], [24, 30]);
   });
-  // Another GL rounds outlines of surfaces and of 24 shadows otherwise; same_gl.test.mjs has the same one.
+  // Another GL rounds the outlines of surfaces and of 24 shadows differently; same_gl.test.mjs
+  // compares with the same GL.
   assert.ok(different <= 0.02 * places.length, `${different} of ${places.length} pixels differ`);
   assert.ok(farApart <= 0.004 * places.length, `${farApart} of ${places.length} pixels differ by more`);
   assert.ok(values.size > 12 && values.has(-1), `only ${values.size} values`);
