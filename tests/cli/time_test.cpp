@@ -1,4 +1,4 @@
-// --time: nodes, cameras and lights where the file's animation has them.
+// --time: nodes, cameras and lights in the pose of the file's animation.
 #include "tests/support/child_process.hpp"
 #include "tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
@@ -55,9 +55,8 @@ std::string lampOnAnArm(const TempFolder& folder) {
     return folder.write("arm.glb", gltf.glb());
 }
 
-/// A floor and, if `all`, a box with a child and a skinned tetrahedron above it. An animation
-/// scales the box from `scale`, which it has at rest, and the joint from nothing, to 1 within a
-/// second.
+/// A floor and, if `all`, a box with a child and a skinned tetrahedron above it. Within a second an
+/// animation scales the box from `scale`, its rest scale, and the joint from nothing, to 1.
 std::string growing(const TempFolder& folder, const Json& scale, bool all) {
     GltfBuilder gltf;
     gltf.addShapeNode(box(glm::vec3(3.0f, 0.2f, 3.0f)));
@@ -135,7 +134,7 @@ TEST_F(Time, PlacesNodesLightsAndCameras) {
 
     ASSERT_EQ(run("render", {"--time", "2", "--camera", "0"}).status, 0);
     const Json viewFromWorld = report()["camera"]["matrix"];
-    for (std::size_t row = 0; row < 3; ++row) // the lamp's place, (0.3, 3, 0), is the eye
+    for (std::size_t row = 0; row < 3; ++row) // the lamp's place, (0.3, 3, 0), is the eye's
         EXPECT_NEAR(0.3 * viewFromWorld[row].get<double>() +
                         3.0 * viewFromWorld[4 + row].get<double>() +
                         viewFromWorld[12 + row].get<double>(),
