@@ -112,7 +112,7 @@ std::vector<MadeUp::Setting> drawnSettings(unsigned seed) {
     return settings;
 }
 
-// Of 600 seeds with 24,000 settings, two settings are dropped that full measuring just puts on the
+// With 600 seeds and 24,000 settings, two settings are dropped that full measuring just puts on the
 // front.
 TEST(Halving, DropsNothingThatFullMeasuringPutsOnTheFront) {
     std::size_t dropped = 0, beaten = 0;

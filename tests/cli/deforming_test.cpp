@@ -30,7 +30,8 @@ class Deforming : public testing::Test {
         return Json::parse(bytes.begin(), bytes.end());
     }
 
-    /// Ten times, eight views each: no pixel is wrong away from edges.
+    /// Ten times, eight views each: no pixel is wrong farther than a pixel from an edge, ties
+    /// apart.
     void expectMasksOfRays(const std::string& file, const std::string& animation,
                            std::vector<std::string> more = {}) {
         for (const std::string time :

@@ -192,7 +192,7 @@ export interface Stats {
    * primitive map.
    */
   lights: { method: string; why: string; build_ms: number; bytes: number }[];
-  /** Of the last frame whose stages were timed (one in 16); missing before the first. */
+  /** From the last frame whose stages were timed (one in 16); missing before the first. */
   stage_ms?: { ambient: number; map: number; silhouette: number; rasterise: number; lit: number };
 }
 
