@@ -2,7 +2,8 @@
 // fragment, by the shadow map of its centre. First it searches for the mean distance of the casters
 // in the map between the receiver and any part of the light, then it filters over the penumbra of a
 // caster at that distance. PCSS_RECTANGLE: the light is a rectangle around a point light; otherwise
-// a sphere around one or, with MAP_DIRECTIONAL, a disc. Include shadow_map_lookup.glsl.
+// a sphere around one or, with MAP_DIRECTIONAL, a disc. Needs the declarations of
+// shadow_map_lookup.glsl.
 const int searchTaps = 16;
 const int filterTaps = 32;
 // The search ignores casters nearer to a point light than this share of the receiver's distance: it

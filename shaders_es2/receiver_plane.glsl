@@ -1,5 +1,5 @@
 // Treats the receiver around a lookup as a plane, so that wide filters don't shadow it by itself
-// (Isidoro 2006). Include shadow_map_lookup.glsl.
+// (Isidoro 2006). Needs the declarations of shadow_map_lookup.glsl.
 
 struct Receiver {
     vec3 at;    // in map space

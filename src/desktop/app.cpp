@@ -97,7 +97,7 @@ void App::showNextVariant() {
 
 void App::showNextCamera() {
     const std::vector<FileCamera> cameras = viewer_.cameras();
-    if (cameras.empty()) return say("The scene has no cameras in perspective");
+    if (cameras.empty()) return say("The scene has no perspective cameras");
     const std::size_t index = nextCamera_ % cameras.size();
     viewer_.change({{"camera", viewer::toJson(cameras[index].camera)}});
     nextCamera_ = index + 1;
@@ -284,8 +284,8 @@ void App::onDrop(const std::filesystem::path& path) {
 std::string App::figures() const {
     const viewer::FrameStats stats = viewer_.stats();
     std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << stats.frameMs << " ms a frame, " << stats.planMs
-         << " of it planning\n";
+    text << std::fixed << std::setprecision(1) << stats.frameMs << " ms per frame, " << stats.planMs
+         << " of which planning\n";
     if (const auto& stages = stats.stageMs)
         text << stages->ambient << " ambient, " << stages->map << " map, " << stages->silhouette
              << " silhouette, " << stages->rasterise << " rasterising, " << stages->lit << " lit\n";

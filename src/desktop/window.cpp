@@ -65,8 +65,7 @@ Window::Window(const WindowRequest& request) {
     glfwDestroyWindow(window_);
     glfwTerminate();
     unavailable(
-        "This display's windows have no depth, 8-bit stencil and alpha, which shadow volumes "
-        "need.");
+        "This display's windows lack depth, 8-bit stencil or alpha, which shadow volumes need.");
 }
 
 void Window::requireContext() const {

@@ -72,7 +72,7 @@ class Field {
     }
 
     std::string word() const {
-        if (!value_.is_string()) fail("a text");
+        if (!value_.is_string()) fail("a string");
         return value_.get<std::string>();
     }
 

@@ -187,7 +187,7 @@ export class EdgeshadeViewer extends HTMLElement {
   }
 
   async screenshot() {
-    if (!this.loaded || this.#lost) throw new Error('There is no picture to take yet.');
+    if (!this.loaded || this.#lost) throw new Error('There is no picture to save yet.');
     this.#viewer.invalidate();
     this.#viewer.frame(performance.now() / 1000); // toBlob() must follow in the same task
     return new Promise((resolve, reject) => {
@@ -247,7 +247,7 @@ export class EdgeshadeViewer extends HTMLElement {
       try {
         return { url: new URL(source, document.baseURI).href, given: String(source) };
       } catch {
-        throw new Error(`'${source}' is no address of a scene.`);
+        throw new Error(`'${source}' is not the address of a scene.`);
       }
     }
     return sceneAmong(source instanceof Blob ? [source] : source);
@@ -410,7 +410,7 @@ export class EdgeshadeViewer extends HTMLElement {
     this.#tell('contextrestored');
   }
 
-  // ---- telling ---------------------------------------------------------------------------------
+  // ---- events ----------------------------------------------------------------------------------
 
   #tell(type, detail = null) {
     this.dispatchEvent(new CustomEvent(type, { detail }));

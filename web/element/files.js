@@ -30,13 +30,13 @@ export function requireReadableSize(name, bytes) {
  */
 export function sceneAmong(files) {
   const all = [...files];
-  if (all.length === 0) throw new Error('There was no file in what was dropped.');
+  if (all.length === 0) throw new Error('Nothing that was dropped is a file.');
   const scenes = all.filter((file) => isScene(file.name));
   if (scenes.length === 0)
-    throw new Error(`'${all[0].name}' is no glTF scene: choose a .glb, or a .gltf together with ` +
+    throw new Error(`'${all[0].name}' is not a glTF scene: choose a .glb, or a .gltf together with ` +
       'its files.');
   if (scenes.length > 1)
-    throw new Error(`There are ${scenes.length} scenes in what was dropped ('${scenes[0].name}', ` +
+    throw new Error(`The dropped files contain ${scenes.length} scenes ('${scenes[0].name}', ` +
       `'${scenes[1].name}'${scenes.length > 2 ? ', …' : ''}): choose one at a time.`);
   const scene = scenes[0];
   const total = all.reduce((sum, file) => sum + file.size, 0);

@@ -6,7 +6,7 @@
  */
 export function putBytes(program, bytes) {
   const address = program._malloc(Math.max(bytes.byteLength, 1));
-  if (!address) throw new Error('That needs more memory than the browser gives a page.');
+  if (!address) throw new Error('This needs more memory than the browser allows a page.');
   program.HEAPU8.set(bytes, address);
   return [address, bytes.byteLength];
 }

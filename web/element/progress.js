@@ -4,10 +4,10 @@
 const spans = {
   download: [0, 0.5, 'Fetching the scene'],
   read: [0.5, 0.58, 'Reading the scene'],
-  flatten: [0.58, 0.64, 'Placing its parts'],
-  images: [0.64, 0.72, 'Getting its images'],
-  shadows: [0.72, 0.86, 'Finding its edges'],
-  'hand over': [0.86, 0.9, 'Handing it over'],
+  flatten: [0.58, 0.64, 'Placing the parts'],
+  images: [0.64, 0.72, 'Loading the images'],
+  shadows: [0.72, 0.86, 'Finding the edges'],
+  'hand over': [0.86, 0.9, 'Transferring the scene'],
   upload: [0.9, 0.98, 'Uploading to the GPU'],
   draw: [0.98, 1, 'Drawing the first frame'],
 };

@@ -11,7 +11,7 @@ async function decodeWebp(reader, decoder, image) {
   try {
     pixels = await decoder.pixelsOf(webp);
   } catch {
-    return 'it is WebP that this browser can\'t decode.';
+    return 'this browser can\'t decode its WebP data.';
   }
   const problem = reader.roomFor(image, pixels.width, pixels.height);
   if (problem) throw new Error(problem);

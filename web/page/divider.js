@@ -2,7 +2,7 @@
 
 import { connectHandle, showHandle } from './handle.js';
 
-const names = { auto: 'Exact', volumes: 'Volumes', 'primitive-map': 'Exact, looked up', none: 'No shadows' };
+const names = { auto: 'Exact', volumes: 'Volumes', 'primitive-map': 'Exact, lookup', none: 'No shadows' };
 const nameOf = (side) => names[side.shadows] ?? `Map ${side.map_size}`;
 
 /** Returns refresh(), which moves the handle to the state's position. */

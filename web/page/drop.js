@@ -45,7 +45,7 @@ export function acceptFiles({ overlay, picker, openButton, onFiles, onProblem })
     try {
       onFiles(await filesOf(event.dataTransfer));
     } catch (error) {
-      onProblem(`What was dropped could not be read: ${error.message}`);
+      onProblem(`The dropped files could not be read: ${error.message}`);
     }
   });
   openButton.addEventListener('click', () => picker.click());

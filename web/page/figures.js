@@ -10,7 +10,7 @@ export function rowsOf(stats, loaded, sizeText) {
     if (value !== undefined && value !== null) rows.push([label, text(value)]);
   };
   put('Frame', stats.frame_ms, milliseconds);
-  put('of it planning', stats.plan_ms, milliseconds);
+  put('of which planning', stats.plan_ms, milliseconds);
   if (stats.pose_ms > 0) put('besides, posing', stats.pose_ms, milliseconds);
   for (const [stage, value] of Object.entries(stats.stage_ms ?? {}))
     if (value > 0) put(`of it ${stage}`, value, milliseconds);

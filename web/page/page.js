@@ -73,8 +73,8 @@ async function showAddress() {
   if (asked?.file) {
     wantedForFile = { file: asked.file, changes };
     await showSample({});
-    viewer.say(`This address shows '${asked.file}', which lies on a device and not on a server: ` +
-      'drop that file here, and the view is as it was.');
+    viewer.say(`This address shows '${asked.file}', which is on a device and not on a server: ` +
+      'drop that file here to restore the view.');
   } else if (asked?.url && asked.url !== sampleUrl) {
     await show(asked.url, asked, { state: changes });
   } else {

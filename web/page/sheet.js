@@ -6,7 +6,7 @@ export function connectSheet(panel, button) {
   const fold = (folded) => {
     panel.classList.toggle('folded', folded);
     button.setAttribute('aria-expanded', String(!folded));
-    button.textContent = folded ? 'Controls' : 'Fold';
+    button.textContent = folded ? 'Controls' : 'Hide';
   };
   fold(narrow.matches);
   narrow.addEventListener('change', () => fold(narrow.matches));

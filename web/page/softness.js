@@ -23,7 +23,7 @@ export function connectSoftness(viewer) {
     const { shown, of } = viewer.lightPoints;
     $('light-points').hidden = of === 0;
     $('light-points').textContent = shown < of
-      ? `Soft shadow: ${shown} of ${of} points` : `Soft shadow of ${of} points`;
+      ? `Soft shadow: ${shown} of ${of} points` : `Soft shadow: ${of} points`;
   };
   viewer.addEventListener('frame', showPoints);
   return function refresh(state) {

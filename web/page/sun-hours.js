@@ -20,7 +20,7 @@ export const hoursText = ({ lit, of, step }) => `${durationText(lit * step)} of 
 export function progressText({ counted, of }, moves) {
   if (of === 0) return 'The sun does not rise on this day.';
   if (counted < of) return `Hours of sun: ${counted} of ${of} sun positions`;
-  return moves ? 'Hours of sun: once nothing moves' : `Hours of sun, of ${of} positions`;
+  return moves ? 'Hours of sun: shown when nothing moves' : `Hours of sun, from ${of} positions`;
 }
 
 /** Connects the controls. Returns refresh(state). */

@@ -52,7 +52,7 @@ export function hashOf(model, state) {
 function numbers(text, key, ...counts) {
   const values = text.split(',').map(Number);
   if (!values.every(Number.isFinite) || text.trim() === '' || !counts.includes(values.length))
-    throw new Error(`The address's '${key}' is '${text.slice(0, 60)}', which is no list of ` +
+    throw new Error(`The address's '${key}' is '${text.slice(0, 60)}', which is not a list of ` +
       `${counts.join(' or ')} numbers; the view starts without it.`);
   return values;
 }
@@ -63,7 +63,7 @@ function lightOf(text) {
   try {
     return JSON.parse(text);
   } catch {
-    throw new Error(`The address's 'light' is '${text.slice(0, 60)}', which is no JSON; the view ` +
+    throw new Error(`The address's 'light' is '${text.slice(0, 60)}', which is not JSON; the view ` +
       'starts without it.');
   }
 }

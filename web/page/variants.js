@@ -5,7 +5,7 @@ export function connectVariants(viewer, section, menu) {
   menu.addEventListener('change', () => chooseVariant(viewer, menu.value));
   viewer.addEventListener('load', ({ detail }) => {
     const chosen = viewer.getAttribute('variant') ?? '';
-    menu.replaceChildren(new Option('As the file has it', ''),
+    menu.replaceChildren(new Option('The file\'s own', ''),
       ...detail.variants.map((name) => new Option(name, name)));
     menu.value = detail.variants.includes(chosen) ? chosen : '';
     section.hidden = detail.variants.length === 0;

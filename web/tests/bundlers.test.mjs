@@ -127,7 +127,7 @@ test('what a bundle doesn\'t find is said', { skip }, async () => {
     await shared.check(page, [/404/]);
     return sentence;
   };
-  assert.match(await problem(), /program could not be fetched: the server said 404/);
+  assert.match(await problem(), /program could not be fetched: the server answered 404/);
   cpSync(join(folder, 'node_modules/edgeshade/dist/wasm'), join(folder, 'alone/wasm'), { recursive: true });
   assert.match(await problem(), /worker that finds edges/);
 });

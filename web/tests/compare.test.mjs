@@ -171,7 +171,7 @@ test('what can\'t be shown gets a sentence, and what was shown stays', { skip },
   const page = await opened();
   const before = await nameOf(page);
   for (const [files, pattern] of [
-    [[{ name: 'notes.txt', bytes: Buffer.from('hello') }], /^'notes\.txt' is no glTF scene/],
+    [[{ name: 'notes.txt', bytes: Buffer.from('hello') }], /^'notes\.txt' is not a glTF scene/],
     [[{ name: 'broken.glb', bytes: Buffer.from('glTF and no more') }], /^'broken\.glb' can't be shown: three\.js reads no glTF out of it \(.+\)\.$/],
     [[{ name: 'words.gltf', bytes: Buffer.from('no JSON') }], /^'words\.gltf' can't be shown/],
     [[{ name: 'bare.gltf', bytes: Buffer.from('{"asset":{"version":"2.0"},"scenes":[{}],"scene":0}') }], /there is no surface in it\)\.$/],
@@ -185,7 +185,7 @@ test('what can\'t be shown gets a sentence, and what was shown stays', { skip },
   await page.waitForFunction(() => document.querySelector('#problem').hidden);
   await shared.check(page);
   const gone = await opened('', { model: 'nothing.glb' });
-  assert.match(await sentenceOf(gone), /'nothing\.glb' is not there: the server said 404\./);
+  assert.match(await sentenceOf(gone), /'nothing\.glb' was not found: the server answered 404\./);
   assert.match(await nameOf(gone), /No model yet/);
   await shared.check(gone, [/404/]);
 });

@@ -56,7 +56,7 @@ const wrong = [
   ['cut off', [{ name: 'cut.glb', bytes: sample.subarray(0, 5000) }], /^'cut\.glb' is cut off: its header says/],
   ['noise', [{ name: 'noise.glb', bytes: Buffer.alloc(400, 'x') }], /^'noise\.glb'.*\.$/],
   ['broken Draco data', [{ name: 'broken.glb', bytes: Buffer.from(sample).fill(0xAB, 60000, 61000) }], /^'broken\.glb'.*can't be decoded/],
-  ['a wrong type', [{ name: 'photo.png', bytes: Buffer.from('PNG') }], /^'photo\.png' is no glTF scene: choose a \.glb/],
+  ['a wrong type', [{ name: 'photo.png', bytes: Buffer.from('PNG') }], /^'photo\.png' is not a glTF scene: choose a \.glb/],
   ['an empty file', [{ name: 'empty.glb', bytes: Buffer.alloc(0) }], /^'empty\.glb' is empty\.$/],
   ['two scenes', [{ name: 'a.glb', bytes: sample }, { name: 'b.glb', bytes: sample }], /^There are 2 scenes/],
   ['a count that no memory holds', [{ name: 'count.gltf', bytes: Buffer.from(JSON.stringify({
@@ -102,7 +102,7 @@ test('a huge file is refused before it is read', async () => {
 
 test('an address that is not there, or not a scene, gets a sentence', async () => {
   for (const [model, pattern] of [
-    ['assets/nothing.glb', /'nothing\.glb' is not there: the server said 404\./],
+    ['assets/nothing.glb', /'nothing\.glb' was not found: the server answered 404\./],
     ['index.html', /^'index\.html'/],
   ]) {
     const page = await shared.open(`/#model=${model}`, { scene: false });

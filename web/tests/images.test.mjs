@@ -38,7 +38,7 @@ test('images come along with a .gltf from an address', async () => {
 
 test('an image that is not there is left out, and a sentence says so', async () => {
   const page = await shared.open('/#model=tests/gone/scene.gltf');
-  await waitForNotice(page, /^'scene\.gltf': images\[0\]: 'gone\.png' is not there: the server said 404; it is left out\.$/);
+  await waitForNotice(page, /^'scene\.gltf': images\[0\]: 'gone\.png' was not found: the server answered 404; it is left out\.$/);
   assert.deepEqual(await noticesOf(page, 'error'), []);
   assert.match(await page.textContent('#scene-name'), /^scene\.gltf: 36 triangles/);
   await shared.check(page, [/404/]);
@@ -106,7 +106,7 @@ test('pictures that can\'t be decoded are left out, and the scene is shown witho
   const ktx2 = Buffer.from('\xabKTX 20\xbb\r\n\x1a\n\0\0\0\0', 'latin1');
   for (const [bytes, pattern] of [
     [ktx2, /^'bad\.gltf': images\[0\] is KTX2.*'gltf-transform ktxdecompress IN\.glb OUT\.glb'.*left out\.$/],
-    [texelsAsWebp.subarray(0, 40), /^'bad\.gltf': images\[0\]: it is WebP that this browser can't decode; it is left out\.$/],
+    [texelsAsWebp.subarray(0, 40), /^'bad\.gltf': images\[0\]: this browser can't decode its WebP data; it is left out\.$/],
     [texelsAsPng().subarray(0, 60), /^'bad\.gltf': images\[0\] can't be decoded/],
     [Buffer.from('GIF89a'), /^'bad\.gltf': images\[0\] is neither PNG, JPEG nor WebP; it is left out\.$/],
   ]) {

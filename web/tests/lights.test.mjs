@@ -54,7 +54,7 @@ test('the address keeps lights by names', () => {
 test('an address with a light that is no JSON says so', () => {
   const { changes, problems } = readHash('#light={position');
   assert.equal(changes.lights, undefined);
-  assert.match(problems[0], /'light' is '\{position', which is no JSON/);
+  assert.match(problems[0], /'light' is '\{position', which is not JSON/);
 });
 
 test('the panel knows both forms', () => {

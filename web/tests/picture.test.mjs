@@ -79,7 +79,7 @@ test('8 attributes, no instancing and no 32-bit indices give the same picture', 
 
 test('a browser without WebGL, or without a stencil, says so', async () => {
   for (const [init, pattern] of [
-    [() => { HTMLCanvasElement.prototype.getContext = () => null; }, /gives no WebGL/],
+    [() => { HTMLCanvasElement.prototype.getContext = () => null; }, /provides no WebGL/],
     [() => {
       const { getContextAttributes } = WebGLRenderingContext.prototype;
       WebGLRenderingContext.prototype.getContextAttributes = function () {

@@ -56,7 +56,7 @@ test('sliders make lights larger, shadows follow, and the address keeps it', asy
   assert.equal(light.angle, 4);
   assert.equal(await page.isVisible('#light-radius'), false);
   await soft(page, 16);
-  await page.waitForFunction(() => document.querySelector('#light-points').textContent === 'Soft shadow of 16 points');
+  await page.waitForFunction(() => document.querySelector('#light-points').textContent === 'Soft shadow: 16 points');
   await page.waitForFunction(() => /light=.*angle.*&light-samples=16/.test(decodeURIComponent(location.hash)));
   await page.click('#light-kind label:last-child');
   await page.waitForSelector('#light-radius', { state: 'visible' });

@@ -31,7 +31,7 @@ test('counts are those of the program, and the pointer is told them', async () =
   await page.waitForFunction(() => /^Hours of sun: \d+ of 24 sun positions$/.test(
     document.querySelector('#hours-progress').textContent));
   await complete(page);
-  assert.equal(await page.textContent('#hours-progress'), 'Hours of sun, of 24 positions');
+  assert.equal(await page.textContent('#hours-progress'), 'Hours of sun, from 24 positions');
   assert.equal(await page.textContent('#hours-most'), '12 h');
   const { sun, camera } = await stateOf(page);
   const counts = sunHours({ sun, camera }, 30);
@@ -124,7 +124,7 @@ test('what moves starts anew, and is the usual picture until all is counted', as
   await complete(page);
   assert.ok((await hoursAt(page, [[260, 260]]))[0]);
   await page.click('#play-day');
-  await page.waitForFunction(() => document.querySelector('#hours-progress').textContent === 'Hours of sun: once nothing moves');
+  await page.waitForFunction(() => document.querySelector('#hours-progress').textContent === 'Hours of sun: shown when nothing moves');
   assert.deepEqual(await hoursAt(page, [[260, 260]]), [null]);
   await page.click('#play-day');
   await page.waitForSelector('#hours-scale', { state: 'visible' });
