@@ -33,8 +33,8 @@ export function sceneAmong(files) {
   if (all.length === 0) throw new Error('Nothing that was dropped is a file.');
   const scenes = all.filter((file) => isScene(file.name));
   if (scenes.length === 0)
-    throw new Error(`'${all[0].name}' is not a glTF scene: choose a .glb, or a .gltf together with ` +
-      'its files.');
+    throw new Error(`'${all[0].name}' is not a glTF scene: choose a .glb, or a .gltf together ` +
+      'with its files.');
   if (scenes.length > 1)
     throw new Error(`The dropped files contain ${scenes.length} scenes ('${scenes[0].name}', ` +
       `'${scenes[1].name}'${scenes.length > 2 ? ', …' : ''}): choose one at a time.`);

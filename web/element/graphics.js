@@ -10,11 +10,11 @@ export function createContext(canvas, { antialias }) {
     powerPreference: 'high-performance',
   });
   if (!context)
-    throw new Error('This browser provides no WebGL here, which the viewer needs. It may be switched ' +
-      'off, or the browser does not trust the graphics driver.');
+    throw new Error('This browser provides no WebGL here, which the viewer needs. It may be ' +
+      'switched off, or the browser does not trust the graphics driver.');
   if (!context.getContextAttributes()?.stencil)
-    throw new Error('This browser provides a WebGL context without a stencil buffer, which shadow ' +
-      'volumes need.');
+    throw new Error('This browser provides a WebGL context without a stencil buffer, which ' +
+      'shadow volumes need.');
   return context;
 }
 

@@ -86,7 +86,8 @@ async function read({ module, source, variant }) {
 /** A failure inside the program, such as a failed growth of its memory, as a sentence. */
 function sentenceFor(error) {
   if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
-    return `The scene could not be read: it needs more than the browser provides (${error.message}).`;
+    return 'The scene could not be read: it needs more than the browser provides ' +
+      `(${error.message}).`;
   return error.message || 'The scene could not be read.';
 }
 

@@ -21,7 +21,8 @@ async function compile(address, who) {
     throw new Error(`The ${who}'s program could not be fetched. Is there a connection?`);
   }
   if (!response.ok)
-    throw new Error(`The ${who}'s program could not be fetched: the server answered ${response.status}.`);
+    throw new Error(`The ${who}'s program could not be fetched: ` +
+      `the server answered ${response.status}.`);
   try {
     return await WebAssembly.compile(await response.arrayBuffer());
   } catch {

@@ -63,8 +63,8 @@ function lightOf(text) {
   try {
     return JSON.parse(text);
   } catch {
-    throw new Error(`The address's 'light' is '${text.slice(0, 60)}', which is not JSON; the view ` +
-      'starts without it.');
+    throw new Error(`The address's 'light' is '${text.slice(0, 60)}', which is not JSON; ` +
+      'the view starts without it.');
   }
 }
 
