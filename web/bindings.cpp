@@ -53,7 +53,7 @@ class PageViewer {
         });
     }
 
-    /// Takes over a scene from the worker: `size` bytes that malloc() gave, which it frees.
+    /// Takes over a scene from the worker: `size` bytes from malloc(), which it frees.
     std::string show(std::uintptr_t address, std::size_t size) {
         return sentenceOfFailure([&] {
             std::optional<PageBytes> bytes(std::in_place, address, size);
@@ -63,7 +63,7 @@ class PageViewer {
         });
     }
 
-    /// Takes over a primitive map from the worker, likewise.
+    /// Takes over a primitive map from the worker, in the same way.
     std::string takeMap(std::uintptr_t address, std::size_t size) {
         return sentenceOfFailure([&] {
             const PageBytes bytes(address, size);

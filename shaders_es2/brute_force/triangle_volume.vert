@@ -47,7 +47,7 @@ void emitSide(float v, float facing) {
     v_isBack = 1.0; // solid
 #endif
 #ifdef NEAR_DISCARD
-    v_clipZW = vec2(0.0, 1.0); // what clips it is clipping alone
+    v_clipZW = vec2(0.0, 1.0); // never discarded: only clipping cuts it
 #endif
 }
 

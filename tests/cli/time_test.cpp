@@ -11,9 +11,9 @@ namespace {
 
 const std::vector<std::string> camera = {"--camera-from", "4,5,7", "--camera-to", "0,0.5,0"};
 
-/// A floor with two boxes and, hanging from an arm that turns and moves for 4 seconds, a spot that
-/// shines down past a smaller box on the same arm. The arm starts beside the boxes and ends with
-/// the spot within one of them; a third box shrinks to nothing in the last second.
+/// A floor with two boxes and an arm that rotates and moves for 4 seconds. From the arm hangs a
+/// spot that shines down past a smaller box on the same arm. The arm starts beside the boxes and
+/// ends with the spot inside one of them; a third box shrinks to nothing in the last second.
 std::string lampOnAnArm(const TempFolder& folder) {
     const std::string lights = "KHR_lights_punctual";
     const float sine = std::sin(0.6f), cosine = std::cos(0.6f);

@@ -15,7 +15,7 @@ const Camera corner{{5, 4, 6}, {0, 0.5, 0}, 50.0};
 const Light noon = sun({0.5, 1, -0.3}), lamp = pointLight({0.3, 4, 0.7});
 constexpr float cutoff = 0.4f, opacity = 0.9f;
 
-/// Squares of different alphas, and others in green.
+/// Squares with different alphas, and with different greens.
 Image pattern() {
     constexpr int size = 8;
     Image image{size, size, {}};

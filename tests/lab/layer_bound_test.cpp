@@ -73,7 +73,7 @@ TEST(LayerBound, IsNeverBelowTheTruth) {
     }
 }
 
-// 256 triangles of one group over one pixel would come out lit.
+// 256 triangles of one group over one pixel would look lit.
 TEST(LayerBound, OneGroupHasNoMoreLayersThanTheLimit) {
     for (const int sheets : {256, 511}) {
         const Scene scene = stack(sheets);

@@ -109,7 +109,7 @@ TEST(Paraboloid, IsWrongOnCoarseTriangles) {
     EXPECT_GT(coarse, 3.0 * split);
 }
 
-// Reeves et al. 1987: edges become as wide as the kernel.
+// Reeves et al. 1987: edges become as wide as the filter kernel.
 TEST(Pcf, WidensEdgesWithItsKernel) {
     const Scene scene = SceneBuilder().floor(4).box({-1, 1, -1}, {1, 2, 1}).scene();
     const Camera above{{0, 20, 0}, {0, 0, 0}, 20.0};

@@ -13,7 +13,7 @@
 
 namespace edgeshade::rounded_arithmetic {
 
-/// How a device rounds; GLSL ES 1.00 leaves it open.
+/// The device's rounding, which GLSL ES 1.00 leaves open.
 enum class Rounding { nearest, towardsZero, down };
 
 /// A number with 16 mantissa bits. Small ones become 0, large ones infinite. Sums and products are

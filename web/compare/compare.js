@@ -71,7 +71,7 @@ function change(part) {
   refresh();
 }
 
-/** The view of a model that comes without one. */
+/** The default view, for a model without its own. */
 function ownView() {
   const { center, radius } = world;
   const from = [0.55, 0.45, 1].map((share, i) => center.toArray()[i] + 1.9 * radius * share / 1.23);

@@ -1,4 +1,4 @@
-// The panel's controls, kept equal to the page's state in both directions.
+// The panel's controls, in sync with the page's state in both directions.
 
 import { slider } from '../page/inputs.js';
 import { mapSizes, methods } from './methods.js';

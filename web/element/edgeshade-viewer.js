@@ -88,7 +88,7 @@ export class EdgeshadeViewer extends HTMLElement {
     else if (this.loaded) this.#applyAttributes([name]);
   }
 
-  // ---- what a page can do ----------------------------------------------------------------------
+  // ---- interface for pages ---------------------------------------------------------------------
 
   /** Whether a scene is shown. */
   get loaded() {

@@ -80,7 +80,7 @@ class PageMasks {
                 meshAt(positions, floats, indices, count, texcoords, texcoordFloats, flags));
         });
     }
-    /// Takes over a mesh from the worker: `size` bytes that malloc() gave, which it frees.
+    /// Takes over a mesh from the worker: `size` bytes from malloc(), which it frees.
     int take(std::uintptr_t address, std::size_t size) {
         return numberOf([&] {
             const PageBytes bytes(address, size);

@@ -1,4 +1,4 @@
-// The panel's controls, kept equal to the viewer's state in both directions.
+// The panel's controls, in sync with the viewer's state in both directions.
 
 import { aimed, isSun, kindOf, placeOf } from '../element/lights.js';
 import { check, choose, slider } from './inputs.js';

@@ -91,7 +91,7 @@ acceptFiles({
   onProblem: (sentence) => viewer.say(sentence, 'error'),
 });
 
-// ---- keeping page, picture and address alike ---------------------------------------------------
+// ---- page, picture and address in sync ---------------------------------------------------------
 
 let refreshing = 0;
 let saving = null;
@@ -129,7 +129,7 @@ reducedMotion.addEventListener('change', () => {
   if (reducedMotion.matches && viewer.loaded) viewer.change({ playing: false, day_playing: false });
 });
 
-// ---- buttons that are the page's own -----------------------------------------------------------
+// ---- the page's own buttons --------------------------------------------------------------------
 
 $('screenshot').addEventListener('click', async () => {
   try {
